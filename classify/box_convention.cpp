@@ -29,7 +29,7 @@ BoxConvention parse_box_convention(const std::string& name) {
 }
 
 OrientedBox box_by_convention(const SpheroPolyhedron& body, const PrincipalFrame& frame,
-                   BoxConvention convention) {
+                              BoxConvention convention) {
   switch (convention) {
     case BoxConvention::kSmallest:
       break;

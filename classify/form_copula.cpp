@@ -18,7 +18,7 @@ constexpr const char* kNames[] = {"L", "I/L", "S/I", "convexity"};
 /// Steps in which rank correlations that are no matrix together are weakened.
 constexpr double kWeaker = 0.05;
 /// Smallest pivot of a matrix that is one.
-constexpr double kLeastPivot = 1e-9;
+constexpr double kMinPivot = 1e-9;
 
 double rank_correlation(std::span<const double> a, std::span<const double> b) {
   // None: one of the two is the same of all blocks.
@@ -66,7 +66,7 @@ FormCopula::FormCopula(std::span<const BlockForm> population) {
                                   removed_correlation_ * Eigen::MatrixXd::Identity(count, count);
     const Eigen::LLT<Eigen::MatrixXd> factor(tried);
     const Eigen::MatrixXd lower = factor.matrixL();
-    if (factor.info() != Eigen::Success || lower.diagonal().minCoeff() < kLeastPivot) continue;
+    if (factor.info() != Eigen::Success || lower.diagonal().minCoeff() < kMinPivot) continue;
     for (Eigen::Index i = 0; i < count; ++i) {
       mixing_.emplace_back();
       for (Eigen::Index k = 0; k <= i; ++k) mixing_.back().push_back(lower(i, k));

@@ -10,7 +10,7 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kMostNames = 5;  // in a note
+constexpr std::size_t kMaxNames = 5;  // in a note
 
 /// "A 3 times, B 2 times"; empty when no name stands twice.
 std::string repeated_names(std::span<const MeasuredBlock> blocks) {
@@ -25,8 +25,8 @@ std::string repeated_names(std::span<const MeasuredBlock> blocks) {
   std::string text;
   std::size_t named = 0;
   for (const auto& [name, count] : counts) {
-    if (named++ == kMostNames) {
-      return text + " and " + std::to_string(counts.size() - kMostNames) + " more";
+    if (named++ == kMaxNames) {
+      return text + " and " + std::to_string(counts.size() - kMaxNames) + " more";
     }
     text += (text.empty() ? "" : ", ") + std::string(name) + " " + std::to_string(count) + " times";
   }
@@ -38,10 +38,10 @@ std::string unscaled_names(std::span<const MeasuredBlock> blocks) {
   std::string text;
   std::size_t count = 0;
   for (const MeasuredBlock& block : blocks) {
-    if (!block.unscaled || ++count > kMostNames) continue;
+    if (!block.unscaled || ++count > kMaxNames) continue;
     text += (text.empty() ? "" : ", ") + block.name;
   }
-  if (count > kMostNames) text += " and " + std::to_string(count - kMostNames) + " more";
+  if (count > kMaxNames) text += " and " + std::to_string(count - kMaxNames) + " more";
   return text;
 }
 

@@ -13,7 +13,7 @@ namespace clast {
 namespace {
 
 constexpr double kEulerGamma = 0.57721566490153286;
-constexpr std::size_t kMostDrawn = 1000;  // D/sqrt(n) changes by 0.1 % beyond
+constexpr std::size_t kMaxDrawn = 1000;  // D/sqrt(n) changes by 0.1 % beyond
 
 /// Sums that both fits need, with weights that sum to one.
 struct LogSample {
@@ -267,7 +267,7 @@ void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double ste
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);
-  const std::size_t count = std::min(sizes.size(), kMostDrawn);
+  const std::size_t count = std::min(sizes.size(), kMaxDrawn);
   const double scale = std::sqrt(static_cast<double>(sizes.size()) / static_cast<double>(count));
   const std::vector<double> chance = bootstrap_ks_distances(law, count, step, seed, samples);
   const auto as_far = std::count_if(chance.begin(), chance.end(),

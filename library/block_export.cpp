@@ -18,7 +18,7 @@ namespace clast {
 
 namespace {
 
-constexpr int kUsualSegments = 4, kMostExportSegments = 64;
+constexpr int kUsualSegments = 4, kMaxExportSegments = 64;
 
 /// A mesh of a block, and what its file has after the id.
 struct NamedMesh {
@@ -145,9 +145,9 @@ void BlockExportOptions::check() const {
     throw InputError("`format`: \"" + format +
                      "\" is not known; expected shp, obj, stl, ply, glb or vtp");
   }
-  if (segments && (*segments < 1 || *segments > kMostExportSegments)) {
+  if (segments && (*segments < 1 || *segments > kMaxExportSegments)) {
     throw InputError("`segments` = " + std::to_string(*segments) + ": must be from 1 to " +
-                     std::to_string(kMostExportSegments));
+                     std::to_string(kMaxExportSegments));
   }
   resolve_up_axis(up, {});
   if (frame == ExportFrame::kPrincipal && up == "y") {

@@ -11,13 +11,13 @@ namespace clast {
 namespace {
 
 /// Of the edge length: facets of a round surface that are larger pass for flat faces with edges.
-constexpr double kFacetShare = 0.7;
-constexpr double kFewestSegments = 4.0, kMostSegments = 24.0;
+constexpr double kFacetFraction = 0.7;
+constexpr double kMinSegments = 4.0, kMaxSegments = 24.0;
 
 /// Pieces of a quarter turn that are so short that a mesh of this edge length sees them as round.
 int skin_segments(double radius, double edge_length) {
-  const double pieces = 0.5 * kPi * radius / (kFacetShare * edge_length);
-  return static_cast<int>(std::ceil(std::clamp(pieces, kFewestSegments, kMostSegments)));
+  const double pieces = 0.5 * kPi * radius / (kFacetFraction * edge_length);
+  return static_cast<int>(std::ceil(std::clamp(pieces, kMinSegments, kMaxSegments)));
 }
 
 }  // namespace

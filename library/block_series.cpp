@@ -16,7 +16,7 @@ namespace {
 
 /// Parents among which a body's is drawn.
 constexpr std::size_t kNearest = 3;
-constexpr std::size_t kFewestDigits = 4;
+constexpr std::size_t kMinDigits = 4;
 
 /// How much a block has to be stretched: the distance of its logarithmic ratios.
 double stretch_between(const BoxRatios& a, const BoxRatios& b) {
@@ -36,7 +36,7 @@ const Block& nearby_parent(std::span<const Block* const> parents, const BoxRatio
 
 std::string numbered(const std::string& prefix, std::size_t number, std::size_t count) {
   const std::string digits = std::to_string(number);
-  const std::size_t width = std::max(kFewestDigits, std::to_string(count).size());
+  const std::size_t width = std::max(kMinDigits, std::to_string(count).size());
   return prefix + std::string(width - digits.size(), '0') + digits;
 }
 

@@ -25,19 +25,19 @@ namespace clast {
 
 namespace {
 
-constexpr double kLargestRadiusShare =
-    0.25;                                 ///< of S; beyond it rounding, not the rock, is the shape
-constexpr double kLargestMassGap = 0.05;  ///< relative; scales and densities are not that far off
-constexpr double kLightestRock = 500.0, kHeaviestRock = 8000.0;  ///< kg/m^3
+constexpr double kMaxRadiusFraction =
+    0.25;                             ///< of S; beyond it rounding, not the rock, is the shape
+constexpr double kMaxMassGap = 0.05;  ///< relative; scales and densities are not that far off
+constexpr double kLightestRock = 500.0, kMaxRockMass = 8000.0;  ///< kg/m^3
 constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
 /// Share of the tolerance at which a fit ends: the scaling to the volume takes the rest.
-constexpr double kFitShare = 0.93;
+constexpr double kFitFraction = 0.93;
 /// Shares of the radius by which the scan is moved in where walls are too thin for the whole; the
 /// fit does the rest.
 constexpr double kShallower[] = {0.7, 0.5, 0.35};
 /// Largest relative difference of the volume before scaling. A radius too large for the block
 /// swells it by more.
-constexpr double kLargestVolumeGap = 0.03;
+constexpr double kMaxVolumeGap = 0.03;
 
 bool near_enough(const Block& block, const BlockOptions& options) {
   return block.deviation.hausdorff <= options.tolerance * block.box.lengths[0];
@@ -120,12 +120,12 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
     body = fit_core(scan, std::move(body),
-                    {.good_enough = kFitShare * largest_distance, .hopeless = largest_distance});
+                    {.good_enough = kFitFraction * largest_distance, .hopeless = largest_distance});
   }
   if (options.convex) body = make_sphero_polyhedron(convex_hull(body.vertices), radius);
   if (radius == 0.0) return body;
   const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
-  if (std::abs(gap) > kLargestVolumeGap) {
+  if (std::abs(gap) > kMaxVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
     if (options.suggest_radius) inset_core(surface, radius);
     throw GeometryError("rounded with a radius of " + format_significant(radius, 4) + " m, " +
@@ -149,9 +149,9 @@ void warn_of_thin_walls(Block& block) {
 
 /// Lighter than pumice or heavier than ore: a unit was mistaken, or a mass.
 void warn_of_density(Block& block) {
-  if (block.density >= kLightestRock && block.density <= kHeaviestRock) return;
+  if (block.density >= kLightestRock && block.density <= kMaxRockMass) return;
   std::string advice = "; check mass and scale";
-  if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kHeaviestRock) {
+  if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kMaxRockMass) {
     advice = "; if that is in g/cm3 or t/m3, give `density` " +
              format_significant(1000.0 * block.density, 4);
   }
@@ -173,7 +173,7 @@ void add_warnings(Block& block, const BlockOptions& options) {
                              format_significant(options.accuracy, 4) +
                              " asked for; simplify the scan, or ask for less with `accuracy`");
   }
-  if (block.body.radius > kLargestRadiusShare * S) {
+  if (block.body.radius > kMaxRadiusFraction * S) {
     block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +
                              " m is more than a quarter of S (" + format_significant(S, 4) +
                              " m): corners and edges are mostly rounding");
@@ -194,7 +194,7 @@ void add_warnings(Block& block, const BlockOptions& options) {
   }
   if (options.mass && options.density_given) {
     const double gap = block.mass.mass / *options.mass - 1.0;
-    if (std::abs(gap) > kLargestMassGap) {
+    if (std::abs(gap) > kMaxMassGap) {
       block.warnings.push_back(
           "volume times density gives " + format_significant(block.mass.mass, 4) + " kg, " +
           format_significant(std::abs(100.0 * gap), 4) + " % " + (gap > 0 ? "more" : "less") +
@@ -289,7 +289,7 @@ void BlockOptions::check() const {
     throw InputError("radius is " + format_significant(*radius, 4) +
                      " m; it must be zero or a positive number");
   }
-  if (!(radius_share >= 0.0) || radius_share > kLargestRadiusShare) {
+  if (!(radius_share >= 0.0) || radius_share > kMaxRadiusFraction) {
     throw InputError("radius share is " + format_significant(radius_share, 4) +
                      " of S; it must be between 0 and 0.25");
   }

@@ -16,7 +16,7 @@ namespace clast {
 namespace {
 
 /// Thin pieces get a smaller radius, down to this share of what is asked for.
-constexpr double kLeastShare = 0.125;
+constexpr double kMinFraction = 0.125;
 
 std::string options_text(const RockMassOptions& options) {
   std::string text = "joints=";
@@ -39,7 +39,7 @@ std::string id_of(const std::string& prefix, std::size_t number, std::size_t cou
 /// The piece with round edges, none of which comes out of it: neighbours touch and do not overlap.
 SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_share) {
   const double side = smallest_box(piece.vertices).lengths[2];
-  for (double share = radius_share; share >= kLeastShare * radius_share; share *= 0.5) {
+  for (double share = radius_share; share >= kMinFraction * radius_share; share *= 0.5) {
     if (std::optional<SpheroPolyhedron> body = inscribed_rounded_body(piece, share * side))
       return *body;
   }
@@ -76,7 +76,7 @@ RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source
 }
 
 RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
-                                 const RockMassOptions& options) {
+                               const RockMassOptions& options) {
   RockMassBlocks result;
   const JointedMass cut = cut_masses(masses, options, result.failures);
   BlockSource of_block = source;

@@ -51,7 +51,8 @@ void add_polygon(const Polygon& polygon, NormalCone& sum) {
 
 /// Whether the polyhedron lies on the far side of the cone: by an edge that is a corner of the hull
 /// of the edges as seen from `inner`, a direction inside the cone.
-bool is_peak(std::span<const Vec3> edges, std::span<const double> exterior_angles, const Vec3& inner) {
+bool is_peak(std::span<const Vec3> edges, std::span<const double> exterior_angles,
+             const Vec3& inner) {
   const Vec3 across = inner.unitOrthogonal();
   std::size_t corner = 0;
   double farthest = -1e300;

@@ -19,7 +19,8 @@ constexpr double kAlong = 0.9;
 constexpr double kRounding = 1e-9;
 
 void check_moments(const Vec3& moments, double relative_error) {
-  const std::string values = format_significant(moments[0], 6) + ", " + format_significant(moments[1], 6) + ", " +
+  const std::string values = format_significant(moments[0], 6) + ", " +
+                             format_significant(moments[1], 6) + ", " +
                              format_significant(moments[2], 6) + " kg m2";
   if (!moments.allFinite() || !(moments[0] > 0.0)) {
     throw GeometryError("principal moments " + values +

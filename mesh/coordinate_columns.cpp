@@ -71,12 +71,13 @@ NamedAxis named_axis(std::string_view text, const ColumnHeading& heading) {
 
 /// Units that the headings of the columns name.
 std::vector<LengthUnitDeclaration> declared_by(const std::vector<std::string_view>& headings,
-                                           const std::array<std::size_t, 3>& axes) {
+                                               const std::array<std::size_t, 3>& axes) {
   std::vector<LengthUnitDeclaration> lengths;
   for (std::size_t axis = 0; axis < 3 && axes[axis] < headings.size(); ++axis) {
     const ColumnHeading heading = parse_heading(headings[axes[axis]]);
     if (heading.unit.empty() && heading.bracketed.empty()) continue;
-    LengthUnitDeclaration declared{.source = "heading \"" + escape_nonprintable(headings[axes[axis]]) + "\""};
+    LengthUnitDeclaration declared{.source = "heading \"" +
+                                             escape_nonprintable(headings[axes[axis]]) + "\""};
     if (heading.unit.empty()) {
       declared.kind = ReferenceSystemKind::kUnknown;
     } else if (heading.length) {

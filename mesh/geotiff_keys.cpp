@@ -121,8 +121,9 @@ void declare_plan(const KeyDirectory& keys, GeoTiffSystem& system) {
   std::vector<LengthUnitDeclaration>& lengths = system.lengths;
   const int model = keys.code(kModelType);
   if (model >= 1 && model <= 3) {
-    constexpr ReferenceSystemKind kKinds[] = {ReferenceSystemKind::kProjected, ReferenceSystemKind::kGeographic,
-                                     ReferenceSystemKind::kGeocentric};
+    constexpr ReferenceSystemKind kKinds[] = {ReferenceSystemKind::kProjected,
+                                              ReferenceSystemKind::kGeographic,
+                                              ReferenceSystemKind::kGeocentric};
     lengths.push_back({.source = key_source(kModelType, model), .kind = kKinds[model - 1]});
   }
   // The geographic system of a map is its base and says nothing of its coordinates.

@@ -14,7 +14,7 @@ namespace {
 
 // Rounds of split, collapse, flip and shift; lengths settle within three.
 constexpr unsigned kRounds = 5;
-constexpr double kMostTriangles = 1e7;
+constexpr double kMaxTriangles = 1e7;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ TriangleMesh remesh_isotropic(const TriangleMesh& mesh, double edge_length) {
   }
   // An equilateral triangle has sqrt(3)/4 of the square of its edge.
   const double triangles = surface_area(mesh) * 4.0 / (std::sqrt(3.0) * edge_length * edge_length);
-  if (triangles > kMostTriangles) {
+  if (triangles > kMaxTriangles) {
     throw InputError("remeshing: edges of " + format_significant(edge_length, 6) +
                      " m would take " + format_significant(triangles, 3) +
                      " triangles; ask for longer ones");

@@ -17,7 +17,7 @@ namespace {
 /// Two units whose sizes differ by less are one: the US survey foot and the foot.
 constexpr double kSameUnit = 1e-5;
 /// Largest error of lengths that a projection may make.
-constexpr double kMostScaleError = 0.01;
+constexpr double kMaxScaleError = 0.01;
 /// Map coordinates nearer to the origin than this are rather local ones, m.
 constexpr double kLocalReach = 1e5;
 
@@ -370,7 +370,7 @@ void check_map_scale(const std::string& name, const std::string& crs, const Vec2
   const std::optional<Vec2> scale = scale_at(parsed, plan.get(), place, &degrees);
   if (!scale || !is_within_area(parsed, plan.get(), degrees)) return;
   const Vec2 off = (scale->array() - 1.0).abs();
-  if (off.maxCoeff() <= kMostScaleError) return;
+  if (off.maxCoeff() <= kMaxScaleError) return;
   throw InputError(name + ": lengths on its map (" + reference_system_name(crs) + ") are " +
                    format_significant((*scale)[off.x() >= off.y() ? 0 : 1], 4) +
                    " times those on the ground; project it to a local system in metres first (" +
@@ -385,12 +385,12 @@ std::optional<Vec2> map_scale_factor(const std::string& crs, const Vec2& place) 
 }
 
 std::string reference_system_name(const std::string& crs) {
-  constexpr std::size_t kLongestText = 60;
+  constexpr std::size_t kMaxTextLength = 60;
   const ParsedSystem parsed(crs);
   const char* name = parsed.system ? proj_get_name(parsed.system.get()) : nullptr;
   if (!name) {
-    return escape_nonprintable(crs.size() <= kLongestText ? crs
-                                                          : crs.substr(0, kLongestText) + "...");
+    return escape_nonprintable(
+        crs.size() <= kMaxTextLength ? crs : crs.substr(0, kMaxTextLength) + "...");
   }
   const char* authority = proj_get_id_auth_name(parsed.system.get(), 0);
   const char* code = proj_get_id_code(parsed.system.get(), 0);

@@ -9,7 +9,7 @@ namespace clast {
 namespace {}  // namespace
 
 TriangleMesh extract_triangles(const TriangleMesh& source,
-                       const std::vector<TriangleMesh::Triangle>& triangles) {
+                               const std::vector<TriangleMesh::Triangle>& triangles) {
   TriangleMesh result{source.vertices, triangles};
   remove_unused_vertices(result);
   return result;

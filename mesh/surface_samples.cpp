@@ -17,7 +17,7 @@ std::vector<Vec3> sample_surface(const TriangleMesh& mesh, std::size_t count) {
   std::vector<double> doubled_areas;
   double total = 0.0;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    doubled_areas.push_back(area_vector(mesh, t).norm());
+    doubled_areas.push_back(doubled_area_vector(mesh, t).norm());
     total += doubled_areas.back();
   }
   Random random(kSeed);

@@ -6,13 +6,13 @@
 
 namespace clast {
 
-Vec3 area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
+Vec3 doubled_area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
   return (mesh.vertices[t[1]] - mesh.vertices[t[0]])
       .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
 }
 
 Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
-  const Vec3 area = area_vector(mesh, t);
+  const Vec3 area = doubled_area_vector(mesh, t);
   const double norm = area.norm();
   return norm > 0.0 ? Vec3(area / norm) : Vec3(Vec3::Zero());
 }

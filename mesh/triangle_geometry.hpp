@@ -8,7 +8,7 @@ namespace clast {
 
 /// Returns the normal with the length of twice the area, m^2; its z component is twice the plan
 /// area of a triangle seen from above.
-Vec3 area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
+Vec3 doubled_area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
 /// Returns the unit normal; zero for a degenerate triangle.
 Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);

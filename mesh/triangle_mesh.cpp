@@ -48,7 +48,8 @@ TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from) {
 
 TriangleMesh scaled(TriangleMesh mesh, double factor) {
   if (!(factor > 0.0) || !std::isfinite(factor)) {
-    throw InputError("scale factor " + format_significant(factor, 6) + ": must be positive and finite");
+    throw InputError("scale factor " + format_significant(factor, 6) +
+                     ": must be positive and finite");
   }
   for (Vec3& vertex : mesh.vertices) vertex *= factor;
   return mesh;

@@ -114,7 +114,8 @@ Triangle copy_key(Triangle corners, WindingMatch turn) {
 
 std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance) {
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
-    throw InputError("weld tolerance " + format_significant(tolerance, 6) + " m: must not be negative");
+    throw InputError("weld tolerance " + format_significant(tolerance, 6) +
+                     " m: must not be negative");
   }
   Bounds box;
   for (const Vec3& v : vertices) box.include(v);
@@ -151,7 +152,8 @@ TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
   return extract_triangles(mesh, kept);
 }
 
-std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const Triangle> triangles, WindingMatch turn) {
+std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const Triangle> triangles,
+                                                        WindingMatch turn) {
   std::vector<std::pair<Triangle, std::uint32_t>> order;
   order.reserve(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

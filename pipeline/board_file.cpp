@@ -10,14 +10,14 @@ namespace clast {
 namespace {
 
 constexpr NumberRange kPlace{-kBarLength.high, kBarLength.high, "m"};
-constexpr std::uint64_t kMostSquares = 100;
-constexpr std::uint64_t kMostIds = 100000;
+constexpr std::uint64_t kMaxSquares = 100;
+constexpr std::uint64_t kMaxIds = 100000;
 
 BoardMarker read_marker(const TomlNode& node, const std::string& file) {
   const TomlTable table(node, file, "[[marker]]", {"id", "centre_m"});
   table.required("id", "the number of the marker");
   BoardMarker marker;
-  marker.id = static_cast<int>(*table.count("id", 0, kMostIds));
+  marker.id = static_cast<int>(*table.count("id", 0, kMaxIds));
   const TomlNode& centre = table.required("centre_m", "[x, y] or [x, y, z] of its centre");
   const std::vector<double> at =
       table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kPlace);
@@ -33,8 +33,8 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
   for (const char* key : {"square_m", "marker_m"}) table.required(key, "the length of a side, m");
   CharucoBoard board;
   board.dictionary = dictionary;
-  board.columns = static_cast<int>(*table.count("columns", 3, kMostSquares));
-  board.rows = static_cast<int>(*table.count("rows", 3, kMostSquares));
+  board.columns = static_cast<int>(*table.count("columns", 3, kMaxSquares));
+  board.rows = static_cast<int>(*table.count("rows", 3, kMaxSquares));
   board.square = *table.number("square_m", kMarkerSide);
   board.marker = *table.number("marker_m", kMarkerSide);
   board.older_pattern = table.boolean("older_pattern").value_or(false);

@@ -12,10 +12,10 @@ namespace {
 
 /// More vertices than the last make a simulation slow for little. Trials start at the middle
 /// number.
-constexpr std::size_t kFewestVertices = 8, kFirstVertices = 120, kMostVertices = 2000;
+constexpr std::size_t kMinVertices = 8, kFirstVertices = 120, kMaxVertices = 2000;
 /// The search ends when a tenth fewer vertices are known not to do.
 constexpr double kRefinement = 1.1;
-constexpr double kLargestLeap = 2.5;  ///< from one number of vertices to the next
+constexpr double kMaxLeap = 2.5;  ///< from one number of vertices to the next
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
@@ -23,7 +23,7 @@ constexpr int kRadiusHalvings = 3;
 /// can't be simplified to that one may still lose its flaws on the way to a smaller one.
 TriangleMesh simplify_for_trials(const TriangleMesh& scan) {
   try {
-    return simplify_mesh(scan, {.target_vertices = kMostVertices});
+    return simplify_mesh(scan, {.target_vertices = kMaxVertices});
   } catch (const GeometryError&) {
     return scan;
   }
@@ -57,19 +57,19 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
     try_vertex_count.radius_share /= 2.0;
   }
   Block kept = nearest_block(options);
-  kept.warnings.push_back("no block of up to " + std::to_string(kMostVertices) +
+  kept.warnings.push_back("no block of up to " + std::to_string(kMaxVertices) +
                           " vertices is within the tolerance of this scan; this is the nearest");
   return kept;
 }
 
 std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& options) {
   std::optional<Block> lightest;
-  const std::size_t most = std::min(kMostVertices, fine_.vertices.size());
-  std::size_t enough = most + 1, too_few = std::min(kFewestVertices, most) - 1;
+  const std::size_t most = std::min(kMaxVertices, fine_.vertices.size());
+  std::size_t enough = most + 1, too_few = std::min(kMinVertices, most) - 1;
   std::size_t count = std::min(kFirstVertices, most);
   while (too_few < count && count < enough) {
     std::optional<Block> block = try_vertex_count(count, options);
-    double ratio = kLargestLeap;  // how much too far, as well as it is known
+    double ratio = kMaxLeap;  // how much too far, as well as it is known
     if (block) ratio = distance_ratio(*block, options);
     if (block && is_within_tolerance(*block, options)) {
       enough = count;
@@ -80,10 +80,10 @@ std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& 
     }
     const auto low = static_cast<double>(too_few), high = static_cast<double>(enough);
     if (enough > most) {  // distances fall about as 1 over the number of vertices
-      const double leap = std::clamp(ratio, 1.0 + kRefinement / 4.0, kLargestLeap);
+      const double leap = std::clamp(ratio, 1.0 + kRefinement / 4.0, kMaxLeap);
       count = std::max(count + 1, std::min(most, static_cast<std::size_t>(low * leap)));
-    } else if (too_few < kFewestVertices) {
-      count = std::max(kFewestVertices, static_cast<std::size_t>(high / 2.0));
+    } else if (too_few < kMinVertices) {
+      count = std::max(kMinVertices, static_cast<std::size_t>(high / 2.0));
       if (count == enough) break;
     } else {
       if (high <= kRefinement * low) break;

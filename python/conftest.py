@@ -66,17 +66,17 @@ def documented_keys(section="## Campaign (TOML)"):
     text = text[text.index(section) :]
     text = text[: text.index("\n## ", 5)]
     tables, name = {}, None
-    for line in text.splitlines():
-        cells = line.split("|")
-        if len(cells) < 5:
-            continue
-        heading = re.match(r"\s*\*\*\[+([a-z_.A-Z]+)\]+\*\*", cells[1])
+    for item in re.split(r"\n(?=- |#)", text):
+        heading = re.match(r"#### \[+([a-z_.A-Z]+)\]+", item)
+        keys = re.match(r"- (`[^`]+`(?:,\s+`[^`]+`)*)(?:\s+\(([^;)]*))?", item)
         if heading:
             name = heading[1].replace(".NAME", "")
             tables[name] = {}
-        elif name:
-            for key in re.findall(r"`([^`]+)`", cells[1]):
-                tables[name][key.split(".")[0]] = cells[2].strip()
+        elif keys and name:
+            unit = (keys[2] or "").strip()
+            for key in re.findall(r"`([^`]+)`", keys[1]):
+                is_unit = unit and unit != "required" and not unit.startswith("default")
+                tables[name][key.split(".")[0]] = unit if is_unit else ""
     return tables
 
 

@@ -50,13 +50,14 @@ void FieldScanOptions::check() const {
 }
 
 std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
-                                     const FieldScanOptions& options) {
+                                             const FieldScanOptions& options) {
   options.check();
   return reconstruct_detail::extract_mesh_blocks(raw, name, options);
 }
 
-std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points, const std::string& name,
-                                     const FieldScanOptions& options) {
+std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
+                                             const std::string& name,
+                                             const FieldScanOptions& options) {
   options.check();
   return reconstruct_detail::extract_cloud_blocks(points, name, options);
 }
@@ -82,9 +83,11 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
   }
   const std::vector<std::string> system_notes =
       check_cloud_system(path, summary, bounds(scan.raw), options.scan);
-  const std::string note = reconstruct_detail::check_coordinate_digits(scan.raw, path, options.scan.unit);
-  scan.blocks = scan.raw.triangles.empty() ? extract_field_blocks(scan.raw.vertices, path.string(), options)
-                                           : extract_field_blocks(scan.raw, path.string(), options);
+  const std::string note =
+      reconstruct_detail::check_coordinate_digits(scan.raw, path, options.scan.unit);
+  scan.blocks = scan.raw.triangles.empty()
+                    ? extract_field_blocks(scan.raw.vertices, path.string(), options)
+                    : extract_field_blocks(scan.raw, path.string(), options);
   for (FieldBlock& block : scan.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     if (!note.empty()) notes.push_back(note);

@@ -104,7 +104,8 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
   /// A sound surface of no more vertices than asked for, from one about the middle.
   const auto lighter = [&](const TriangleMesh& from,
                            double multiple) -> std::optional<TriangleMesh> {
-    std::optional<TriangleMesh> sound = untangle_self_intersections(moved(decimate(from, times(multiple)), origin));
+    std::optional<TriangleMesh> sound =
+        untangle_self_intersections(moved(decimate(from, times(multiple)), origin));
     if (!sound || sound->vertices.size() > most) return std::nullopt;
     return sound;
   };

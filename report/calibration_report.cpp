@@ -35,7 +35,7 @@ void check_calibration_output(const std::filesystem::path& target,
 }
 
 Calibration calibrate_and_report(const CalibrationStudy& study, const std::filesystem::path& target,
-                                const CalibrateOptions& options) {
+                                 const CalibrateOptions& options) {
   const OverwritePolicy rules = page_rules(target, options);
   Calibration calibration = calibrate(study, target, options);
   write_output(calibration_page_file(target), make_calibration_page(calibration), rules);

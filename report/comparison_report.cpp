@@ -83,11 +83,11 @@ std::optional<std::string> print_report(const std::filesystem::path& folder,
 }  // namespace
 
 WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
-                         const ComparisonReportOptions& extras) {
+                          const ComparisonReportOptions& extras) {
   std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary_path());
   if (extras.animated > 0) {
-    const std::filesystem::path animation =
-        write_animation(folder.temporary_path() / "animation", analyses.comparison(), extras.animated);
+    const std::filesystem::path animation = write_animation(folder.temporary_path() / "animation",
+                                                            analyses.comparison(), extras.animated);
     if (animation.empty()) {
       throw InputError(
           "no trajectory is stored, so nothing can be animated; set [run] "

@@ -125,9 +125,10 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
       "--no-pdf-header-footer", "--print-to-pdf=" + fs::absolute(pdf).string()};
   // The browser refuses to run for root with its own protection.
   if (::geteuid() == 0) words.push_back("--no-sandbox");
-  words.push_back("file://" + report_detail::format_link_target(fs::absolute(page).string()) + "#print");
-  const ProcessResult end =
-      run_child_process(words, {{"HOME", profile.folder().string()}}, profile.folder() / "log", seconds);
+  words.push_back("file://" + report_detail::format_link_target(fs::absolute(page).string()) +
+                  "#print");
+  const ProcessResult end = run_child_process(words, {{"HOME", profile.folder().string()}},
+                                              profile.folder() / "log", seconds);
   if (end.timed_out) {
     throw InputError(browser.string() + " did not print the report within " +
                      format_significant(seconds, 3) + " s; print report.html by hand");

@@ -23,7 +23,7 @@ namespace clast {
 
 namespace {
 
-constexpr std::size_t kMostBriefNotes = 20;  // of each table
+constexpr std::size_t kMaxBriefNotes = 20;  // of each table
 
 /// True for the signature every HDF5 file begins with.
 bool is_hdf5(const std::string& path) {
@@ -72,11 +72,11 @@ void add_library(ReportedPopulation& reported, const BlockMeasuringOptions& read
 /// The first notes of a table, and how many rows they are about.
 void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
                      const DimensionTable& table) {
-  for (std::size_t i = 0; i < std::min(kMostBriefNotes, table.notes.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxBriefNotes, table.notes.size()); ++i) {
     brief.push_back(input + ": " + table.notes[i]);
   }
-  if (table.notes.size() > kMostBriefNotes) {
-    brief.push_back(input + ": and " + std::to_string(table.notes.size() - kMostBriefNotes) +
+  if (table.notes.size() > kMaxBriefNotes) {
+    brief.push_back(input + ": and " + std::to_string(table.notes.size() - kMaxBriefNotes) +
                     " more notes");
   }
   if (table.skipped + table.sorted + table.without_mass > 0) {

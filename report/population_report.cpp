@@ -66,7 +66,8 @@ std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
 }  // namespace
 
 FolderKind population_folder_kind(const std::filesystem::path& folder) {
-  const auto is_own_file = [diagrams = earlier_diagrams(folder)](const std::filesystem::path& file) {
+  const auto is_own_file = [diagrams =
+                                earlier_diagrams(folder)](const std::filesystem::path& file) {
     const std::string name = file.string();
     if (is_table_file(population_tables(), name)) return true;
     // Whatever someone wrote into that list: nothing but a picture in the folder is ours.

@@ -10,8 +10,8 @@ namespace clast {
 
 std::string make_talus_table() {
   constexpr double kDensity = 2650.0;
-  constexpr double kOfItsBox = 0.55;         // volume of a block over that of its box
-  constexpr double kHeaviestWeighed = 2000;  // kg
+  constexpr double kOfItsBox = 0.55;        // volume of a block over that of its box
+  constexpr double kMaxWeighedMass = 2000;  // kg
   Random random(60);
   const auto excess = [&](double mean) { return -mean * std::log(1.0 - random.uniform()); };
   std::string text = "block,L_cm,I_cm,S_cm,mass_kg\n";
@@ -22,7 +22,7 @@ std::string make_talus_table() {
     const int I = static_cast<int>(std::lround(intermediate));
     const double mass = kDensity * kOfItsBox * 1e-6 * L * I * S;
     std::array<char, 64> line{};
-    if (mass <= kHeaviestWeighed) {
+    if (mass <= kMaxWeighedMass) {
       std::snprintf(line.data(), line.size(), "T%02d,%d,%d,%d,%.0f\n", i, L, I, S, mass);
     } else {
       std::snprintf(line.data(), line.size(), "T%02d,%d,%d,%d,\n", i, L, I, S);

@@ -21,7 +21,7 @@ constexpr int kStretchRounds = 400;
 /// the volume of the box, so that the smallest box still never grows.
 constexpr int kFirstLongStep = 8;
 constexpr double kLongStep = 8.0;
-constexpr double kLargestFactor = 1.1;  ///< of one side, to the power of a long step
+constexpr double kMaxFactor = 1.1;  ///< of one side, to the power of a long step
 /// Of L: what is thinner has no S.
 constexpr double kNoThickness = 1e-9;
 
@@ -99,7 +99,7 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
     Vec3 factors = wanted.cwiseQuotient(sides);
     factors /= std::cbrt(factors.prod());
     if (round >= kFirstLongStep && round % 4 != 3) {
-      factors = factors.cwiseMin(kLargestFactor).cwiseMax(1.0 / kLargestFactor);
+      factors = factors.cwiseMin(kMaxFactor).cwiseMax(1.0 / kMaxFactor);
       factors = factors.array().pow(kLongStep).matrix();
       factors /= std::cbrt(factors.prod());
     }

@@ -52,7 +52,7 @@ class Merger {
 
   void grow_regions() {
     std::vector<Vec3> areas;
-    for (const Face& face : shape_.faces) areas.push_back(area_vector(shape_, face));
+    for (const Face& face : shape_.faces) areas.push_back(doubled_face_area_vector(shape_, face));
     std::vector<Index> by_size(shape_.faces.size());
     std::iota(by_size.begin(), by_size.end(), 0u);
     std::stable_sort(by_size.begin(), by_size.end(), [&](Index a, Index b) {

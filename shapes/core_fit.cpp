@@ -25,14 +25,14 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 using Vec9 = Eigen::Matrix<double, 9, 1>;
 
 /// Points on either surface: so many for each core vertex, within limits.
-constexpr std::size_t kPointsPerVertex = 60, kFewestFitPoints = 3000, kMostFitPoints = 12000;
+constexpr std::size_t kPointsPerVertex = 60, kMinFitPoints = 3000, kMaxFitPoints = 12000;
 constexpr int kSkinSegments = 4;  ///< pieces per quarter turn of the skin that is sampled
 /// Tips stick out farthest, and spread points miss them: this many scan vertices are looked at too.
 constexpr std::size_t kScanVertices = 25000;
 /// A fit that didn't get this much nearer in so many rounds has ended.
 constexpr double kProgress = 0.99;
 constexpr int kRoundsWithoutProgress = 12;
-constexpr double kLargestPower = 8.0, kPowerPerRound = 0.5;
+constexpr double kMaxPower = 8.0, kPowerPerRound = 0.5;
 /// Of the mean diagonal: keeps what no point sees where it is, and neighbours moving together.
 constexpr double kDamping = 1e-3, kSmoothing = 0.3;
 /// A core this many times worse than the best is given up, and the step from the best cut.
@@ -77,8 +77,7 @@ class Fit {
         radius_(start.radius),
         size_(bounds(scan.mesh()).diagonal()),
         options_(options),
-        count_(
-            std::clamp(kPointsPerVertex * start.vertices.size(), kFewestFitPoints, kMostFitPoints)),
+        count_(std::clamp(kPointsPerVertex * start.vertices.size(), kMinFitPoints, kMaxFitPoints)),
         points_(sample_surface(scan.mesh(), count_)),
         core_(core_mesh(start)) {
     const std::vector<Vec3>& vertices = scan.mesh().vertices;
@@ -114,7 +113,7 @@ class Fit {
       } else {
         share = std::min(1.0, kLonger * share);
       }
-      const double power = std::min(kLargestPower, 2.0 + kPowerPerRound * round);
+      const double power = std::min(kMaxPower, 2.0 + kPowerPerRound * round);
       if (!move(steps(pulls, power, share), round)) break;
     }
     return best;

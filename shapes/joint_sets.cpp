@@ -24,7 +24,7 @@ constexpr double kMassSlack = 1e-9;
 constexpr std::array<double, 4> kSameDirections = {2.0, 10.0, 25.0, 45.0};
 /// Area of the surface inside a cell that is no longer cut off, share of the cell's size squared.
 constexpr double kNoArea = 1e-9;
-constexpr int kMostTrims = 60;
+constexpr int kMaxTrims = 60;
 
 /// The planes of a set in the direction of its normal, one more than `most` at most.
 std::vector<Plane> planes_of(const JointSet& set, const TriangleMesh& mass, Random& random,
@@ -120,7 +120,7 @@ class Cutting {
  private:
   /// @param same  least cosine between normals of what is cut off together
   std::optional<ConvexCell> trimmed(std::optional<ConvexCell> cell, double same) const {
-    for (int trim = 0; cell && trim < kMostTrims; ++trim) {
+    for (int trim = 0; cell && trim < kMaxTrims; ++trim) {
       if (cell->volume() < options_.least_volume) return std::nullopt;
       const std::vector<Piece> pieces = surface_in(*cell);
       if (pieces.empty()) return cell;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kAround = 32;         ///< corners of a cylinder's end
 constexpr int kSphereHalvings = 2;  ///< of the edges of an icosahedron: 162 corners
-constexpr double kLargestShare = 0.4;
+constexpr double kMaxFraction = 0.4;
 
 const std::array<std::pair<ReferenceShape, const char*>, 7> kForms = {
     {{ReferenceShape::kSphere, "sphere"},
@@ -148,9 +148,9 @@ ReferenceShape parse_reference_shape(const std::string& name) {
 
 void ReferenceBodyOptions::check() const {
   ratios.check();
-  if (!(radius_share >= 0.0 && radius_share <= kLargestShare)) {
+  if (!(radius_share >= 0.0 && radius_share <= kMaxFraction)) {
     throw InputError("radius share is " + format_significant(radius_share, 4) +
-                     " of S; it must be between 0 and " + format_significant(kLargestShare, 2));
+                     " of S; it must be between 0 and " + format_significant(kMaxFraction, 2));
   }
   if (!(exponent >= 1.0 && exponent <= 20.0)) {
     throw InputError("`exponent` = " + format_significant(exponent, 4) + ": must be from 1 to 20");

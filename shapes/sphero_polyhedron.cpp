@@ -38,7 +38,7 @@ std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedro
   return edges;
 }
 
-Vec3 area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
+Vec3 doubled_face_area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
   Vec3 area = Vec3::Zero();
   const Vec3& origin = shape.vertices[face[0]];
   for (std::size_t k = 2; k < face.size(); ++k) {
@@ -48,7 +48,7 @@ Vec3 area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& fa
 }
 
 Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face) {
-  return area_vector(shape, face).normalized();
+  return doubled_face_area_vector(shape, face).normalized();
 }
 
 TriangleMesh core_mesh(const SpheroPolyhedron& shape) {

@@ -29,7 +29,7 @@ SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkows
 std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedron::Face>& faces);
 
 /// Returns the face normal with the length of twice the area.
-Vec3 area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
+Vec3 doubled_face_area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
 /// Returns the outward unit normal of a face.
 Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
 

@@ -11,7 +11,7 @@ namespace {
 /// Of the diagonal: vertices of the kernel nearer to a plane than this lie on it.
 constexpr double kKernelSlack = 1e-9;
 /// Of the diagonal: a point less far below a plane sees its triangle edge on.
-constexpr double kLeastDepth = 1e-5;
+constexpr double kMinDepth = 1e-5;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::optional<Vec3> find_kernel_point(const TriangleMesh& mesh) {
   }
   const Vec3 centre = kernel->centre();
   const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-    return plane.signed_distance(centre) < -kLeastDepth * diagonal;
+    return plane.signed_distance(centre) < -kMinDepth * diagonal;
   });
   return inside ? std::optional<Vec3>(origin + centre) : std::nullopt;
 }

@@ -18,11 +18,11 @@ namespace clast {
 namespace {
 
 constexpr int kMostDegree = 20;
-constexpr double kMostGain = 10.0;
+constexpr double kMaxGain = 10.0;
 /// Vertices for each coefficient: fewer would fit the detail, too.
 constexpr double kVerticesEach = 2.0;
 /// Of the mean distance: what comes nearer to the centre is no rock.
-constexpr double kLeastDistance = 0.1;
+constexpr double kMinDistance = 0.1;
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -69,7 +69,8 @@ std::vector<double> solid_angles(const TriangleMesh& mesh, const Vec3& centre) {
   return angles;
 }
 
-TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const SurfaceDetailOptions& options) {
+TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre,
+                             const SurfaceDetailOptions& options) {
   const int count = (options.degree + 1) * (options.degree + 1);
   const auto vertices = static_cast<Eigen::Index>(mesh.vertices.size());
   const std::vector<double> weights = solid_angles(mesh, centre);
@@ -88,7 +89,7 @@ TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre, const Surfac
   const double mean = distances.mean();
   for (Eigen::Index v = 0; v < vertices; ++v) {
     const double distance = coarse[v] + options.gain * (distances[v] - coarse[v]);
-    if (!(distance > kLeastDistance * mean)) {
+    if (!(distance > kMinDistance * mean)) {
       throw GeometryError("detail times " + format_significant(options.gain, 4) +
                           " would draw the surface to within a tenth of its mean radius of the "
                           "middle; give a smaller `detail` or a larger `degree`");
@@ -139,7 +140,8 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const SurfaceDetailOptions& o
   }
   if (!find_self_intersections(mesh).empty()) {
     throw GeometryError(
-        "the surface is not star-shaped, and with detail times " + format_significant(options.gain, 4) +
+        "the surface is not star-shaped, and with detail times " +
+        format_significant(options.gain, 4) +
         " it would cross itself; give a `detail` nearer to 1, or a larger `degree`");
   }
   return mesh;
@@ -148,7 +150,7 @@ TriangleMesh bilaplacian_detail(TriangleMesh mesh, const SurfaceDetailOptions& o
 }  // namespace
 
 void SurfaceDetailOptions::check() const {
-  if (!(gain >= 0.0 && gain <= kMostGain)) {
+  if (!(gain >= 0.0 && gain <= kMaxGain)) {
     throw InputError("`detail` = " + format_significant(gain, 4) + ": must be from 0 to 10");
   }
   if (degree < 2 || degree > kMostDegree) {
@@ -156,7 +158,8 @@ void SurfaceDetailOptions::check() const {
   }
 }
 
-DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options) {
+DetailedSurface scale_surface_detail(const TriangleMesh& mesh,
+                                     const SurfaceDetailOptions& options) {
   options.check();
   const std::optional<Vec3> centre = find_kernel_point(mesh);
   const CoarseShape form = centre ? CoarseShape::kHarmonics : CoarseShape::kBilaplacian;

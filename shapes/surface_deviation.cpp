@@ -25,7 +25,7 @@ constexpr double kGap = 2e-4;
 /// Height above a core face, as a share of the diagonal, that still lies in its plane.
 constexpr double kInFacePlane = 1e-9;
 /// Patches looked at before the search ends with the bound it has.
-constexpr std::size_t kMostPatches = 1'000'000;
+constexpr std::size_t kMaxPatches = 1'000'000;
 /// Share of the radius by which a point may lie inside the body and still count as on its skin.
 constexpr double kOnCoreSkin = 1e-9, kNearCoreSkin = 1e-6;
 
@@ -85,7 +85,7 @@ struct Bounded {
 };
 
 /// Branch and bound: an upper bound of the largest distance over all patches, by at most `gap` (m)
-/// too large unless `kMostPatches` ends the search.
+/// too large unless `kMaxPatches` ends the search.
 template <typename Bound>
 double largest_over(std::vector<Patch> patches, double known, double gap, const Bound& bound) {
   struct Open {
@@ -105,7 +105,7 @@ double largest_over(std::vector<Patch> patches, double known, double gap, const 
     }
   };
   look();
-  while (!open.empty() && open.top().most > known + gap && patches.size() < kMostPatches) {
+  while (!open.empty() && open.top().most > known + gap && patches.size() < kMaxPatches) {
     const std::array<Patch, 4> quarters = patches[open.top().index].quarters();
     open.pop();
     patches.insert(patches.end(), quarters.begin(), quarters.end());

@@ -3,7 +3,7 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr double kMostIndexCells = 4e7;
+constexpr double kMaxIndexCells = 4e7;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ PlanIndex::PlanIndex(std::span<const PlanBox> boxes) {
     extent_.include(box.high);
   }
   const Vec2 span = (extent_.high - extent_.low).cwiseMax(1e-9);
-  const double cells = std::clamp(static_cast<double>(boxes.size()) / 2.0, 1.0, kMostIndexCells);
+  const double cells = std::clamp(static_cast<double>(boxes.size()) / 2.0, 1.0, kMaxIndexCells);
   size_ = std::max(std::sqrt(span.prod() / cells), span.maxCoeff() / 30000.0);
   columns_ = static_cast<long>(span.x() / size_) + 1;
   rows_ = static_cast<long>(span.y() / size_) + 1;

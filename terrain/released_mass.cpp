@@ -165,7 +165,7 @@ class Cover {
 /// Beside an upright triangle the mass may end, as at the back of a sawn niche; inside it may not.
 bool stands_inside(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle,
                    const Cover& cover) {
-  const Vec3 area = area_vector(mesh, triangle);
+  const Vec3 area = doubled_area_vector(mesh, triangle);
   const Vec2 middle = centroid(mesh, triangle).head<2>();
   if (area.z() < 0.0) return cover.holds(middle);
   const double across = area.head<2>().norm();
@@ -179,7 +179,8 @@ void check_mass_heights(const TriangleMesh& mesh, const char* name, const Cover&
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();
   for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-    if (area_vector(mesh, triangle).z() > 0.0 || !stands_inside(mesh, triangle, cover)) continue;
+    if (doubled_area_vector(mesh, triangle).z() > 0.0 || !stands_inside(mesh, triangle, cover))
+      continue;
     if (count++ == 0) first = centroid(mesh, triangle);
   }
   if (count == 0) return;

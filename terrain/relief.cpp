@@ -158,12 +158,12 @@ std::string render_relief_png(const Relief& relief, const std::vector<std::strin
   std::vector<Rgb> tints;
   std::vector<std::size_t> tint_of_zone;
   constexpr std::size_t kFixedColours = 2;
-  constexpr std::size_t kMostTints = (250 - kFixedColours) / (kShades + 1);
+  constexpr std::size_t kMaxTints = (250 - kFixedColours) / (kShades + 1);
   for (std::size_t zone = 0; zone < std::max<std::size_t>(zone_names.size(), 1); ++zone) {
     const Rgb tint = zone_colour(zone < zone_names.size() ? zone_names[zone] : "", zone);
     std::size_t n =
         static_cast<std::size_t>(std::find(tints.begin(), tints.end(), tint) - tints.begin());
-    if (n == tints.size() && n < kMostTints) tints.push_back(tint);
+    if (n == tints.size() && n < kMaxTints) tints.push_back(tint);
     tint_of_zone.push_back(std::min(n, tints.size() - 1));
   }
   for (const Rgb& tint : tints) {

@@ -13,7 +13,7 @@
 namespace clast {
 namespace {
 
-constexpr double kMostRasterCells = 1e9;
+constexpr double kMaxRasterCells = 1e9;
 
 /// Writes the height of the highest surface over the centres of square cells, whose borders lie on
 /// multiples of `cell`.
@@ -24,7 +24,7 @@ void write_heights(const std::filesystem::path& path, const Terrain& terrain, do
   const Vec2 first = (low.head<2>() / cell).array().floor();
   const Vec2 count =
       ((high.head<2>() / cell).array().ceil() - first.array()).max(Eigen::Array2d::Ones());
-  if (!(count.prod() < kMostRasterCells)) {
+  if (!(count.prod() < kMaxRasterCells)) {
     throw InputError(path.string() + ": cells of " + format_significant(cell, 6) +
                      " m are too many for this ground; use larger ones");
   }

@@ -104,7 +104,7 @@ std::string made_text(const CampaignPlan& prepared) {
 }
 
 /// More blocks than this are not printed one by one.
-constexpr std::size_t kMostPrintedStarts = 20;
+constexpr std::size_t kMaxPrintedStarts = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const CampaignPlan& prepared) {
@@ -119,8 +119,8 @@ TextTable stiffness_table(const CampaignPlan& prepared) {
     row.insert(row.begin(), block.block);
     table.rows.push_back(row);
   };
-  for (std::size_t i = 0; i < std::min(blocks.size(), kMostPrintedStarts); ++i) add(blocks[i]);
-  if (blocks.size() > kMostPrintedStarts) add(combine_stiffness(blocks));
+  for (std::size_t i = 0; i < std::min(blocks.size(), kMaxPrintedStarts); ++i) add(blocks[i]);
+  if (blocks.size() > kMaxPrintedStarts) add(combine_stiffness(blocks));
   return table;
 }
 

@@ -21,7 +21,7 @@ namespace clast {
 
 namespace {
 
-constexpr std::size_t kMostPrintedBlocks = 1000;  // blocks in a printed table
+constexpr std::size_t kMaxPrintedBlocks = 1000;  // blocks in a printed table
 
 struct ClassifyArgs {
   PopulationRequest request;
@@ -39,7 +39,7 @@ void print_tables(const PopulationReport& report) {
     if (report.populations.size() > 1)
       std::cout << escape_nonprintable(reported.population.name) << "\n";
     std::cout << "L, I, S: " << reported.measured << "\n\n";
-    if (reported.population.blocks.size() > kMostPrintedBlocks) {
+    if (reported.population.blocks.size() > kMaxPrintedBlocks) {
       std::cout << reported.population.blocks.size()
                 << " blocks; -o DIR writes them to classes.csv, --json prints them\n";
     } else {

@@ -49,12 +49,12 @@ struct CutArgs {
 };
 
 /// Blocks that hold less of the mass are warned of.
-constexpr double kUsualShare = 0.9;
+constexpr double kUsualFraction = 0.9;
 /// Failed blocks that are named.
-constexpr std::size_t kMostNamedBlocks = 5;
+constexpr std::size_t kMaxNamedBlocks = 5;
 
 /// Bodies that are listed.
-constexpr std::size_t kMostBodies = 10;
+constexpr std::size_t kMaxBodies = 10;
 
 MassTerrains terrains_of(const CutArgs& args) {
   MassTerrains terrains;
@@ -93,7 +93,7 @@ void print_mass(const ReleasedMass& mass) {
   std::sort(bodies.begin(), bodies.end(),
             [](const auto& a, const auto& b) { return a.first->rank < b.first->rank; });
   for (const auto& [body, what] : bodies) {
-    if (table.rows.size() == kMostBodies) break;
+    if (table.rows.size() == kMaxBodies) break;
     table.rows.push_back(
         {std::to_string(body->rank), format_rounded(body->volume), format_rounded(body->plan_area),
          format_rounded(body->max_thickness, 3), format_decimals(body->centre.x(), 1),
@@ -160,15 +160,15 @@ void check_sources(const CutArgs& args) {
 
 void print_cut_blocks(const CutArgs& args, const RockMassBlocks& made,
                       const BlockLibrary& library) {
-  for (std::size_t i = 0; i < std::min(kMostNamedBlocks, made.failures.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxNamedBlocks, made.failures.size()); ++i) {
     std::cerr << "clast: warning: " << format_for_terminal(made.failures[i]) << "\n";
   }
-  if (made.failures.size() > kMostNamedBlocks) {
-    std::cerr << "clast: warning: " << made.failures.size() - kMostNamedBlocks
+  if (made.failures.size() > kMaxNamedBlocks) {
+    std::cerr << "clast: warning: " << made.failures.size() - kMaxNamedBlocks
               << " more pieces could not be made into blocks\n";
   }
   const double share = made.block_volume / made.volume;
-  if (share < kUsualShare) {
+  if (share < kUsualFraction) {
     std::cerr << "clast: warning: " << format_percent(1.0 - share)
               << " of the mass is in no block: the surface is hollow there within a block, or "
                  "pieces are smaller than --least-volume; closer joints or a smaller volume lose "

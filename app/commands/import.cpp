@@ -43,7 +43,8 @@ void import_results(ImportArgs& args) {
     return;
   }
   print_outcome(results);
-  for (const std::string& note : found.notes) std::cout << "note: " << escape_nonprintable(note) << "\n";
+  for (const std::string& note : found.notes)
+    std::cout << "note: " << escape_nonprintable(note) << "\n";
   std::cout << escape_nonprintable(args.output) << ": " << found.runs << " of "
             << format_count(found.planned, "planned run") << "\n";
 }

@@ -12,13 +12,13 @@ namespace clast {
 
 namespace {
 
-constexpr std::uint32_t kMostRuns = 100000;
+constexpr std::uint32_t kMaxRuns = 100000;
 
 std::uint32_t run_number(const std::string& text) {
   std::uint32_t number = 0;
   const char* end = text.data() + text.size();
   const auto [stop, code] = std::from_chars(text.data(), end, number);
-  if (code != std::errc() || stop != end || number >= kMostRuns) {
+  if (code != std::errc() || stop != end || number >= kMaxRuns) {
     throw CLI::ValidationError("--runs", "\"" + text +
                                              "\" is no number of a run; take for example "
                                              "0-15,20");

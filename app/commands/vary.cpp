@@ -39,8 +39,8 @@ struct VaryArgs {
 };
 
 constexpr NumberRange kGridSteps{1.0, kMaxGridSteps};
-constexpr std::size_t kMostListed = 40;      ///< rows of the table on the terminal
-constexpr std::size_t kMostNamedBodies = 5;  ///< failed bodies that are named
+constexpr std::size_t kMaxListed = 40;      ///< rows of the table on the terminal
+constexpr std::size_t kMaxNamedBodies = 5;  ///< failed bodies that are named
 
 /// "0.8,0.5".
 BoxRatios read_ratios(const std::string& text) {
@@ -92,7 +92,7 @@ void print_series(const VaryArgs& args, const SeriesResult& made) {
     std::cout << series_json(series, made.fit).dump(2) << "\n";
     return;
   }
-  const std::size_t listed = std::min(kMostListed, series.blocks.size());
+  const std::size_t listed = std::min(kMaxListed, series.blocks.size());
   std::cout << make_series_table({series.blocks.data(), listed}).text();
   if (listed < series.blocks.size()) {
     std::cout << "... and " << series.blocks.size() - listed << " more, which clast show lists\n";
@@ -119,7 +119,7 @@ void vary(const VaryArgs& args) {
     std::cerr << "clast: note: " << format_for_terminal(note) << "\n";
   print_series(args, made);
   const std::vector<std::string>& failed = made.series.failures;
-  for (std::size_t i = 0; i < std::min(kMostNamedBodies, failed.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxNamedBodies, failed.size()); ++i) {
     std::cerr << "clast: warning: " << format_for_terminal(failed[i]) << "\n";
   }
   if (!failed.empty()) {

@@ -19,7 +19,8 @@ void every_class_and_index(benchmark::State& state) {
   for (auto _ : state) {
     for (const Axes& axes : rows) {
       for (const std::string& scheme : scheme_names()) letters += shape_class(scheme, axes).size();
-      for (const FormIndex& index : form_index_definitions()) sum += index.value(axes).value_or(0.0);
+      for (const FormIndex& index : form_index_definitions())
+        sum += index.value(axes).value_or(0.0);
     }
   }
   benchmark::DoNotOptimize(letters);

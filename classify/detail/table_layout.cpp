@@ -36,8 +36,8 @@ const std::map<std::string, std::vector<std::string>, std::less<>>& words_for() 
 }
 
 struct ColumnName {
-  std::string name;                ///< lower case, unit cut off
-  std::string word;                ///< the only word of the name; empty: there are several
+  std::string name;                 ///< lower case, unit cut off
+  std::string word;                 ///< the only word of the name; empty: there are several
   std::optional<NamedUnit> length;  ///< where the name says it
   const NamedUnit* mass = nullptr;
 };
@@ -176,7 +176,7 @@ void check_columns_differ(const TableLayout& layout) {
 }  // namespace
 
 TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
-                         const std::string& file, std::vector<std::string>& notes) {
+                              const std::string& file, std::vector<std::string>& notes) {
   const Header header(first, separator, file);
   TableLayout layout;
   layout.file = file;

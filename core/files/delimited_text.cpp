@@ -83,9 +83,9 @@ char detect_separator(std::string_view line) {
 }
 
 std::optional<double> parse_number_field(std::string_view field, char separator) {
-  constexpr std::size_t kMostDigits = 64;  // longer than any number in use
+  constexpr std::size_t kMaxDigits = 64;  // longer than any number in use
   if (field.find(',') == std::string_view::npos) return parse_number(field);
-  if (separator == ',' || field.size() > kMostDigits) return std::nullopt;
+  if (separator == ',' || field.size() > kMaxDigits) return std::nullopt;
   std::string text(field);
   std::replace(text.begin(), text.end(), ',', '.');
   return parse_number(text);

@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t kSmallest = 4096;  ///< bytes; smaller arrays are stored plain
 /// Deflate shrinks at most 1032 times: an array that claims more than this of its bytes on disk is
 /// damaged, and is refused before memory is asked for.
-constexpr std::size_t kLargestRatio = 1040;
+constexpr std::size_t kMaxRatio = 1040;
 
 constexpr const char* kDamaged = "; the file is damaged: restore a backup, or make it again";
 
@@ -210,7 +210,7 @@ template <class T>
 std::vector<T> Hdf5Group::read(const std::string& name) const {
   const ScopedId dataset = handle_->dataset(name);
   const std::size_t element = handle_->check_type<T>(dataset, name);
-  const hsize_t most = (H5Dget_storage_size(dataset) * kLargestRatio + kSmallest) / element;
+  const hsize_t most = (H5Dget_storage_size(dataset) * kMaxRatio + kSmallest) / element;
   const std::vector<hsize_t> extent = handle_->extent(dataset, name);
   hsize_t count = 1;
   for (const hsize_t size : extent) {

@@ -39,12 +39,12 @@ std::string why_file_is_kept(const fs::path& target, const OverwritePolicy& rule
 }  // namespace
 
 fs::path resolve_link(const fs::path& target) {
-  constexpr int kMostLinks = 40;  // as Linux allows
+  constexpr int kMaxLinks = 40;  // as Linux allows
   std::error_code code;
   fs::path at = target;
   for (int links = 0; fs::is_symlink(at, code); ++links) {
     const fs::path next = fs::read_symlink(at, code);
-    if (links == kMostLinks) code = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    if (links == kMaxLinks) code = std::make_error_code(std::errc::too_many_symbolic_link_levels);
     if (code) throw InputError(target.string() + ": " + code.message() + "; repair the link");
     at = at.parent_path() / next;
   }

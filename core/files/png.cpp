@@ -45,7 +45,8 @@ std::string compress_zlib(std::string_view bytes, int level) {
 }
 
 std::string encode_palette_png(std::uint32_t width, std::uint32_t height,
-                        std::span<const std::uint8_t> pixels, const std::vector<Rgb>& palette) {
+                               std::span<const std::uint8_t> pixels,
+                               const std::vector<Rgb>& palette) {
   assert(pixels.size() == std::size_t{width} * height);
   assert(!palette.empty() && palette.size() <= 256);
   std::vector<std::array<std::uint8_t, 4>> colours;
@@ -64,7 +65,9 @@ std::string encode_rgb_png(std::uint32_t width, std::uint32_t height, std::span<
   return png_file(image, pixels.data(), nullptr);
 }
 
-std::string png_data_uri(std::string_view png) { return "data:image/png;base64," + encode_base64(png); }
+std::string png_data_uri(std::string_view png) {
+  return "data:image/png;base64," + encode_base64(png);
+}
 
 std::string encode_base64(std::string_view bytes) {
   static constexpr std::string_view kDigits =

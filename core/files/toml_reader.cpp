@@ -18,7 +18,7 @@ namespace clast {
 namespace {
 
 // Longer values are cut in messages.
-constexpr std::size_t kLongestValue = 80;
+constexpr std::size_t kMaxValue = 80;
 
 // The text of the file, to quote values as their author wrote them.
 class SourceText {
@@ -46,7 +46,7 @@ class SourceText {
         if (!blank) quote += letter;
         if (blank && !quote.empty() && quote.back() != ' ') quote += ' ';
       }
-      if (quote.size() > kLongestValue) return quote.substr(0, kLongestValue - 3) + "...";
+      if (quote.size() > kMaxValue) return quote.substr(0, kMaxValue - 3) + "...";
     }
     while (quote.ends_with(' ')) quote.pop_back();
     return quote;

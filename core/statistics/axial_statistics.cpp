@@ -45,8 +45,9 @@ double rayleigh_p_value(const AxialMean& mean) {
   return std::exp(-0.5 * statistic);  // chi-squared with two degrees of freedom
 }
 
-std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles, std::size_t clusters,
-                                             std::uint64_t seed, std::size_t draws) {
+std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles,
+                                                 std::size_t clusters, std::uint64_t seed,
+                                                 std::size_t draws) {
   std::vector<Vec2> sums(clusters, Vec2::Zero());
   std::vector<bool> has_axes(clusters, false);
   for (std::size_t i = 0; i < angles.values.size(); ++i) {

@@ -119,8 +119,8 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
   const double scatter = std::sqrt(squares / static_cast<double>(count));
   const double independent = scatter * scatter / weight;
   if (standard_error > 0.0) {
-    return CrossedDifference{student_contrast(difference, standard_error, degrees_of_freedom), scatter,
-                             standard_error * standard_error / independent};
+    return CrossedDifference{student_contrast(difference, standard_error, degrees_of_freedom),
+                             scatter, standard_error * standard_error / independent};
   }
   CrossedDifference found;
   found.estimate = difference;
@@ -135,7 +135,8 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
 double equivalence_p_value(const Contrast& found, double margin) {
   const double left = margin - std::abs(found.estimate);
   if (!(found.standard_error > 0.0)) return left > 0.0 ? 0.0 : 1.0;
-  const double beyond = 0.5 * student_two_sided_tail(left / found.standard_error, found.degrees_of_freedom);
+  const double beyond =
+      0.5 * student_two_sided_tail(left / found.standard_error, found.degrees_of_freedom);
   return left > 0.0 ? beyond : 1.0 - beyond;
 }
 

@@ -40,7 +40,8 @@ std::optional<double> hedges_g(std::span<const double> a, std::span<const double
   const double degrees_of_freedom = static_cast<double>(a.size() + b.size() - 2);
   const double pooled = std::sqrt((squares_of(a) + squares_of(b)) / degrees_of_freedom);
   if (!(pooled > 0.0)) return std::nullopt;
-  return (1.0 - 3.0 / (4.0 * degrees_of_freedom - 1.0)) * (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
+  return (1.0 - 3.0 / (4.0 * degrees_of_freedom - 1.0)) *
+         (arithmetic_mean(a) - arithmetic_mean(b)) / pooled;
 }
 
 }  // namespace clast

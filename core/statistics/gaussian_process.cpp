@@ -46,8 +46,8 @@ double slope(Kernel kernel, double square) {
   return 5.0 / 3.0 * (1.0 + r) * std::exp(-r);
 }
 
-MatrixXd correlations(const MatrixXd& a, const MatrixXd& b, const GaussianProcessHyperparameters& hyperparameters,
-                      Kernel kernel) {
+MatrixXd correlations(const MatrixXd& a, const MatrixXd& b,
+                      const GaussianProcessHyperparameters& hyperparameters, Kernel kernel) {
   MatrixXd matrix = squared_distances(a, b, hyperparameters.length_scales);
   for (Index i = 0; i < matrix.size(); ++i) {
     matrix.data()[i] = kernel_correlation(kernel, matrix.data()[i]);
@@ -79,10 +79,12 @@ Likelihood likelihood_of(const MatrixXd& points, const VectorXd& values,
   const double squared = values.dot(weights);
   const auto degrees_of_freedom = static_cast<double>(count - 1);
   Likelihood result;
-  result.value = -0.5 * (degrees_of_freedom * std::log(squared / degrees_of_freedom) + std::log(total)) -
-                 MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+  result.value =
+      -0.5 * (degrees_of_freedom * std::log(squared / degrees_of_freedom) + std::log(total)) -
+      MatrixXd(factor.matrixL()).diagonal().array().log().sum();
   // Half of freedom a a'/squared - Q, against which every derivative is summed.
-  const MatrixXd pull = 0.5 * (degrees_of_freedom / squared * weights * weights.transpose() - projected);
+  const MatrixXd pull =
+      0.5 * (degrees_of_freedom / squared * weights * weights.transpose() - projected);
   result.gradient = VectorXd::Zero(dimensions + 1);
   for (Index j = 0; j < count; ++j) {
     for (Index i = 0; i < count; ++i) {
@@ -141,7 +143,7 @@ std::pair<VectorXd, double> climb(const MatrixXd& points, const VectorXd& values
 }
 
 GaussianProcessHyperparameters best_shape(const MatrixXd& points, const VectorXd& values,
-                                const GaussianProcessOptions& options) {
+                                          const GaussianProcessOptions& options) {
   // A wavy function with little noise, and a smooth one with more.
   constexpr double kStarts[2][2] = {{0.5, 0.01}, {2.0, 0.1}};
   std::pair<VectorXd, double> best{VectorXd(), -2e300};
@@ -179,7 +181,8 @@ GaussianProcess::GaussianProcess(const MatrixXd& points, const VectorXd& values,
                      std::to_string(values.size()) + " values");
   }
   const double spread = values.maxCoeff() - values.minCoeff();
-  hyperparameters_ = {VectorXd::Constant(points.rows(), options.max_length_scale), options.min_nugget};
+  hyperparameters_ = {VectorXd::Constant(points.rows(), options.max_length_scale),
+                      options.min_nugget};
   if (spread > 0.0) {
     const VectorXd scaled = (values.array() - values.minCoeff()) / spread;
     hyperparameters_ = best_shape(points, scaled, options);
@@ -188,7 +191,8 @@ GaussianProcess::GaussianProcess(const MatrixXd& points, const VectorXd& values,
 }
 
 GaussianProcess::GaussianProcess(const MatrixXd& points, const VectorXd& values,
-                                 const GaussianProcessHyperparameters& hyperparameters, Kernel kernel)
+                                 const GaussianProcessHyperparameters& hyperparameters,
+                                 Kernel kernel)
     : kernel_(kernel), points_(points), values_(values), hyperparameters_(hyperparameters) {
   solve();
 }

@@ -37,7 +37,7 @@ Contrast welch_difference(const Summary& first, const Summary& second) {
   // As shares of their sum, so that small variances do not vanish when squared.
   const double of_a = a / both, of_b = b / both;
   const double degrees_of_freedom = 1.0 / (of_a * of_a / static_cast<double>(first.count - 1) +
-                                of_b * of_b / static_cast<double>(second.count - 1));
+                                           of_b * of_b / static_cast<double>(second.count - 1));
   return student_contrast(found.estimate, std::sqrt(both), degrees_of_freedom);
 }
 

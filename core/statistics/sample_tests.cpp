@@ -14,7 +14,7 @@ namespace clast {
 namespace {
 
 constexpr double kMostCells = 1e7;      // of the lattice that the exact test walks
-constexpr std::size_t kMostOrders = 9;  // 9! = 362,880 orders
+constexpr std::size_t kMaxOrders = 9;   // 9! = 362,880 orders
 constexpr double kSmallExpected = 5.0;  // Cochran's rule
 
 /// The pooled samples: after how many values, in ascending order, a value's ties end, and the
@@ -176,8 +176,9 @@ std::optional<TestResult> two_sample_ks_test(std::span<const double> a, std::spa
   result.statistic = static_cast<double>(all.distance) / (m * n);
   if (all.distance == 0) return result;
   result.exact = m * n <= kMostCells;
-  result.p_value = result.exact ? std::min(1.0, chance_of_leaving(a.size(), b.size(), all))
-                                : kolmogorov_upper_tail(result.statistic * std::sqrt(m * n / (m + n)));
+  result.p_value = result.exact
+                       ? std::min(1.0, chance_of_leaving(a.size(), b.size(), all))
+                       : kolmogorov_upper_tail(result.statistic * std::sqrt(m * n / (m + n)));
   return result;
 }
 
@@ -205,19 +206,20 @@ std::optional<TestResult> spearman_test(std::span<const double> x, std::span<con
   if (!found) return std::nullopt;
   TestResult result;
   result.statistic = *found;
-  result.exact = x.size() <= kMostOrders;
+  result.exact = x.size() <= kMaxOrders;
   if (result.exact) {
     result.p_value = share_of_orders(rank_x, rank_y, *found);
   } else {
     const double degrees_of_freedom = static_cast<double>(x.size()) - 2.0;
-    result.p_value = student_two_sided_tail(*found * std::sqrt(degrees_of_freedom / (1.0 - *found * *found)), degrees_of_freedom);
+    result.p_value = student_two_sided_tail(
+        *found * std::sqrt(degrees_of_freedom / (1.0 - *found * *found)), degrees_of_freedom);
   }
   return result;
 }
 
 std::optional<ChiSquaredResult> chi_squared_test(std::span<const std::size_t> a,
-                                      std::span<const std::size_t> b, std::uint64_t seed,
-                                      std::size_t draws) {
+                                                 std::span<const std::size_t> b, std::uint64_t seed,
+                                                 std::size_t draws) {
   assert(a.size() == b.size() && draws > 0);
   ClassTable table;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -237,7 +239,8 @@ std::optional<ChiSquaredResult> chi_squared_test(std::span<const std::size_t> a,
       static_cast<double>(std::min(table.size_a, table.size - table.size_a)) /
       static_cast<double>(table.size);
   if (test.smallest_expected >= kSmallExpected) {
-    test.p_value = chi_squared_upper_tail(test.chi_squared, static_cast<double>(test.degrees_of_freedom));
+    test.p_value =
+        chi_squared_upper_tail(test.chi_squared, static_cast<double>(test.degrees_of_freedom));
     return test;
   }
   test.draws = draws;

@@ -15,10 +15,10 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kMostGroupings = 6;
-constexpr std::uint32_t kMostGroups = 40;  ///< of levels that are left out together
-constexpr std::size_t kFewestTrimmed = 5;  ///< levels; with fewer nothing is left to trim
-constexpr double kOffset = 0.01;           ///< of shares, so that zero has odds
+constexpr std::size_t kMaxGroupings = 6;
+constexpr std::uint32_t kMaxGroups = 40;  ///< of levels that are left out together
+constexpr std::size_t kMinTrimmed = 5;    ///< levels; with fewer nothing is left to trim
+constexpr double kOffset = 0.01;          ///< of shares, so that zero has odds
 constexpr double kUpperQuantile = 0.975;
 
 /// Which values belong together.
@@ -190,7 +190,7 @@ std::vector<double> level_means(const Grouping& factor, const std::vector<double
 /// variance of a variance goes with the kurtosis less (k - 3)/k, and the kurtosis of few levels is
 /// too small about their mean and nearly right about their trimmed mean. @cite bonett2006
 double skew_factor(const std::vector<double>& means) {
-  if (means.size() <= kFewestTrimmed) return 1.0;
+  if (means.size() <= kMinTrimmed) return 1.0;
   const auto count = static_cast<double>(means.size());
   const auto cut = static_cast<std::size_t>(count / (2.0 * std::sqrt(count - 4.0)));
   const double mean = arithmetic_mean(means);
@@ -234,7 +234,7 @@ struct Scatter {
 
 void check_lists(std::span<const std::vector<double>> outcomes,
                  std::span<const std::vector<std::uint32_t>> factors) {
-  if (factors.empty() || factors.size() > kMostGroupings) {
+  if (factors.empty() || factors.size() > kMaxGroupings) {
     throw InputError(std::to_string(factors.size()) + " factors; give one to six");
   }
   const std::size_t count = factors.front().size();
@@ -267,7 +267,7 @@ std::vector<VarianceDecomposition> decompose_unbalanced_variance(
   std::vector<std::vector<Scatter>> scatters(outcomes.size(), std::vector<Scatter>(shown));
   for (std::size_t f = 0; f < factors.size(); ++f) {
     if (groupings[f].count < 3) continue;
-    const std::uint32_t groups = std::min(kMostGroups, groupings[f].count);
+    const std::uint32_t groups = std::min(kMaxGroups, groupings[f].count);
     std::vector<std::vector<std::vector<double>>> tried(outcomes.size(),
                                                         std::vector<std::vector<double>>(shown));
     for (std::uint32_t group = 0; group < groups; ++group) {

@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kMostCrossedFactors = 6;
+constexpr std::size_t kMaxCrossedFactors = 6;
 constexpr std::size_t kDraws = 2000;
 constexpr double kLow = 0.025, kHigh = 0.975;
 
@@ -125,7 +125,7 @@ void check_design(std::span<const double> values, std::span<const std::size_t> l
     if (number < 2) throw InputError("a factor of one level has no share of the variance");
     count *= number;
   }
-  if (levels.empty() || levels.size() > kMostCrossedFactors || count != values.size()) {
+  if (levels.empty() || levels.size() > kMaxCrossedFactors || count != values.size()) {
     throw InputError(std::to_string(values.size()) + " values are no full design of " +
                      std::to_string(levels.size()) + " factors with " + std::to_string(count) +
                      " combinations");

@@ -50,8 +50,8 @@ Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& 
   return orientation * body_spin(moments, orientation, momentum);
 }
 
-RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
-                         double step) {
+RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation,
+                                     const Vec3& momentum, double step) {
   const Vec3 first = body_spin(moments, orientation, momentum);
   const Quat middle = orientation * rotation_from_vector(0.5 * step * first);
   const Vec3 spin = body_spin(moments, middle, momentum);
@@ -60,7 +60,7 @@ RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientatio
 }
 
 Quat integrate_free_rotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
-                   double duration) {
+                             double duration) {
   const double fastest = momentum.norm() / moments.minCoeff();
   const double steps = std::max(1.0, std::ceil(fastest * std::abs(duration) / kFlightTurn));
   const double step = duration / steps;

@@ -22,7 +22,7 @@ int widest_axis(std::span<const BoundingSphere> spheres) {
 }  // namespace
 
 bool BroadPhase::update_pairs(std::span<const BoundingSphere> spheres, double slack,
-                         std::optional<std::span<const std::uint32_t>> moved) {
+                              std::optional<std::span<const std::uint32_t>> moved) {
   const auto holds = [&](std::size_t i) {
     return (spheres[i].centre - centres_[i]).squaredNorm() <= 0.25 * slack * slack;
   };

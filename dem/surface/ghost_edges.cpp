@@ -9,13 +9,13 @@ namespace {
 constexpr double kConeSlack = 1e-9;
 /// What the turn at an edge or vertex adds to the slack, as a share of the distance between the
 /// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
-constexpr double kGiveShare = 0.037;
+constexpr double kGiveFraction = 0.037;
 /// The most that gives, for faces back to back. Few directions are so near the limit that their own
 /// give must be computed.
-constexpr double kMostGive = 2.0 * kGiveShare;
+constexpr double kMaxGive = 2.0 * kGiveFraction;
 
 double give_of(const Vec3& normal, const Vec3& other) {
-  return kGiveShare * (normal - other).norm();
+  return kGiveFraction * (normal - other).norm();
 }
 
 bool within_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge, const Vec3& direction,
@@ -56,7 +56,7 @@ bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
                         const Vec3& direction) {
   if (is_in_normal_arc(surface, edge, direction)) return true;
   if (edge.kind != EdgeKind::kConvex ||
-      !within_arc(surface, edge, direction, kConeSlack + kMostGive)) {
+      !within_arc(surface, edge, direction, kConeSlack + kMaxGive)) {
     return false;
   }
   return within_arc(surface, edge, direction, normal_arc_slack(surface, edge));
@@ -82,7 +82,7 @@ double normal_cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex) {
 bool is_near_normal_cone(const SurfaceFeatures& surface, std::uint32_t vertex,
                          const Vec3& direction) {
   if (is_in_normal_cone(surface, vertex, direction)) return true;
-  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMostGive)) return false;
+  if (!within_cone(surface, vertex, direction, kConeSlack + 2.0 * kMaxGive)) return false;
   return within_cone(surface, vertex, direction, normal_cone_slack(surface, vertex));
 }
 

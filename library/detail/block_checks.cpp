@@ -18,8 +18,8 @@ constexpr double kRounding = 1e-6;
 void require_equal(double stored, double expected, double tolerance, const std::string& what,
                    const std::string& where) {
   require(std::abs(stored - expected) <= tolerance * std::abs(expected), where,
-          what + " is " + format_significant(stored, 9) + ", but " + format_significant(expected, 9) +
-              " follows from the rest");
+          what + " is " + format_significant(stored, 9) + ", but " +
+              format_significant(expected, 9) + " follows from the rest");
 }
 
 void check_moments(const Block& block, const std::string& where) {
@@ -52,10 +52,11 @@ void check_box(const Block& block, const std::string& where) {
   const Vec3 sides = 2.0 * (reach + Vec3::Constant(block.body.radius));
   const double slack = kRounding * (box.lengths[0] + kRounding * box.centre.norm());
   require((sides - box.lengths).cwiseAbs().maxCoeff() <= slack, where,
-          "the box is not around the core: its sides are " + format_significant(box.lengths[0], 9) + ", " +
-              format_significant(box.lengths[1], 9) + ", " + format_significant(box.lengths[2], 9) +
-              " m, those of the core with its radius " + format_significant(sides[0], 9) + ", " +
-              format_significant(sides[1], 9) + ", " + format_significant(sides[2], 9) + " m");
+          "the box is not around the core: its sides are " + format_significant(box.lengths[0], 9) +
+              ", " + format_significant(box.lengths[1], 9) + ", " +
+              format_significant(box.lengths[2], 9) + " m, those of the core with its radius " +
+              format_significant(sides[0], 9) + ", " + format_significant(sides[1], 9) + ", " +
+              format_significant(sides[2], 9) + " m");
 }
 
 /// Of a convex core, by the closed form; none for others, whose integration takes long.

@@ -16,11 +16,11 @@ namespace {
 constexpr double kRoundnessTolerance = 3e-3;  ///< relative
 constexpr int kRounds = 10;
 /// Shares of S that are tried to get below a target, after the largest.
-constexpr std::array<double, 4> kFallingShares = {0.2, 0.1, 0.05, 0.0};
+constexpr std::array<double, 4> kFallingFractions = {0.2, 0.1, 0.05, 0.0};
 
 [[noreturn]] void refuse_target(double target, const std::string& why, double nearest) {
-  throw GeometryError("a roundness of " + format_significant(target, 4) + " can't be reached: " + why +
-                      format_significant(nearest, 4));
+  throw GeometryError("a roundness of " + format_significant(target, 4) +
+                      " can't be reached: " + why + format_significant(nearest, 4));
 }
 
 bool good(const RoundedBody& one, double target, double tolerance) {
@@ -54,8 +54,8 @@ RoundedBody between(const std::function<RoundedBody(double)>& at, RoundedBody lo
 
 }  // namespace
 
-RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded, double target,
-                              double edge_length) {
+RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
+                                   double target, double edge_length) {
   const auto at = [&](double share) {
     RoundedBody one{rounded(share), share, 0.0};
     one.roundness = body_roundness(one.body, edge_length).value;
@@ -64,11 +64,12 @@ RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>
   RoundedBody high = at(kVariedRadiusFraction.high);
   if (good(high, target, kRoundnessTolerance)) return high;
   if (high.roundness < target) {
-    refuse_target(
-        target, "the largest radius, " + format_significant(kVariedRadiusFraction.high, 2) + " of S, gives ",
-        high.roundness);
+    refuse_target(target,
+                  "the largest radius, " + format_significant(kVariedRadiusFraction.high, 2) +
+                      " of S, gives ",
+                  high.roundness);
   }
-  for (const double share : kFallingShares) {
+  for (const double share : kFallingFractions) {
     RoundedBody low = at(share);
     if (good(low, target, kRoundnessTolerance)) return low;
     if (low.roundness > target) {

@@ -18,8 +18,8 @@
 namespace clast::library_detail {
 namespace {
 
-constexpr double kLargestVariedRadiusShare = kVariedRadiusFraction.high;
-constexpr double kSameShare = 1e-9;
+constexpr double kMaxVariedRadiusFraction = kVariedRadiusFraction.high;
+constexpr double kSameFraction = 1e-9;
 constexpr int kRadiusRounds = 20;
 constexpr int kMomentRounds = 40;
 constexpr double kSameMoments = 1e-9;
@@ -40,7 +40,7 @@ VariedBody with_form_of(const Block& parent, SpheroPolyhedron body, double share
   // The box turns a little with the radius, and with it S.
   for (int round = 0; round < kRadiusRounds; ++round) {
     const double S = smallest_box(body).lengths[2];
-    if (std::abs(body.radius - share * S) > kSameShare * S) {
+    if (std::abs(body.radius - share * S) > kSameFraction * S) {
       body.radius = share * (S - 2.0 * body.radius) / (1.0 - 2.0 * share);
     }
     result = stretch_to_ratios(body, ratios);
@@ -85,14 +85,14 @@ VariedBody vary_body(const Block& parent, const ConvexityVariation& target) {
 
 VariedBody vary_body(const Block& parent, const RoundingVariation& target) {
   refuse_round_bodies(parent);
-  if (!(target.radius_share >= 0.0 && target.radius_share <= kLargestVariedRadiusShare)) {
+  if (!(target.radius_share >= 0.0 && target.radius_share <= kMaxVariedRadiusFraction)) {
     throw InputError("a radius of " + format_significant(target.radius_share, 4) +
                      " of S can't be reached: must be from 0 to " +
-                     format_significant(kLargestVariedRadiusShare, 2));
+                     format_significant(kMaxVariedRadiusFraction, 2));
   }
   const double own = radius_share(parent.body);
   const std::string figures = "parent_radius_share=" + format_significant(own, 4);
-  if (std::abs(target.radius_share - own) <= kSameShare) return {parent.body, figures};
+  if (std::abs(target.radius_share - own) <= kSameFraction) return {parent.body, figures};
   return {with_form_of(parent, parent.body, target.radius_share).body, figures};
 }
 
@@ -135,7 +135,7 @@ VariedBody vary_body(const Block& parent, const DetailVariation& target) {
 
 VariedBody vary_body(const Block& parent, const ReferenceVariation& target) {
   const double share = std::min(parent.body.faces.empty() ? 0.0 : radius_share(parent.body),
-                                kLargestVariedRadiusShare);
+                                kMaxVariedRadiusFraction);
   return {make_reference_body(target.form, {.ratios = box_ratios(parent.box),
                                             .radius_share = share,
                                             .exponent = target.exponent}),
@@ -147,7 +147,7 @@ VariedBody vary_body(const Block& parent, const ReferenceVariation& target) {
 VariedBody vary_body(const Block& parent, const InertiaVariation& target) {
   const Vec3 target_spread = spread(parent.mass);
   const double side = parent.body.faces.empty() ? 0.0 : radius_share(parent.body);
-  const double share = std::min(side, kLargestVariedRadiusShare);
+  const double share = std::min(side, kMaxVariedRadiusFraction);
   // Half-axes a of an ellipsoid have a^2/5, half-sides of a box a^2/3; the order is that of z, y,
   // x.
   const double part = target.form == ReferenceShape::kEllipsoid ? 5.0 : 3.0;

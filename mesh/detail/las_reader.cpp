@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "LAS is read as it lies in the file");
 
-constexpr std::size_t kSmallestHeader = 227, kHeader14 = 375;
+constexpr std::size_t kMinHeader = 227, kHeader14 = 375;
 constexpr std::uint8_t kNoise = 7, kHighNoise = 18;
 /// Smallest record of each point format 0 to 10.
 constexpr std::array<std::size_t, 11> kRecordSizes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
@@ -61,7 +61,7 @@ void check_points(const LasHeader& header, std::uint64_t file_size) {
       header.scale.cwiseAbs().minCoeff() == 0.0) {
     throw InputError("its scale or offset of coordinates is zero or not finite; it is corrupt");
   }
-  if (header.data_offset < kSmallestHeader || header.data_offset > file_size) {
+  if (header.data_offset < kMinHeader || header.data_offset > file_size) {
     throw InputError("its points are said to start at byte " + std::to_string(header.data_offset) +
                      ", outside the file; it is corrupt");
   }
@@ -77,7 +77,7 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
   if (!bytes.starts_with("LASF")) {
     throw InputError("is not a LAS file: it does not start with LASF; export it as LAS or as text");
   }
-  if (bytes.size() < kSmallestHeader) {
+  if (bytes.size() < kMinHeader) {
     throw InputError("ends within the LAS header; copy or export it again");
   }
   LasHeader header;

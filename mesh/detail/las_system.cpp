@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRecordHead = 54, kExtendedHead = 60;  ///< bytes before the content
 /// Keys and WKT take kilobytes.
-constexpr std::uint64_t kLongestContent = 1 << 24;
+constexpr std::uint64_t kMaxContentLength = 1 << 24;
 template <class T>
 T field_at(std::string_view bytes, std::size_t offset) {
   T value{};
@@ -64,7 +64,7 @@ ProjectionRecords projection_records(std::istream& stream, const LasRecordLayout
     const std::string head = bytes_from(stream, at, kExtendedHead);
     if (head.size() < kExtendedHead) break;
     const auto size = field_at<std::uint64_t>(head, 20);
-    if (size <= kLongestContent) found.take(head, bytes_from(stream, at + kExtendedHead, size));
+    if (size <= kMaxContentLength) found.take(head, bytes_from(stream, at + kExtendedHead, size));
     if (size > UINT64_MAX / 4) break;  // corrupt
     at += kExtendedHead + size;
   }

@@ -50,7 +50,7 @@ std::string in_case(std::string_view word, int (*converted)(int)) {
 }
 
 PcdHeader read_pcd_header(TextScanner& text) {
-  constexpr std::int64_t kMostPoints = 1'000'000'000'000, kMostCount = 100'000;
+  constexpr std::int64_t kMaxPoints = 1'000'000'000'000, kMaxCount = 100'000;
   PcdHeader header;
   std::size_t width = 0, height = 1;
   bool has_points = false;
@@ -71,13 +71,13 @@ PcdHeader read_pcd_header(TextScanner& text) {
         field.type = type[0];
       }
     } else if (keyword == "COUNT") {
-      for (Field& field : header.fields) field.count = whole(text, kMostCount);
+      for (Field& field : header.fields) field.count = whole(text, kMaxCount);
     } else if (keyword == "WIDTH") {
-      width = whole(text, kMostPoints);
+      width = whole(text, kMaxPoints);
     } else if (keyword == "HEIGHT") {
-      height = whole(text, kMostPoints);
+      height = whole(text, kMaxPoints);
     } else if (keyword == "POINTS") {
-      header.points = whole(text, kMostPoints);
+      header.points = whole(text, kMaxPoints);
       has_points = true;
     } else if (keyword == "DATA") {
       header.data = in_case(text.next_word(), std::tolower);

@@ -17,7 +17,7 @@ namespace clast::mesh_detail {
 namespace {
 
 /// A line longer than this is no line of points.
-constexpr std::size_t kLongestLine = 1 << 20;
+constexpr std::size_t kMaxLineLength = 1 << 20;
 constexpr std::size_t kBlock = 1 << 20;
 
 /// Lines of a stream, read in blocks.
@@ -40,7 +40,7 @@ class Lines {
         begin_ = text_.size();
         break;
       }
-      if (text_.size() - begin_ > kLongestLine) {
+      if (text_.size() - begin_ > kMaxLineLength) {
         throw InputError("line " + std::to_string(number_ + 1) +
                          ": has no end within a megabyte; this is not a text of points");
       }
@@ -195,7 +195,7 @@ class LinesOfPoints {
   /// So many values of x each one whole step more than the last number the points.
   static constexpr std::size_t kNoChance = 100;
   /// Lines of words before the points at most.
-  static constexpr std::size_t kLongestHeading = 20;
+  static constexpr std::size_t kMaxHeadingLength = 20;
   static constexpr const char* kColumnsAdvice =
       "give `columns`, three names or numbers from 1, those of x, y and z";
 
@@ -224,7 +224,7 @@ class LinesOfPoints {
 
   /// Whether a line is none of points: a heading, or the number of points.
   bool is_before_points(std::string_view text) {
-    if (head_lines_ >= kLongestHeading) return false;
+    if (head_lines_ >= kMaxHeadingLength) return false;
     split_fields(text, detect_separator(text), fields_);
     const auto numbers = std::count_if(fields_.begin(), fields_.end(), [&](std::string_view field) {
       return parse_number_field(field, detect_separator(text)).has_value();
@@ -249,7 +249,7 @@ class LinesOfPoints {
     if (const auto count = parse_number(trimmed_field(text))) set_count(*count);
     const auto keep = [&](std::string_view line) {
       // The last lines count.
-      if (head_.size() >= kLongestHeading) head_.erase(head_.begin());
+      if (head_.size() >= kMaxHeadingLength) head_.erase(head_.begin());
       head_.push_back({to_utf8(line), number, remark});
     };
     if (text.starts_with('#')) keep(text);  // may be the name of the first column

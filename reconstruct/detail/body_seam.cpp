@@ -16,7 +16,7 @@ constexpr int kSlices = 40;           ///< planes of each normal
 /// Area of the section, against the largest on the side that has less, above which it is no neck.
 constexpr double kWidestNeck = 0.85;
 /// A part with less of the volume than this is no second body.
-constexpr double kLeastPart = 0.004;
+constexpr double kMinPart = 0.004;
 constexpr double kSamePart = 0.02;       ///< of the volume: planes that differ by less are alike
 constexpr std::size_t kTriedNecks = 12;  ///< of different normals, the narrowest first
 constexpr double kFirstTurn = 0.1, kLastTurn = 0.02, kWidestTurn = 0.25;  ///< of a normal, rad
@@ -156,7 +156,7 @@ class SeamSearch {
           *std::max_element(areas.begin() + static_cast<long>(k), areas.end());
       const double smaller = std::min(below, whole - below) / whole;
       const double ratio = areas[k] / std::min(largest_below, largest_above);
-      if (smaller >= kLeastPart && ratio < best.ratio) {
+      if (smaller >= kMinPart && ratio < best.ratio) {
         best = {normal,
                 first + static_cast<double>(k + 1) * step,
                 step,
@@ -331,6 +331,8 @@ class SeamSearch {
 
 }  // namespace
 
-std::optional<BodySeam> find_body_seam(const TriangleMesh& closed) { return SeamSearch(closed).run(); }
+std::optional<BodySeam> find_body_seam(const TriangleMesh& closed) {
+  return SeamSearch(closed).run();
+}
 
 }  // namespace clast::reconstruct_detail

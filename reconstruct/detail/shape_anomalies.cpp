@@ -28,8 +28,8 @@ constexpr double kGroundLevel = 0.85, kRises = 0.35;
 constexpr double kGroundFall = 0.12;
 /// Mean distance of the ground from its median height, against the height of what stands on it.
 constexpr double kGroundSpread = 0.12;
-constexpr double kHighestSlab = 0.8;  ///< of the width: a needle that stands up has no ground
-constexpr double kMinGround = 0.2;    ///< of the plan area
+constexpr double kMaxSlabHeight = 0.8;  ///< of the width: a needle that stands up has no ground
+constexpr double kMinGround = 0.2;      ///< of the plan area
 /// It reaches beyond the body, by this share of the width, in so many of the sectors of the plan.
 constexpr double kMinRim = 0.1;
 constexpr std::size_t kGroundSectors = 12, kSectorsWithGround = 10;
@@ -101,7 +101,7 @@ std::optional<ShapeAnomaly> ground_around(const TriangleMesh& closed, const Vec3
   double plan = 0.0, base = 0.0, tall_area = 0.0;
   Vec3 tall = Vec3::Zero();
   for (const TriangleMesh::Triangle& t : closed.triangles) {
-    const Vec3 area = 0.5 * area_vector(closed, t);
+    const Vec3 area = 0.5 * doubled_area_vector(closed, t);
     if (!(area.norm() > 0.0)) continue;
     const Vec3 centre =
         (closed.vertices[t[0]] + closed.vertices[t[1]] + closed.vertices[t[2]]) / 3.0;
@@ -144,7 +144,7 @@ std::optional<ShapeAnomaly> ground_around(const TriangleMesh& closed, const Vec3
   std::size_t around = 0;
   for (std::size_t i = 0; i < kGroundSectors; ++i)
     around += ground[i] > body[i] + kMinRim * std::sqrt(plan);
-  if (whole > kHighestSlab * std::sqrt(plan) || around < kSectorsWithGround ||
+  if (whole > kMaxSlabHeight * std::sqrt(plan) || around < kSectorsWithGround ||
       ground_area < kMinGround * plan || fall > kGroundFall * ground_area) {
     return std::nullopt;
   }

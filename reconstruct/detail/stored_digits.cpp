@@ -59,7 +59,8 @@ std::optional<CoordinateResolution> find_coordinate_resolution(const TriangleMes
   return coarsest.step > 0.0 ? std::optional(coarsest) : std::nullopt;
 }
 
-std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesystem::path& path, double unit) {
+std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesystem::path& path,
+                                    double unit) {
   const std::string extension = lower_case_extension(path);
   const bool keeps_floats =
       extension == ".stl" || extension == ".glb" || extension == ".gltf" || extension == ".3ds";
@@ -70,11 +71,11 @@ std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesys
   if (!(diagonal > 0.0)) return "";  // one point has no shape to lose
   const double fraction = found->step / diagonal;
   if (!(fraction > kDigitsLost)) return "";
-  const std::string text = "precision was lost in the file itself: its coordinates reach " +
-                           format_significant(found->largest, 9) + " and are kept in steps of " +
-                           format_significant(found->step * unit, 3) + " m, " +
-                           format_significant(100.0 * fraction, 3) + " % of the scan's diagonal of " +
-                           format_significant(diagonal * unit, 3) + " m";
+  const std::string text =
+      "precision was lost in the file itself: its coordinates reach " +
+      format_significant(found->largest, 9) + " and are kept in steps of " +
+      format_significant(found->step * unit, 3) + " m, " + format_significant(100.0 * fraction, 3) +
+      " % of the scan's diagonal of " + format_significant(diagonal * unit, 3) + " m";
   const std::string advice =
       "; export it again with a local origin (CloudCompare: accept the global shift when loading) "
       "or as PLY with doubles";

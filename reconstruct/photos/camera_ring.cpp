@@ -12,7 +12,7 @@ CameraRing compute_camera_ring(const PhotoScan& scan, const Pose& block_from_mod
   for (const Photo& photo : scan.model.photos) {
     const Vec3 out = block_from_model * photo.centre() - ring.middle;
     ring.cameras.push_back({photo.name, std::atan2(out.y(), out.x()),
-                          std::atan2(out.z(), out.head<2>().norm()), out.norm(), 0, false});
+                            std::atan2(out.z(), out.head<2>().norm()), out.norm(), 0, false});
   }
   for (const StereoPair& pair : scan.cloud.pairs) {
     ++ring.cameras[pair.first].pairs;

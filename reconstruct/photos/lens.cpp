@@ -30,7 +30,7 @@ Distorted distorted(const CameraIntrinsics& lens, const Vec2& p) {
   const double g_slope = (above_slope - g * below_slope) / below;  // by r^2
   Distorted result;
   result.position = {g * a + 2.0 * lens.p1 * a * b + lens.p2 * (r2 + 2.0 * a * a),
-                  g * b + lens.p1 * (r2 + 2.0 * b * b) + 2.0 * lens.p2 * a * b};
+                     g * b + lens.p1 * (r2 + 2.0 * b * b) + 2.0 * lens.p2 * a * b};
   const double cross = 2.0 * a * b * g_slope + 2.0 * lens.p1 * a + 2.0 * lens.p2 * b;
   result.slope << g + 2.0 * a * a * g_slope + 2.0 * lens.p1 * b + 6.0 * lens.p2 * a, cross, cross,
       g + 2.0 * b * b * g_slope + 6.0 * lens.p1 * b + 2.0 * lens.p2 * a;

@@ -53,7 +53,8 @@ void PhotoModel::check() const {
   }
 }
 
-std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo, const Vec3& point) {
+std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo,
+                                       const Vec3& point) {
   const Photo& p = model.photos[photo];
   return project(model.lenses[p.lens], p.camera_from_world * point);
 }

@@ -93,8 +93,8 @@ void set_scale_by_markers(PhotoScan& scan, const PhotoScanOptions& options) {
   scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
   const double factor = scan.scale->metres_per_unit;
   if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
-    scan.notes.push_back("by the markers, lengths are " + format_significant(factor, 4) + " times what " +
-                         scan.model.source + " says; the markers were taken");
+    scan.notes.push_back("by the markers, lengths are " + format_significant(factor, 4) +
+                         " times what " + scan.model.source + " says; the markers were taken");
   }
   scan.metric = true;
 }
@@ -126,7 +126,8 @@ void PhotoScanOptions::check() const {
   scale.check();
   dense.check();
   if (metres_per_unit && !(*metres_per_unit > 0.0)) {
-    throw InputError("metres_per_unit = " + format_significant(*metres_per_unit, 6) + " must be positive");
+    throw InputError("metres_per_unit = " + format_significant(*metres_per_unit, 6) +
+                     " must be positive");
   }
 }
 
@@ -136,7 +137,7 @@ bool is_photo_folder(const fs::path& folder) {
 }
 
 PhotoScan reconstruct_from_photos(const fs::path& folder, const PhotoScanOptions& options,
-                     const std::function<void(const std::string&)>& stage) {
+                                  const std::function<void(const std::string&)>& stage) {
   options.check();
   const auto begin = [&](const std::string& what) {
     if (stage) stage(what);

@@ -56,7 +56,7 @@ double detail_of(const cv::Mat& grey) {
 }  // namespace
 
 std::vector<Sharpness> measure_sharpness(const PhotoModel& model, const PhotoRegion& region,
-                                    unsigned threads) {
+                                         unsigned threads) {
   const photos_detail::SingleThreadedOpenCv guard;
   std::vector<double> kept(model.photos.size());
   parallel_for(model.photos.size(), threads, [&](std::size_t i) {

@@ -71,9 +71,9 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
     }
     if (points.size() == 3 || 2 * (points.size() - 1) <= all) {
       throw InputError("the board is not what the photos show: distances on it differ by up to " +
-                       format_significant(now.worst, 3) + " m of " + format_significant(now.reach, 3) +
-                       " m, and " + std::to_string(points.size()) + " of its " +
-                       std::to_string(all) +
+                       format_significant(now.worst, 3) + " m of " +
+                       format_significant(now.reach, 3) + " m, and " +
+                       std::to_string(points.size()) + " of its " + std::to_string(all) +
                        " points can't tell which is wrong; measure it again, or check its file");
     }
     std::size_t worst = 0;
@@ -88,8 +88,8 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
     notes.push_back(points[worst].name +
                     " is not where the board has it: without it distances "
                     "agree to " +
-                    format_significant(least, 2) + " m instead of " + format_significant(now.rms, 2) +
-                    " m. Left out");
+                    format_significant(least, 2) + " m instead of " +
+                    format_significant(now.rms, 2) + " m. Left out");
     misplaced.push_back(points[worst].id);
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(worst));
   }
@@ -134,8 +134,9 @@ void ScaleBoard::check() const {
   }
 }
 
-BoardLengths measure_marker_lengths(const ScaleBoard& board, const std::vector<LocatedMarker>& markers,
-                                double largest_disagreement) {
+BoardLengths measure_marker_lengths(const ScaleBoard& board,
+                                    const std::vector<LocatedMarker>& markers,
+                                    double largest_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   std::string missing;
@@ -168,8 +169,9 @@ BoardLengths measure_marker_lengths(const ScaleBoard& board, const std::vector<L
   return result;
 }
 
-BoardLengths measure_charuco_lengths(const CharucoBoard& board, const std::vector<BoardCorner>& corners,
-                                double largest_disagreement) {
+BoardLengths measure_charuco_lengths(const CharucoBoard& board,
+                                     const std::vector<BoardCorner>& corners,
+                                     double largest_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   const int wide = board.columns - 1;

@@ -112,7 +112,7 @@ std::vector<std::uint8_t> seen_in(const TriangleMesh& surface, const PhotoModel&
 }  // namespace
 
 SurfaceViews count_surface_views(const TriangleMesh& surface, const PhotoScan& scan,
-                           const Pose& block_from_model, unsigned threads) {
+                                 const Pose& block_from_model, unsigned threads) {
   const std::size_t count = scan.model.photos.size();
   std::vector<bool> compared(count);
   for (const StereoPair& pair : scan.cloud.pairs)
@@ -139,7 +139,7 @@ SurfaceViews count_surface_views(const TriangleMesh& surface, const PhotoScan& s
 }
 
 double observed_fraction(const TriangleMesh& surface, const std::vector<std::uint16_t>& counts,
-                  std::uint16_t min_views) {
+                         std::uint16_t min_views) {
   double all = 0.0, visible = 0.0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto& [a, b, c] = surface.triangles[i];

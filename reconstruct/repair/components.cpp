@@ -74,7 +74,7 @@ bool encloses(const TriangleMesh& closed, const Vec3& point) {
 }
 
 bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
-                 const TriangleTree& tree) {
+                     const TriangleTree& tree) {
   // The winding number means nothing on the surface itself, so the point farthest from it is asked.
   Vec3 farthest = component.vertices[0];
   double distance = -1.0;

@@ -154,7 +154,7 @@ std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector
     for (OpenFan& fan : here) {
       triangles.push_back(triangles_of.of(fan.fan));
       for (const std::uint32_t t : triangles.back()) {
-        fan.normal += area_vector(mesh, mesh.triangles[t]);
+        fan.normal += doubled_area_vector(mesh, mesh.triangles[t]);
       }
     }
     const std::vector<OpenFan> around = in_order(mesh, ends[begin][0], here, sides, triangles);
@@ -177,7 +177,7 @@ std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> of_component(count);
   const VertexCorners around(mesh);
   for (std::uint32_t t = 0; t < component.size(); ++t) {
-    normal[t] = area_vector(mesh, mesh.triangles[t]);
+    normal[t] = doubled_area_vector(mesh, mesh.triangles[t]);
     area[component[t]] += normal[t].norm();
     of_component[component[t]].push_back(t);
   }

@@ -54,7 +54,7 @@ std::vector<FilledHole> retriangulate_missing_faces(TriangleMesh& mesh) {
     edges.insert(edges.end(), {sides[0].low, sides[0].high});
     if (sides.size() != 1) return;
     const TriangleMesh::Triangle& t = mesh.triangles[sides[0].triangle];
-    beyond[{sides[0].low, sides[0].high}] = area_vector(mesh, t).normalized();
+    beyond[{sides[0].low, sides[0].high}] = doubled_area_vector(mesh, t).normalized();
   });
   for (const std::vector<std::uint32_t>& loop : loops) {
     if (loop.size() < 3 || loop.size() > kMaxHoleCorners || !large[loop[0]]) continue;

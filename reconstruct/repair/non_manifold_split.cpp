@@ -201,7 +201,7 @@ void separate_touching_vertices(TriangleMesh& mesh, double distance) {
   // Of each fan the normal, and where on the whole it lies from its vertex.
   std::map<std::uint32_t, std::pair<Vec3, Vec3>> fans;
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 doubled = area_vector(mesh, t), middle = centroid(mesh, t);
+    const Vec3 doubled = doubled_area_vector(mesh, t), middle = centroid(mesh, t);
     for (const std::uint32_t v : t) {
       if (!touching[v]) continue;
       auto& [normal, lean] = fans.try_emplace(v, Vec3::Zero(), Vec3::Zero()).first->second;

@@ -41,7 +41,7 @@ struct Sample {
 std::vector<Sample> samples_of(const TriangleMesh& component) {
   std::vector<Vec3> normals(component.vertices.size(), Vec3::Zero());
   for (const TriangleMesh::Triangle& t : component.triangles) {
-    const Vec3 doubled = area_vector(component, t);
+    const Vec3 doubled = doubled_area_vector(component, t);
     for (const std::uint32_t v : t) normals[v] += doubled;
   }
   std::vector<Sample> samples;
@@ -140,8 +140,8 @@ void approach(std::vector<Sample>& samples, const std::vector<SurfaceFoot>& feet
 
 }  // namespace
 
-std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component, const TriangleTree& tree,
-                                           double diagonal) {
+std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component,
+                                              const TriangleTree& tree, double diagonal) {
   std::vector<Sample> samples = samples_of(component);
   if (samples.size() < 10) return std::nullopt;
   std::vector<SurfaceFoot> feet = feet_of(samples, tree);
@@ -162,7 +162,8 @@ std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component, con
     feet = feet_of(samples, tree);
   }
   copy.scale = 1.0 / scale;
-  if (std::abs(copy.scale - 1.0) > kMaxScale || total_rotation.norm() > kMaxTurn) return std::nullopt;
+  if (std::abs(copy.scale - 1.0) > kMaxScale || total_rotation.norm() > kMaxTurn)
+    return std::nullopt;
   const double left = root_mean_square(feet);
   if (left > std::max(kLeft * before, kFitsCopy * diagonal)) return std::nullopt;
   return copy;
@@ -181,14 +182,15 @@ void move_best_copy_first(std::vector<Component>& components) {
     if (components[i].area < kCompleteCopy * components[0].area) break;
     if (!better(components[i], components[best])) continue;
     const TriangleTree tree(components[0].mesh);
-    if (match_surface_copy(components[i].mesh, tree, bounds(components[0].mesh).diagonal())) best = i;
+    if (match_surface_copy(components[i].mesh, tree, bounds(components[0].mesh).diagonal()))
+      best = i;
   }
   std::rotate(components.begin(), components.begin() + static_cast<std::ptrdiff_t>(best),
               components.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
 DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
-                             const TriangleMesh& kept, const TriangleTree& tree) {
+                               const TriangleMesh& kept, const TriangleTree& tree) {
   DuplicateSurface doubled;
   doubled.closed = inspect_mesh(dropped.mesh).is_closed();
   doubled.area_fraction = dropped.area / surface_area(kept);

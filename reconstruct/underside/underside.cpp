@@ -81,7 +81,7 @@ Rim measure_rim(const TriangleMesh& mesh, std::vector<std::uint32_t> loop) {
 double area_from(const TriangleMesh& mesh, std::size_t first) {
   double doubled = 0.0;
   for (std::size_t i = first; i < mesh.triangles.size(); ++i) {
-    doubled += area_vector(mesh, mesh.triangles[i]).norm();
+    doubled += doubled_area_vector(mesh, mesh.triangles[i]).norm();
   }
   return 0.5 * doubled;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kMatrixWidth = 76, kMatrixHeight = 60;  ///< of a picture, px
 
-constexpr double kVisibleShare = 0.04;  ///< of S: a smaller radius is not seen
+constexpr double kVisibleFraction = 0.04;  ///< of S: a smaller radius is not seen
 constexpr int kMatrixSkinSegments = 3;
 
 /// Of a number that stands for a row or column: targets agree to this.
@@ -32,7 +32,7 @@ struct Member {
 
 /// What is seen of a block: the surface of a core has none of a large rounding.
 TriangleMesh seen_surface(const Block& block) {
-  const bool round = block.body.radius > kVisibleShare * block.box.lengths[2];
+  const bool round = block.body.radius > kVisibleFraction * block.box.lengths[2];
   return round && !block.body.faces.empty() ? rounded_surface_mesh(block.body, kMatrixSkinSegments)
                                             : block.surface;
 }

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 /// Corners that look as round as finer ones.
 constexpr int kTurntableSkinSegments = 2;
-constexpr double kMostPieces = 200.0;  // of a side, in a byte
+constexpr double kMaxPieces = 200.0;  // of a side, in a byte
 constexpr double kSteps = 32767.0, kShareSteps = 127.0;
 
 /// The mesh, or one of at most so many triangles whose vertices are some of its own.
@@ -66,7 +66,7 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
     const Vec3 &a = skin.vertices[triangle[0]], &b = skin.vertices[triangle[1]],
                &c = skin.vertices[triangle[2]];
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    const int n = static_cast<int>(std::clamp(std::ceil(longest / step), 1.0, kMostPieces));
+    const int n = static_cast<int>(std::clamp(std::ceil(longest / step), 1.0, kMaxPieces));
     pieces.push_back(static_cast<std::uint8_t>(n));
     for (int row = 0; row <= n; ++row) {
       for (int column = 0; column <= row; ++column) {
@@ -96,7 +96,7 @@ void TurntableLimits::check() const {
     throw InputError("scan_triangles = " + std::to_string(scan_triangles) +
                      ": must be 100 or more");
   }
-  if (!(deviation_cells >= 1.0 && deviation_cells <= kMostPieces)) {
+  if (!(deviation_cells >= 1.0 && deviation_cells <= kMaxPieces)) {
     throw InputError("deviation_cells = " + format_significant(deviation_cells, 6) +
                      ": must be 1 to 200");
   }

@@ -19,7 +19,7 @@ struct BarLegend {
 
 /// What the colours and the whiskers are, in as many rows as it takes from `top` on.
 BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top) {
-  constexpr std::size_t kMostCharacters = 64;
+  constexpr std::size_t kMaxCharacters = 64;
   constexpr double kRow = 20.0;
   std::string svg;
   double x = 8.0;
@@ -30,7 +30,7 @@ BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top
     }
   };
   for (const ClassFractionSeries& one : series) {
-    const std::string name = shorten_text(one.name, kMostCharacters);
+    const std::string name = shorten_text(one.name, kMaxCharacters);
     const double width = 18.0 + kCharacter * static_cast<double>(name.size());
     place(width);
     svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(top, 1) +

@@ -71,7 +71,7 @@ std::string blocks_svg(const Population& population, std::size_t number,
   places.reserve(population.blocks.size());
   for (const MeasuredBlock& block : population.blocks)
     places.push_back(place_of(block.axes_as_written));
-  if (places.size() > kMostSingleBlocks) return draw_density_squares(places, corner, "blocks");
+  if (places.size() > kMaxSingleBlocks) return draw_density_squares(places, corner, "blocks");
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
@@ -85,7 +85,7 @@ std::string blocks_svg(const Population& population, std::size_t number,
 
 /// What the marks mean, centred at the foot of the picture.
 std::string mark_key(const Population& population, double y) {
-  if (population.blocks.size() > kMostSingleBlocks) {
+  if (population.blocks.size() > kMaxSingleBlocks) {
     std::string svg;
     double x = 108.0;
     svg += svg_text(x - 8, y + 4, "few", std::string(kDiagramText) + " text-anchor=\"end\"");
@@ -111,8 +111,8 @@ std::string opened(const std::string& title, double height) {
 }
 
 std::string title_with_count(const std::string& what, const Population& population) {
-  constexpr std::size_t kMostCharacters = 28;
-  return what + ": " + shorten_text(population.name, kMostCharacters) + " (" +
+  constexpr std::size_t kMaxCharacters = 28;
+  return what + ": " + shorten_text(population.name, kMaxCharacters) + " (" +
          std::to_string(population.blocks.size()) + ")";
 }
 

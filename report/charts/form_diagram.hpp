@@ -9,7 +9,7 @@ namespace clast::report_detail {
 
 /// Maximum number of blocks drawn as single marks; more are drawn as a density, because marks would
 /// overlap and slow down the page.
-inline constexpr std::size_t kMostSingleBlocks = 2000;
+inline constexpr std::size_t kMaxSingleBlocks = 2000;
 
 /// Formats the tooltip of a block: name, axes, classes, and classes close to a limit.
 std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options);

@@ -19,7 +19,7 @@ std::string as_file_name(const std::string& text) {
 }  // namespace
 
 std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeByShape>& outcomes,
-                                               bool several_files) {
+                                                  bool several_files) {
   std::vector<ResponseFigure> pictures;
   for (const OutcomeByShape& outcome : outcomes) {
     if (outcome.outcome == "lateral angle" || outcome.outcome == "largest energy") continue;

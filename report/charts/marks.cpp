@@ -11,7 +11,7 @@
 namespace clast::report_detail {
 
 std::string draw_shape_mark(double x, double y, const std::string& garcia, bool filled,
-                       const std::string& attributes, const std::string& title) {
+                            const std::string& attributes, const std::string& title) {
   const std::string paint = filled ? "fill=\"" + class_colour(garcia) +
                                          "\" fill-opacity=\".8\" stroke=\"#fff\" "
                                          "stroke-width=\".7\""
@@ -28,7 +28,7 @@ std::string draw_shape_mark(double x, double y, const std::string& garcia, bool 
 }
 
 std::string draw_density_squares(std::span<const Vec2> places, const Vec2& corner,
-                            const std::string& noun) {
+                                 const std::string& noun) {
   constexpr double kCell = 7.0;  // px
   std::map<std::pair<int, int>, std::size_t> counts;
   std::size_t most = 1;

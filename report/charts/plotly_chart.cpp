@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kPlotHeight = 400;                   // px
-constexpr std::size_t kMostCurveSteps = 1500;      // of a curve; more can't be distinguished
-constexpr std::size_t kMostLegendCharacters = 40;  // of a name in the legend
+constexpr int kPlotHeight = 400;                  // px
+constexpr std::size_t kMaxCurveSteps = 1500;      // of a curve; more can't be distinguished
+constexpr std::size_t kMaxLegendCharacters = 40;  // of a name in the legend
 
 /// Five digits are more than a chart shows.
 double short_number(double value) {
@@ -38,7 +38,7 @@ Json numbers(const std::vector<double>& values) {
 std::string plain(std::string_view text) { return escape_html(text); }
 
 Json trace_json(const Trace& trace, const ChartAxes& axes) {
-  Json json = {{"name", plain(shorten_text(trace.name, kMostLegendCharacters))},
+  Json json = {{"name", plain(shorten_text(trace.name, kMaxLegendCharacters))},
                {"x", numbers(trace.x)},
                {"y", numbers(trace.y)}};
   const std::string y = axes.y_in_percent ? "%{y:.1%}" : "%{y:.4~g}";
@@ -104,7 +104,7 @@ void add_places(const std::vector<LabelledLine>& places, Json& layout) {
                      {"xanchor", "left"},
                      {"yanchor", "top"},
                      {"bgcolor", "rgba(255,255,255,.7)"},
-                     {"text", plain(shorten_text(place.name, kMostLegendCharacters))},
+                     {"text", plain(shorten_text(place.name, kMaxLegendCharacters))},
                      {"showarrow", false},
                      {"font", {{"size", 11}}}});
   }
@@ -177,7 +177,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
          below = Json::array(), notes = Json::array();
     for (const IntervalMark& mark : marks) {
       if (mark.clear != clear) continue;
-      names.push_back(plain(shorten_text(mark.name, kMostLegendCharacters)));
+      names.push_back(plain(shorten_text(mark.name, kMaxLegendCharacters)));
       values.push_back(short_number(mark.value));
       above.push_back(short_number(mark.high - mark.value));
       below.push_back(short_number(mark.value - mark.low));
@@ -207,7 +207,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
   }
   Json order = Json::array();
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    order.push_back(plain(shorten_text(mark->name, kMostLegendCharacters)));
+    order.push_back(plain(shorten_text(mark->name, kMaxLegendCharacters)));
   }
   const Json layout = {{"height", kAround + kRow * static_cast<int>(marks.size())},
                        {"margin", {{"l", 10}, {"r", 14}, {"t", 30}, {"b", 46}}},
@@ -258,7 +258,7 @@ std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples, bo
     if (sample.values.empty()) continue;
     std::vector<double> sorted = sample.values;
     std::sort(sorted.begin(), sorted.end());
-    const bool few = sorted.size() < kFewestForCurve;
+    const bool few = sorted.size() < kMinForCurve;
     Trace trace{with_count(sample),
                 sample.colour,
                 sample.dash,
@@ -278,7 +278,7 @@ std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples, bo
       continue;
     }
     add(sorted.front(), 0.0);
-    const std::size_t stride = 1 + sorted.size() / kMostCurveSteps;
+    const std::size_t stride = 1 + sorted.size() / kMaxCurveSteps;
     for (std::size_t i = stride - 1; i + 1 < sorted.size(); i += stride) {
       add(sorted[i], static_cast<double>(i + 1) / total);
     }

@@ -73,7 +73,7 @@ std::string plotly_figure(const std::string& label, const std::string& style, st
 std::string charts_script();
 
 /// Minimum number of values for a curve; fewer are drawn as points.
-inline constexpr std::size_t kFewestForCurve = 4;
+inline constexpr std::size_t kMinForCurve = 4;
 
 /// Makes the cumulative distribution of each sample, or the exceedance curve if `exceeding`. Empty
 /// samples are omitted; large ones are reduced to about 1,500 steps, small ones are drawn as

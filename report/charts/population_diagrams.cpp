@@ -13,14 +13,14 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::size_t kMostTitle = 44;  // characters of a name over a diagram
-constexpr double kGarciaLimit = 0.3;    // s_c above which a block is elongated
+constexpr std::size_t kMaxTitle = 44;  // characters of a name over a diagram
+constexpr double kGarciaLimit = 0.3;   // s_c above which a block is elongated
 
 std::string s_c_chart(const PopulationReport& report) {
   std::vector<Series> all;
   for (const ReportedPopulation& reported : report.populations) {
     Series series{reported.population.name, series_colour(all.size()), "", {}};
-    const bool named = reported.population.blocks.size() <= kMostNamedMarks;
+    const bool named = reported.population.blocks.size() <= kMaxNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
       series.values.push_back(elongation_index(block.axes_as_written));
       if (named) series.names.push_back(block.name);
@@ -71,7 +71,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
 Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
   Series series{
       by_mass ? "by mass" : "by number", series_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
-  const bool named = reported.population.blocks.size() <= kMostNamedMarks;
+  const bool named = reported.population.blocks.size() <= kMaxNamedMarks;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
     const MeasuredBlock& block = reported.population.blocks[i];
     if (block.unscaled || (by_mass && !block.mass)) continue;
@@ -123,7 +123,7 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   for (const FittedSizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
-  return draw_cumulative_chart({"Size: " + shorten_text(reported.population.name, kMostTitle),
+  return draw_cumulative_chart({"Size: " + shorten_text(reported.population.name, kMaxTitle),
                                 "size " + name_of(size.measure) + ", m", true},
                                series, curves);
 }

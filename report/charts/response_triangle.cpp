@@ -20,8 +20,8 @@ constexpr double kResponseWidth = 700.0, kResponseHeight = 560.0, kResponseLeft 
                  kResponseTop = 40.0, kResponseSide = 520.0;  // px
 constexpr double kDisc = 3.5, kMarkedDisc = 6.0;
 constexpr double kLattice = 7.0;  ///< side of the triangles of the surface
-constexpr int kFewestBands = 6;
-constexpr std::size_t kMostForms = 500;  ///< of a surface: its equations are that many
+constexpr int kMinBands = 6;
+constexpr std::size_t kMaxForms = 500;  ///< of a surface: its equations are that many
 
 /// Few to many, readable in grey: pale yellow over green to dark blue (YlGnBu of ColorBrewer).
 constexpr std::array<Rgb, 5> kColours = {
@@ -95,7 +95,7 @@ ResponseRange response_range(std::span<const ShapeResponse> forms) {
     range.most = std::max(range.most, form.value);
   }
   if (range.most > range.least) {
-    range.step = round_down_to_nice((range.most - range.least) / kFewestBands);
+    range.step = round_down_to_nice((range.most - range.least) / kMinBands);
   }
   return range;
 }
@@ -149,7 +149,7 @@ std::string line_of(const ThinPlateSpline& surface, std::span<const Vec2> hull, 
 std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec2> places,
                        const ResponseRange& range, const std::string& clip) {
   const std::vector<Vec2> hull = convex_hull_of(places);
-  if (hull.size() < 3 || forms.size() > kMostForms || !(range.most > range.least)) return "";
+  if (hull.size() < 3 || forms.size() > kMaxForms || !(range.most > range.least)) return "";
   std::vector<double> values;
   for (const ShapeResponse& form : forms) values.push_back(form.value);
   const ThinPlateSpline surface(places, values);

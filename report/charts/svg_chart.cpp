@@ -17,7 +17,7 @@ constexpr const char* kAxis = "stroke=\"#5b6775\"";
 constexpr const char* kChartText = "font-size=\"12\" fill=\"#33404d\"";
 constexpr const char* kChartHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
 constexpr double kLegendRow = 18.0;
-constexpr std::size_t kMostPrintedSteps = 1500;  // of a curve; more can't be distinguished on paper
+constexpr std::size_t kMaxPrintedSteps = 1500;  // of a curve; more can't be distinguished on paper
 
 struct AxisRange {
   double low = 0.0;
@@ -82,10 +82,10 @@ std::string x_axis(const AxisRange& range, double top, double bottom, const std:
 }
 
 // In half of the chart's width.
-constexpr std::size_t kMostTitleCharacters = 24;
+constexpr std::size_t kMaxTitleCharacters = 24;
 
 std::string name_with_count(const Series& series) {
-  return shorten_text(series.name, kMostTitleCharacters) + " (" +
+  return shorten_text(series.name, kMaxTitleCharacters) + " (" +
          std::to_string(series.values.size()) + ")";
 }
 
@@ -134,7 +134,7 @@ std::vector<Step> steps_of(const Series& series) {
 /// The curve of a sample, in px.
 std::string step_path(const std::vector<Step>& steps, const AxisRange& range, double top,
                       double height) {
-  const std::size_t stride = 1 + steps.size() / kMostPrintedSteps;
+  const std::size_t stride = 1 + steps.size() / kMaxPrintedSteps;
   const auto y_at = [&](double share) { return top + height * (1.0 - share); };
   std::string path = "M" + fixed(kChartLeft, 1) + " " + fixed(y_at(0.0), 1);
   for (std::size_t i = 0; i < steps.size(); i += stride) {
@@ -146,7 +146,7 @@ std::string step_path(const std::vector<Step>& steps, const AxisRange& range, do
 
 std::string named_marks(const Series& series, const std::vector<Step>& steps,
                         const AxisRange& range, double top, double height) {
-  if (series.names.empty() || series.names.size() > kMostNamedMarks) return {};
+  if (series.names.empty() || series.names.size() > kMaxNamedMarks) return {};
   std::string svg;
   for (const Step& step : steps) {
     const std::string& block = series.blocks.empty() ? std::string() : series.blocks[step.index];
@@ -190,11 +190,11 @@ std::string legend_below(const std::vector<LegendEntry>& entries, double top) {
 
 /// Up to five names of what lies in a bin.
 std::string names_in_bin(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNames = 5;
+  constexpr std::size_t kMaxNames = 5;
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) text += "\n" + names[i];
-  if (names.size() > kMostNames) {
-    text += "\nand " + std::to_string(names.size() - kMostNames) + " more";
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) text += "\n" + names[i];
+  if (names.size() > kMaxNames) {
+    text += "\nand " + std::to_string(names.size() - kMaxNames) + " more";
   }
   return text;
 }

@@ -32,7 +32,7 @@ struct ChartText {
 };
 
 /// Maximum number of named marks per series.
-inline constexpr std::size_t kMostNamedMarks = 500;
+inline constexpr std::size_t kMaxNamedMarks = 500;
 
 /// Draws cumulative step curves. Named values have a mark with a tooltip.
 std::string draw_cumulative_chart(const ChartText& text, const std::vector<Series>& series,

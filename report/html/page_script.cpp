@@ -28,8 +28,8 @@ std::string format_json_element(const std::string& attributes, std::string json)
 }
 
 std::string format_packed_element(const std::string& id, std::string_view text) {
-  return "<script type=\"text/plain\" id=\"" + id + "\">" + encode_base64(compress_zlib(text, kDeflateLevel)) +
-         "</script>\n";
+  return "<script type=\"text/plain\" id=\"" + id + "\">" +
+         encode_base64(compress_zlib(text, kDeflateLevel)) + "</script>\n";
 }
 
 std::string installed_folder(const char* variable, const char* configured) {

@@ -9,7 +9,7 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::size_t kMostMapCharacters = 24;  // of a name, beside the map
+constexpr std::size_t kMaxMapCharacters = 24;  // of a name, beside the map
 
 /// Rows of marks and words beside the map.
 class LegendRows {
@@ -76,7 +76,7 @@ MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   if (!zones.empty()) legend.head("Ground zones");
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     legend.swatch(format_colour(zone_colour(zones[zone], zone)),
-                  shorten_text(zones[zone], kMostMapCharacters));
+                  shorten_text(zones[zone], kMaxMapCharacters));
   }
   return {legend.svg(), legend.bottom()};
 }

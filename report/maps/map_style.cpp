@@ -11,9 +11,9 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::size_t kMostClasses = 8;
+constexpr std::size_t kMaxClasses = 8;
 constexpr double kJoulesOfKilojoule = 1000.0;
-constexpr std::size_t kMostBlocks = 24;  // with a mark of their own
+constexpr std::size_t kMaxBlocks = 24;  // with a mark of their own
 
 /// Pale to dark, from ColorBrewer.
 using Ramp = std::array<Rgb, 5>;
@@ -87,14 +87,14 @@ std::vector<double> limits_by_factors(const Span& span, double unit,
                                       std::span<const double> steps) {
   std::vector<double> falling;
   for (int power = static_cast<int>(std::floor(std::log10(span.high / unit))) + 1;
-       falling.size() < kMostClasses; --power) {
+       falling.size() < kMaxClasses; --power) {
     // A quotient of whole numbers is the double nearest to 0.3; a product need not be.
     const double ten = std::pow(10.0, std::abs(power));
     const auto at = [&](double step) { return power < 0 ? step / ten : step * ten; };
     for (std::size_t i = steps.size(); i-- > 0;) {
       const double below = i > 0 ? at(steps[i - 1]) : at(steps.back()) / 10.0;
       if (limit(below * unit) >= span.high) continue;  // nothing would be in its class
-      const bool is_last = falling.size() == kMostClasses || limit(at(steps[i]) * unit) < span.low;
+      const bool is_last = falling.size() == kMaxClasses || limit(at(steps[i]) * unit) < span.low;
       if (is_last && !falling.empty()) return {falling.rbegin(), falling.rend()};
       falling.push_back(at(steps[i]));
     }
@@ -104,7 +104,7 @@ std::vector<double> limits_by_factors(const Span& span, double unit,
 
 /// Limits at multiples of a round number.
 std::vector<double> even_limits(const Span& span, double unit) {
-  const double step = round_up_to_nice(span.high / unit / static_cast<double>(kMostClasses));
+  const double step = round_up_to_nice(span.high / unit / static_cast<double>(kMaxClasses));
   std::vector<double> limits;
   for (double k = std::max(1.0, std::ceil(span.low / unit / step));; k += 1.0) {
     // The inverse of a small step is a whole number: 1, 2 or 5 times a power of ten.
@@ -202,7 +202,7 @@ StopMarks choose_stop_marks(const Comparison& comparison) {
       std::count_if(comparison.groups.begin(), comparison.groups.end(),
                     [&](const Group& group) { return is_kind(group, GroupKind::kBlock); });
   StopMarks result;
-  result.by_block = static_cast<std::size_t>(blocks) <= kMostBlocks;
+  result.by_block = static_cast<std::size_t>(blocks) <= kMaxBlocks;
   const GroupKind kind = result.by_block ? GroupKind::kBlock : GroupKind::kGarcia;
   std::size_t compact = 0, others = kFirstOfOthers;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {

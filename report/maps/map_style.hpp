@@ -48,7 +48,7 @@ inline constexpr const char* kMeasuredColour = "#c0104a";
 inline constexpr const char* kBarrierColour = "#111111";
 
 /// Maximum number of stops drawn as single marks; more are drawn as a density.
-inline constexpr std::size_t kMostSingleStops = 5000;
+inline constexpr std::size_t kMaxSingleStops = 5000;
 
 /// Mark of the stops of one block, or of one shape class if there are many blocks.
 struct StopMark {

@@ -106,9 +106,9 @@ std::string unknowns_section(const Calibration& calibration) {
 
 /// Some of the draws over two unknowns.
 std::string pair_chart(const Calibration& calibration, Index a, Index b) {
-  constexpr Index kMostPoints = 400;
+  constexpr Index kMaxPoints = 400;
   const Eigen::MatrixXd& draws = calibration.posterior.draws;
-  const Index stride = std::max<Index>(1, draws.cols() / kMostPoints);
+  const Index stride = std::max<Index>(1, draws.cols() / kMaxPoints);
   Json x = Json::array(), y = Json::array();
   for (Index i = 0; i < draws.cols(); i += stride) {
     x.push_back(draws(a, i));

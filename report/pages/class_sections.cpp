@@ -119,8 +119,8 @@ std::string format_runout_section(const Comparison& comparison) {
       draw_plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
                         make_cumulative_traces(by_class));
   // Shades and dashes distinguish a dozen curves of either class.
-  constexpr std::size_t kMostCurves = 24;
-  if (select_groups(comparison, GroupKind::kBlock).size() <= kMostCurves) {
+  constexpr std::size_t kMaxCurves = 24;
+  if (select_groups(comparison, GroupKind::kBlock).size() <= kMaxCurves) {
     charts += draw_plotly_chart(
         {"Share of runs that stop before, by block", "runout, m", "share", true},
         make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));

@@ -120,7 +120,7 @@ std::string differences_of_files(const Comparison& comparison,
     for (const DepositQuantitySummary& one : figures.files) files += one.figure == 0;
     return files < 2 ? ""
                      : paragraph(std::to_string(files) + " files are more than the " +
-                                 std::to_string(kMostGroups) +
+                                 std::to_string(kMaxGroups) +
                                  " that are compared pair by pair. Compare a selection.");
   }
   std::vector<std::vector<const DepositQuantityDifference*>> pairs;

@@ -23,10 +23,10 @@ std::string too_many_groups(const Comparison& comparison) {
   }
   std::string html;
   for (const auto& [kind, number_of] : count) {
-    if (number_of <= kMostGroups) continue;
+    if (number_of <= kMaxGroups) continue;
     html +=
         paragraph(std::to_string(number_of) + " " + kind + " are more than the " +
-                  std::to_string(kMostGroups) +
+                  std::to_string(kMaxGroups) +
                   " that are compared pair by pair. Compare a selection, or group by a column.");
   }
   return html;

@@ -35,12 +35,12 @@ std::string trends(const ComparisonAnalyses& analyses) {
 }
 
 /// From so many on, shares of the blocks have intervals that say something.
-constexpr std::size_t kFewestBlocksForIntervals = 6;
+constexpr std::size_t kMinBlocksForIntervals = 6;
 
 /// Does no file have enough of its first factor, blocks or forms?
 bool few_blocks(const std::vector<DesignEffects>& effects) {
   return std::all_of(effects.begin(), effects.end(), [](const DesignEffects& file) {
-    return file.factors.empty() || file.factors.front().levels < kFewestBlocksForIntervals;
+    return file.factors.empty() || file.factors.front().levels < kMinBlocksForIntervals;
   });
 }
 

@@ -10,7 +10,7 @@ namespace clast::report_detail {
 namespace {
 
 /// Cautions shown at once; of more, the others are folded.
-constexpr std::size_t kMostCautions = 3;
+constexpr std::size_t kMaxCautions = 3;
 
 /// Escaped, with numbers and units that stay on one line.
 std::string unbroken(const std::string& text) {
@@ -49,11 +49,11 @@ std::string cautions_of(const Comparison& comparison) {
   if (cautions.empty()) return "";
   std::string html = "<div class=\"warnings\" role=\"note\">\n", more;
   for (std::size_t i = 0; i < cautions.size(); ++i) {
-    (i < kMostCautions ? html : more) += caution_line(cautions[i]);
+    (i < kMaxCautions ? html : more) += caution_line(cautions[i]);
   }
   if (!more.empty()) {
     html +=
-        format_folded_section(format_count(cautions.size() - kMostCautions, "more caution"), more);
+        format_folded_section(format_count(cautions.size() - kMaxCautions, "more caution"), more);
   }
   return html + "</div>\n";
 }

@@ -16,7 +16,7 @@ std::string format_deposit_map(const Comparison& comparison, const MapRasterSet&
 
 std::string format_map_section(const Comparison& comparison, const MapRasterSet& paths,
                                const MapRasterSet& deposits) {
-  const bool density = comparison.rows.size() > kMostSingleStops;
+  const bool density = comparison.rows.size() > kMaxSingleStops;
   const std::string stops =
       density ? "The " + std::to_string(comparison.rows.size()) +
                     " stops are shown by their density; stops.gpkg has each of them. "

@@ -87,7 +87,7 @@ const std::vector<PassageFigure>& figures() {
 }  // namespace
 
 std::string draw_crossing_charts(const Comparison& comparison,
-                           const std::vector<RealisationCrossings>& all, std::size_t line) {
+                                 const std::vector<RealisationCrossings>& all, std::size_t line) {
   const std::vector<PassageRealisations> files = passages_by_file(all, line);
   const std::string at = comparison.lines[line].name + ": ";
   const char* time = "time since the first release, s";
@@ -100,8 +100,8 @@ std::string draw_crossing_charts(const Comparison& comparison,
              [](const BlockCrossing& passage) { return kKilojoulesPerJoule * passage.energy; });
 }
 
-std::string describe_crossings(const Comparison& comparison, const std::vector<RealisationCrossings>& all,
-                          std::size_t line) {
+std::string describe_crossings(const Comparison& comparison,
+                               const std::vector<RealisationCrossings>& all, std::size_t line) {
   std::string html;
   for (const PassageRealisations& realisations : passages_by_file(all, line)) {
     double blocks = 0.0, mass = 0.0, energy = 0.0, single = 0.0;
@@ -114,27 +114,28 @@ std::string describe_crossings(const Comparison& comparison, const std::vector<R
     if (blocks == 0.0) continue;
     const std::uint32_t file = realisations.front()->file;
     const bool at_once = comparison.results[file].stay->at_once;
-    html +=
-        paragraph(comparison.lines[line].name +
-                  (has_several_files(comparison) ? ", " + file_name(comparison, file) : "") +
-                  ": within 1 s at most " + format_count(static_cast<std::size_t>(blocks), "block") +
-                  ", at most " + format_mass(std::ceil(mass)) + " and at most " +
-                  format_energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
-                  format_energy_limit(single) + ". From " + format_count(realisations.size(), "realisation") +
-                  (at_once ? "." : " of blocks that were released one after the other."));
+    html += paragraph(
+        comparison.lines[line].name +
+        (has_several_files(comparison) ? ", " + file_name(comparison, file) : "") +
+        ": within 1 s at most " + format_count(static_cast<std::size_t>(blocks), "block") +
+        ", at most " + format_mass(std::ceil(mass)) + " and at most " +
+        format_energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
+        format_energy_limit(single) + ". From " + format_count(realisations.size(), "realisation") +
+        (at_once ? "." : " of blocks that were released one after the other."));
   }
   return html;
 }
 
-std::string format_crossing_table(const Comparison& comparison, const std::vector<RealisationCrossings>& all,
-                          std::size_t line) {
+std::string format_crossing_table(const Comparison& comparison,
+                                  const std::vector<RealisationCrossings>& all, std::size_t line) {
   const std::vector<PassageRealisations> files = passages_by_file(all, line);
   if (files.empty()) return "";
   std::vector<std::string> heads = {"together"};
   for (const PassageRealisations& realisations : files) {
     const std::string of_file =
-        has_several_files(comparison) ? "file " + std::to_string(realisations.front()->file + 1) + ": "
-                                  : "";
+        has_several_files(comparison)
+            ? "file " + std::to_string(realisations.front()->file + 1) + ": "
+            : "";
     for (const char* head : {"mean", "std", "least", "most"}) heads.push_back(of_file + head);
   }
   HtmlTable table(heads, 1);

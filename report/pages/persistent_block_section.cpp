@@ -8,7 +8,7 @@ namespace clast::report_detail {
 namespace {
 
 /// A block counts as moved on from this share of its S; less is how far its contacts yield.
-constexpr double kMovedShare = 0.1;
+constexpr double kMovedFraction = 0.1;
 
 /// What is kept of each row of the comparison; none where runs had the terrain to themselves, or
 /// all blocks came at once.
@@ -42,7 +42,7 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
     hitting += stay->blocks_hit > 0;
     hit += stay->blocks_hit;
     removed += std::isfinite(stay->removed_at);
-    if (stay->later_displacement > kMovedShare * comparison.rows[row].block->axes.S) {
+    if (stay->later_displacement > kMovedFraction * comparison.rows[row].block->axes.S) {
       moved.push_back(stay->later_displacement);
     }
   }

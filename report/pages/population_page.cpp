@@ -14,8 +14,8 @@
 namespace clast::report_detail {
 namespace {
 
-constexpr std::size_t kMostRows = 500;  // of the table of blocks
-constexpr std::size_t kMostNotes = 20;
+constexpr std::size_t kMaxRows = 500;  // of the table of blocks
+constexpr std::size_t kMaxNotes = 20;
 
 /// "22.8-41.7 %", with a dash that is no minus
 std::string range_text(double low, double high) {
@@ -34,15 +34,15 @@ std::string population_head(const PopulationReport& report) {
     }
     facts += format_fact(reported.population.name, text);
     facts += format_fact("L, I, S of " + reported.population.name, reported.measured);
-    for (std::size_t i = 0; i < std::min(kMostNotes, reported.notes.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMaxNotes, reported.notes.size()); ++i) {
       notes.push_back(reported.population.name + ": " + reported.notes[i]);
     }
-    if (reported.notes.size() > kMostNotes) {
+    if (reported.notes.size() > kMaxNotes) {
       notes.push_back(reported.population.name + ": and " +
-                      std::to_string(reported.notes.size() - kMostNotes) +
+                      std::to_string(reported.notes.size() - kMaxNotes) +
                       " more notes, all in provenance.json");
     }
-    if (reported.population.blocks.size() > kMostSingleBlocks) {
+    if (reported.population.blocks.size() > kMaxSingleBlocks) {
       notes.push_back(
           reported.population.name + ": with " + format_count(reported.summary.blocks, "block") +
           " the diagrams show densities, not single blocks; every block is in classes.csv");
@@ -139,7 +139,7 @@ std::string boxes_section(const PopulationReport& report) {
     if (words.empty()) continue;
     if (report.populations.size() > 1) html += paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
-    if (blocks.size() > kMostRows) continue;
+    if (blocks.size() > kMaxRows) continue;
     std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
@@ -164,7 +164,7 @@ std::string blocks_section(const PopulationReport& report) {
   std::string html;
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
-    if (blocks.size() > kMostRows) {
+    if (blocks.size() > kMaxRows) {
       html += paragraph(reported.population.name + ": " + format_count(blocks.size(), "block") +
                         ", all of them in classes.csv.");
       continue;

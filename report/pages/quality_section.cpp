@@ -36,13 +36,13 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
 }
 
 std::string lost_runs(const Comparison& comparison) {
-  constexpr std::size_t kMostListed = 200;
+  constexpr std::size_t kMaxListed = 200;
   HtmlTable table({"run", "block", "ended as", "what happened"}, 4);
   std::size_t count = 0;
   for (const RunRow& row : comparison.rows) {
     const ReleaseResult& result = row.record->result;
     if (result.stop_reason == StopReason::kRest && !result.below_ground) continue;
-    if (++count > kMostListed) continue;
+    if (++count > kMaxListed) continue;
     std::string story = result.message;
     if (story.empty()) {
       story = "at (" + fixed(row.stop.x(), 2) + ", " + fixed(row.stop.y(), 2) + ", " +
@@ -55,8 +55,8 @@ std::string lost_runs(const Comparison& comparison) {
   }
   if (count == 0) return paragraph("Every run came to rest on the terrain.");
   std::string html = table.html();
-  if (count > kMostListed) {
-    html += paragraph("The first " + std::to_string(kMostListed) + " of " + std::to_string(count) +
+  if (count > kMaxListed) {
+    html += paragraph("The first " + std::to_string(kMaxListed) + " of " + std::to_string(count) +
                       "; the others are in runs.csv.");
   }
   return format_folded_section(format_count(count, "run") + " did not come to rest on the terrain",

@@ -87,7 +87,7 @@ std::string least_demand(const Comparison& comparison, const std::vector<Profile
                          std::size_t group) {
   const std::size_t runs = comparison.groups[group].rows.size();
   const ProfileBin* place = find_least_energy_position(bins, group, runs);
-  if (place == nullptr || runs < kFewestPassages) return {};
+  if (place == nullptr || runs < kMinPassages) return {};
   return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
          format_significant(place->from, 4) + " to " + format_significant(place->to, 4) +
          " m from the release: 95 % of the " + std::to_string(place->runs) +

@@ -9,7 +9,7 @@ namespace clast::report_detail {
 
 namespace {
 
-constexpr std::size_t kMostHoles = 200;  ///< rows of the table
+constexpr std::size_t kMaxHoles = 200;  ///< rows of the table
 constexpr std::size_t kMarkedHoles = 9;
 
 std::string length(double metres) { return metres > 0.0 ? format_significant(metres, 3) : ""; }
@@ -59,7 +59,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
     HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,
                      "area " + unit + "2", "share of surface", "middle (file's x, y, z)"},
                     2);
-    for (std::size_t i = 0; i < std::min(kMostHoles, report.holes.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMaxHoles, report.holes.size()); ++i) {
       const FilledHole& hole = report.holes[i];
       holes.row({"H" + std::to_string(i + 1), closing(hole), std::to_string(hole.border_edges),
                  format_significant(hole.perimeter, 3), format_significant(hole.radius, 3),
@@ -67,9 +67,9 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
                  format_point(hole.centre)});
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
-    if (report.holes.size() > kMostHoles) {
+    if (report.holes.size() > kMaxHoles) {
       html +=
-          paragraph("and " + std::to_string(report.holes.size() - kMostHoles) + " smaller ones.");
+          paragraph("and " + std::to_string(report.holes.size() - kMaxHoles) + " smaller ones.");
     }
   }
   return section("Defects found and repaired", html);

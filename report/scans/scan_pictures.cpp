@@ -26,7 +26,7 @@ constexpr double kMuchLarger = 1.4;
 constexpr double kNew = 0.004;
 /// Share of a cloud's points at each end of each axis that a picture may leave out.
 constexpr double kStrays = 0.005;
-constexpr double kLongestBar = 0.4;  ///< of a view's width
+constexpr double kMaxBar = 0.4;  ///< of a view's width
 
 constexpr Rgb kInside{126, 142, 168}, kFilled{232, 142, 40};
 constexpr Rgb kBorder{200, 20, 40}, kPoints{120, 108, 92};
@@ -61,7 +61,7 @@ std::string length_text(double metres, bool metric) {
 }
 
 std::string scale_bar(const Camera& camera, bool metric) {
-  const double length = round_down_to_nice(kLongestBar * camera.width * camera.pixel);
+  const double length = round_down_to_nice(kMaxBar * camera.width * camera.pixel);
   const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
   return format_svg_line(left, y, right, y, stroke) +

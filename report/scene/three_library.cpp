@@ -7,11 +7,15 @@ namespace clast::report_detail {
 namespace {
 
 std::filesystem::path core() { return find_three_folder() / "three.min.js"; }
-std::filesystem::path orbit() { return find_three_folder() / "examples/js/controls/OrbitControls.js"; }
+std::filesystem::path orbit() {
+  return find_three_folder() / "examples/js/controls/OrbitControls.js";
+}
 
 }  // namespace
 
-std::filesystem::path find_three_folder() { return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER); }
+std::filesystem::path find_three_folder() {
+  return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER);
+}
 
 bool three_is_installed() {
   std::error_code code;

@@ -154,8 +154,8 @@ std::filesystem::path write_animation(const std::filesystem::path& folder,
   for (const double time : times) {
     const std::string name = "frame_" + frame_number(index++) + ".vtp";
     write_text_file(folder / name, vtk_frame(blocks, time));
-    list +=
-        "<DataSet timestep=\"" + format_significant(time, 9) + "\" part=\"0\" file=\"" + name + "\"/>\n";
+    list += "<DataSet timestep=\"" + format_significant(time, 9) + "\" part=\"0\" file=\"" + name +
+            "\"/>\n";
   }
   const std::filesystem::path target = folder / "animation.pvd";
   write_text_file(target,

@@ -94,7 +94,7 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
        blank_unknown_cells(
            adapt_columns<Row>(
                selected_columns(
-                   stored_stay_columns(),
+                   stored_persistent_block_columns(),
                    {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
                [](const Row& row) -> const PersistentBlockRecord& { return row->stay; }),
            [](const Row& row) -> const CampaignResults& {

@@ -7,7 +7,7 @@
 namespace clast {
 namespace {
 
-constexpr int kMostDecimals = 4;
+constexpr int kMaxDecimals = 4;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
   double low = sign * (factor * contrast.interval->low);
   double high = sign * (factor * contrast.interval->high);
   if (low > high) std::swap(low, high);
-  const int decimals = known_decimals({low, high}, kMostDecimals);
+  const int decimals = known_decimals({low, high}, kMaxDecimals);
   return format_decimals(sign * gap, decimals) + of_unit + way + " (" +
          format_decimals(low, decimals) + " to " + format_decimals(high, decimals) + of_unit + ")";
 }

@@ -40,19 +40,21 @@ KeyFigure runout_figure(const Comparison& comparison, const FileSummary& stateme
   if (shown.size() < 2) shown = {statement.all};
   int decimals = 2;
   for (const RunoutEstimate& one : shown) {
-    if (one.stands()) decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
+    if (one.is_representative())
+      decimals = std::min(decimals, decimals_of_length(one.mean, one.interval));
   }
   Pair means, medians, farthest;
   for (const RunoutEstimate& one : shown) {
-    means.add(one.stands() ? format_decimals(one.mean, decimals) : "?",
-              one.stands() && one.interval ? format_decimals(one.interval->low, decimals) + " to " +
-                                                 format_decimals(one.interval->high, decimals)
-                                           : "");
-    medians.add(one.stands() ? format_decimals(one.median, decimals) : "?", "");
-    farthest.add(one.stands() ? format_decimals(one.p95, decimals) : "?", "");
+    means.add(one.is_representative() ? format_decimals(one.mean, decimals) : "?",
+              one.is_representative() && one.interval
+                  ? format_decimals(one.interval->low, decimals) + " to " +
+                        format_decimals(one.interval->high, decimals)
+                  : "");
+    medians.add(one.is_representative() ? format_decimals(one.median, decimals) : "?", "");
+    farthest.add(one.is_representative() ? format_decimals(one.p95, decimals) : "?", "");
   }
   const bool some = std::any_of(shown.begin(), shown.end(),
-                                [](const RunoutEstimate& one) { return one.stands(); });
+                                [](const RunoutEstimate& one) { return one.is_representative(); });
   return {means.values + " m", "mean runout" + class_names(comparison, statement),
           drawn_ranges(means.ranges, statement),
           some ? "half stop before " + medians.values + " m, 95 % before " + farthest.values + " m"
@@ -125,7 +127,7 @@ std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const Ke
       for (KeyFigure& figure : barrier_figures(comparison, statement)) {
         figures.push_back(std::move(figure));
       }
-    } else if (statement.all.stands()) {
+    } else if (statement.all.is_representative()) {
       const int decimals = decimals_of_length(statement.all.farthest);
       figures.push_back({format_length(statement.all.p95, decimals), "95 % stop before", ""});
       figures.push_back({format_length(statement.all.farthest, decimals), "farthest stop", ""});

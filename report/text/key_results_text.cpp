@@ -15,9 +15,9 @@ namespace clast {
 using namespace report_detail;
 namespace {
 
-constexpr std::size_t kMostStatements = 3;   // in full
-constexpr std::size_t kMostOthers = 2;       // barriers beside the first
-constexpr std::size_t kFewestForShare = 20;  // runs for "95 % stop before"
+constexpr std::size_t kMaxStatements = 3;        // in full
+constexpr std::size_t kMaxOthers = 2;            // barriers beside the first
+constexpr std::size_t kMinRunsForFraction = 20;  // runs for "95 % stop before"
 
 /// Who runs: "compact blocks", "block B01", "the blocks".
 std::string blocks_of(const Comparison& comparison, std::size_t group) {
@@ -78,13 +78,14 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
   const bool named = who.starts_with("block ");
   const std::string text =
       at_rest_only(all) + who + (named ? " runs " : " run ") + format_length(all.mean, decimals);
-  if (!all.stands()) return text + " (" + format_count(all.at_rest, "run") + ")";
+  if (!all.is_representative()) return text + " (" + format_count(all.at_rest, "run") + ")";
   return text + " on average" +
          (all.interval ? " (" + format_length_interval(*all.interval, decimals) +
                              covered_by(statement, named) + ")"
                        : "") +
-         (all.at_rest < kFewestForShare ? ", at most " + format_length(all.farthest, decimals)
-                                        : "; 95 % stop before " + format_length(all.p95, decimals));
+         (all.at_rest < kMinRunsForFraction
+              ? ", at most " + format_length(all.farthest, decimals)
+              : "; 95 % stop before " + format_length(all.p95, decimals));
 }
 
 /// "; half of both stop within 17 m: the means differ because more compact blocks run on"
@@ -201,7 +202,7 @@ std::string describe_passages(const Comparison& comparison, const FileSummary& s
   const BarrierSummary& first = statement.passages.front();
   std::string text = capitalized(share_sentence(comparison, first, statement.draws)) +
                      strength_of(first, barrier_text(comparison, first.line).pass) + ".";
-  const std::size_t shown = std::min(statement.passages.size() - 1, kMostOthers);
+  const std::size_t shown = std::min(statement.passages.size() - 1, kMaxOthers);
   for (std::size_t i = 1; i <= shown; ++i) {
     text +=
         " " + capitalized(share_sentence(comparison, statement.passages[i], statement.draws)) + ".";
@@ -286,7 +287,7 @@ std::vector<std::string> describe_key_results(const Comparison& comparison,
     const std::string between = describe_files(comparison, answer);
     if (!between.empty()) sentences.push_back(between);
   }
-  const std::size_t shown = std::min(answer.statements.size(), kMostStatements);
+  const std::size_t shown = std::min(answer.statements.size(), kMaxStatements);
   for (std::size_t i = 0; i < shown; ++i) {
     sentences.push_back(sentence_of(comparison, answer.statements[i]));
   }

@@ -26,7 +26,8 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
     std::string verdict;
     switch (judge_agreement(group)) {
       case Verdict::kTooFewValues:
-        verdict = format_count(group.measured, "measured stop") + ", too few to judge by; " + medians;
+        verdict =
+            format_count(group.measured, "measured stop") + ", too few to judge by; " + medians;
         break;
       case Verdict::kUntested:
         verdict = medians + "; one realisation does not show whether this is chance";
@@ -35,8 +36,7 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
         verdict = interval.low > 0.0
                       ? format_length(gap, decimals) + " farther in the field than simulated (" +
                             format_length_interval(interval, decimals) + ")"
-                      : format_length(-gap, decimals) +
-                            " less far in the field than simulated (" +
+                      : format_length(-gap, decimals) + " less far in the field than simulated (" +
                             format_length_interval({-interval.high, -interval.low}, decimals) + ")";
         break;
       case Verdict::kDistributionDiffers:

@@ -19,11 +19,12 @@ TextTable make_series_table(std::span<const Block> blocks) {
   for (const Block& block : blocks) {
     const BoxRatios ratios = box_ratios(block.box);
     const bool metric = !is_unscaled(block);
-    table.rows.push_back({block.id, describe_variation(parse_variation(block).value_or(VariationRecord{})),
-                          format_decimals(ratios.i_l, 4), format_decimals(ratios.s_l, 4),
-                          format_decimals(convexity_of(block), 4),
-                          format_rounded(block.mass.volume) + (metric ? "" : " u"),
-                          metric ? format_rounded(block.mass.mass) : "", sneed_folk_class(block.axes())});
+    table.rows.push_back(
+        {block.id, describe_variation(parse_variation(block).value_or(VariationRecord{})),
+         format_decimals(ratios.i_l, 4), format_decimals(ratios.s_l, 4),
+         format_decimals(convexity_of(block), 4),
+         format_rounded(block.mass.volume) + (metric ? "" : " u"),
+         metric ? format_rounded(block.mass.mass) : "", sneed_folk_class(block.axes())});
   }
   return table;
 }

@@ -82,10 +82,10 @@ std::string why_not_known(const PlannedPower& plan) {
            ": blocks stay where they stop, so that runs depend on each other; compare "
            "the realisations of two campaigns";
   }
-  if (plan.blocks < kFewestBlocksOfPower) {
+  if (plan.blocks < kMinBlocksOfPower) {
     return begin + " with " + format_count(plan.blocks, "block") +
            ": halves of the blocks are compared, " + "which takes " +
-           std::to_string(kFewestBlocksOfPower) + " or more";
+           std::to_string(kMinBlocksOfPower) + " or more";
   }
   if (plan.trial_runs < 2) {
     return begin + ": " + (plan.trial_runs == 0 ? "no trial run" : "only one trial run") +
@@ -126,7 +126,7 @@ std::string describe_planned_power(const PlannedPower& plan) {
                      "the runout scatters by " +
                      trend_value(plan.scatter, "m") + " as in " +
                      format_count(plan.trial_runs, "trial run") + " and " +
-                     format_significant(100.0 * kAssumedBlockShare, 2) +
+                     format_significant(100.0 * kAssumedBlockFraction, 2) +
                      " % of its variance goes with the block (design effect " +
                      format_significant(plan.design_effect(), 2) + ")";
   if (plan.margin) {

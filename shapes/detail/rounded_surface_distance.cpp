@@ -9,8 +9,8 @@ namespace {
 /// Shares of the radius by which a point may lie inside the body and still count as on its skin: as
 /// computed in one step, and as the end of many.
 constexpr double kOnSkin = 1e-9, kNearSkin = 1e-6;
-constexpr int kProjections = 30;        ///< towards a crease of the skin
-constexpr double kShortestStep = 0.01;  ///< along a ray out of the body, in radii
+constexpr int kProjections = 30;   ///< towards a crease of the skin
+constexpr double kMinStep = 0.01;  ///< along a ray out of the body, in radii
 
 }  // namespace
 
@@ -48,7 +48,7 @@ double RoundedSurfaceDistance::exit_distance(const Vec3& point, const Vec3& dire
         core_.signed_closest_point(point + length * direction, hint);
     const double left = radius_ - at.distance;
     if (left <= 0.0) return length;
-    length += std::max(left, kShortestStep * radius_);
+    length += std::max(left, kMinStep * radius_);
   }
   return longest;
 }

@@ -16,7 +16,7 @@ namespace {
 using Index = std::uint32_t;
 
 constexpr double kUnitSlack = 1e-3;  ///< quaternions this far from length 1 are normalised
-constexpr double kFewestShpPoints = 1e3, kMostShpPoints = 1e7;  ///< Rockable keeps MCnstep between
+constexpr double kMinShpPoints = 1e3, kMaxShpPoints = 1e7;  ///< Rockable keeps MCnstep between
 constexpr std::string_view kKeywords =
     "name, radius, preCompDone, nv, ne, nf, volume, I/m, obb.extent, obb.center, obb.e1, obb.e2, "
     "obb.e3, position, orientation, isSurface, MCnstep, fibObbOption, OBBtreeLevel";
@@ -197,7 +197,7 @@ class ShpReader {
     } else if (key == "isSurface") {
       shape.is_surface = true;
     } else if (key == "MCnstep") {
-      shape.sampled_points = std::clamp(number("MCnstep"), kFewestShpPoints, kMostShpPoints);
+      shape.sampled_points = std::clamp(number("MCnstep"), kMinShpPoints, kMaxShpPoints);
     } else if (key == "fibObbOption" || key == "OBBtreeLevel") {
       number(key);
     } else {

@@ -28,7 +28,7 @@ const MemberTable<CalibrationDesign>& design_keys() {
   static const MemberTable<Design> keys(
       {.name = "design", .meaning = "How the parameters are sought"},
       {{"members", "", "sets of parameters that are simulated", count(8, 4096), &Design::members},
-       {"releases", "", "runs of each member at each site", count(kFewestSeen, 100'000),
+       {"releases", "", "runs of each member at each site", count(kMinSelectedOutcomes, 100'000),
         &Design::releases},
        {"seed", "", "of all that is drawn", seed(), &Design::seed},
        {"draws", "", "from the posterior", count(100, 100'000), &Design::draws},

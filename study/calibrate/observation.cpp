@@ -145,10 +145,10 @@ std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
 }
 
 void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen) {
-  if (seen.size() >= kFewestSeen) return;
+  if (seen.size() >= kMinSelectedOutcomes) return;
   throw InputError("observation " + observation.name + ": a member has only " +
                    std::to_string(seen.size()) + " releases of these blocks, and " +
-                   std::to_string(kFewestSeen) + " are needed; raise [design] releases");
+                   std::to_string(kMinSelectedOutcomes) + " are needed; raise [design] releases");
 }
 
 double compute_statistic(const SummaryStatistic& figure, std::span<const SelectedOutcome> seen,

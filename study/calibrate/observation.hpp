@@ -85,10 +85,11 @@ std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
                                              std::span<const ReleaseOutcome> outcomes);
 
 /// Checks that a member has enough releases of the observed blocks to estimate their scatter.
-/// @throws InputError  if there are fewer than `kFewestSeen`; names the observation and the number
+/// @throws InputError  if there are fewer than `kMinSelectedOutcomes`; names the observation and
+/// the number
 void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen);
 /// Minimum number of selected releases per member.
-inline constexpr std::size_t kFewestSeen = 8;
+inline constexpr std::size_t kMinSelectedOutcomes = 8;
 
 /// Computes the stop position that an observation uses.
 StopPosition stop_position_of(const Observation& observation, const SiteDescription& site,

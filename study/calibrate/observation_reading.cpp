@@ -16,7 +16,7 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr std::size_t kFewestStops = 3;
+constexpr std::size_t kMinStops = 3;
 
 /// A figure of a barrier or an impact that is given as [value, standard error].
 struct MeasuredQuantity {
@@ -140,10 +140,10 @@ void read_stops(const DeclaredTable& table, const SiteDescription& site, Observa
   for (const MeasuredStop& stop : measured.stops) {
     if (is_of(stop, observation)) stops.push_back(stop);
   }
-  if (stops.size() < kFewestStops) {
+  if (stops.size() < kMinStops) {
     table.refuse("stops", file,
                  "has " + format_count(stops.size(), "stop") + " of these blocks; " +
-                     std::to_string(kFewestStops) + " are needed at least");
+                     std::to_string(kMinStops) + " are needed at least");
   }
   observation.releases = stops.size();
   read_starts(stops, observation);
@@ -221,10 +221,10 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
   const ObservedTrajectorySet followed = read_trajectories(common.table);
   common.sha256 = followed.sha256;
   common.releases = followed.all.size();
-  if (common.releases < kFewestStops) {
+  if (common.releases < kMinStops) {
     table.refuse("trajectories", file,
                  "has " + std::to_string(common.releases) + " trajectories; " +
-                     std::to_string(kFewestStops) + " are needed at least");
+                     std::to_string(kMinStops) + " are needed at least");
   }
   std::vector<MeasuredStop> starts;
   for (const ObservedTrajectory& one : followed.all) {
@@ -374,12 +374,12 @@ const MemberTable<Observation>& observation_keys() {
        {"barrier", "", "name of a barrier of the campaign", text()},
        TableKey{"releases", "",
                 "blocks that were released, or impacts that the values are the mean of",
-                count(1, kMostPerSet), moving},
-       TableKey{"passed", "", "of the releases, how many passed", count(0, kMostPerSet), barrier},
-       TableKey{"speed_m_s", "m/s", "[value, standard error]", measured({0.0, kMostSpeed, "m/s"}),
+                count(1, kMaxPerSet), moving},
+       TableKey{"passed", "", "of the releases, how many passed", count(0, kMaxPerSet), barrier},
+       TableKey{"speed_m_s", "m/s", "[value, standard error]", measured({0.0, kMaxSpeed, "m/s"}),
                 moving},
        TableKey{"spin_rad_s", "rad/s", "[value, standard error]",
-                measured({0.0, kMostSpin, "rad/s"}), moving},
+                measured({0.0, kMaxSpin, "rad/s"}), moving},
        TableKey{"height_m", "m", "of the centre above the ground, [value, standard error]",
                 measured({-1e4, 1e4, "m"}), barrier},
        TableKey{"energy_j", "J", "translational and rotational, [value, standard error]",

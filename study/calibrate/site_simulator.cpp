@@ -271,9 +271,9 @@ std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
     failures[i].empty() ? good.push_back(outcomes[i]) : void(failure = failures[i]);
   }
   // One run that fails costs no member; many are a fault of it.
-  constexpr double kMostFailed = 0.1;
+  constexpr double kMaxFailed = 0.1;
   const double failed = static_cast<double>(outcomes.size() - good.size());
-  if (failed > kMostFailed * static_cast<double>(outcomes.size())) {
+  if (failed > kMaxFailed * static_cast<double>(outcomes.size())) {
     throw SimulationError(who + std::to_string(outcomes.size() - good.size()) + " of " +
                           std::to_string(outcomes.size()) + " runs failed, the last: " + failure);
   }

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 using Sample = std::vector<std::size_t>;  ///< places in the rows that an observation sees
 
 constexpr std::size_t kScatterDraws = 200;
-constexpr std::size_t kFewestScatterDraws =
+constexpr std::size_t kMinScatterDraws =
     10;  ///< with a value, that a mean or covariance is taken of
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -97,7 +97,7 @@ Moments moments_of(const std::vector<VectorXd>& draws) {
       sum += one;
       ++finite;
     }
-    return finite < kFewestScatterDraws ? kNone : sum / static_cast<double>(finite);
+    return finite < kMinScatterDraws ? kNone : sum / static_cast<double>(finite);
   };
   for (Index i = 0; i < count; ++i) {
     moments.mean[i] = mean_over([&](const VectorXd& draw) { return draw[i]; });

@@ -99,7 +99,8 @@ void check_barrier_line(std::span<const Vec2> line) {
   if (!found) return;
   throw InputError("segments " + std::to_string(found->first + 1) + " and " +
                    std::to_string(found->second + 1) + " meet at (" +
-                   format_significant(found->place.x(), 9) + ", " + format_significant(found->place.y(), 9) +
+                   format_significant(found->place.x(), 9) + ", " +
+                   format_significant(found->place.y(), 9) +
                    "); a barrier must not cross, touch or retrace itself, apart from a ring, whose "
                    "last point is its first: make two barriers of it");
 }

@@ -62,8 +62,8 @@ void set_mass(Campaign& campaign, double value) {
 
 std::span<const Settable> settables() {
   using Law = Distribution::Law;
-  static constexpr NumberRange kSpeed{-kMostSpeed, kMostSpeed, "m/s"};
-  static constexpr NumberRange kSpin{-kMostSpin, kMostSpin, "rad/s"};
+  static constexpr NumberRange kSpeed{-kMaxSpeed, kMaxSpeed, "m/s"};
+  static constexpr NumberRange kSpin{-kMaxSpin, kMaxSpin, "rad/s"};
   static constexpr const char* kLogNormal =
       "no campaign has [blocks] draw with mass_kg = { log_normal = [median, sigma] }";
   static constexpr const char* kNormal =
@@ -131,7 +131,7 @@ double Unknown::value(double below) const {
   return low * std::pow(high / low, below);
 }
 
-double Unknown::share_below(double value) const {
+double Unknown::probability_below(double value) const {
   if (!logarithmic) return (value - low) / (high - low);
   return std::log(value / low) / std::log(high / low);
 }
@@ -141,7 +141,7 @@ std::vector<std::pair<std::string, NumberRange>> calibratable_parameters() {
   for (const GroundParameterField& field : ground_fields()) {
     all.push_back({kGround + std::string("ZONE.") + field.name, field.range});
   }
-  all.push_back({kSharePrefix + std::string("CLASS"), kClassShare});
+  all.push_back({kSharePrefix + std::string("CLASS"), kClassFraction});
   for (const Settable& one : settables()) all.push_back({one.name, one.range});
   return all;
 }
@@ -149,7 +149,7 @@ std::vector<std::pair<std::string, NumberRange>> calibratable_parameters() {
 NumberRange parameter_range(const std::string& parameter) {
   if (const Settable* found = settable(parameter)) return found->range;
   if (const GroundParameterField* field = zone_field(parameter).field) return field->range;
-  if (!fraction_class(parameter).empty()) return kClassShare;
+  if (!fraction_class(parameter).empty()) return kClassFraction;
   std::vector<std::string> names;
   if (parameter.starts_with(kSharePrefix)) {
     for (const std::string& scheme : kSelectingSchemes) {

@@ -20,7 +20,7 @@ struct Unknown {
   /// @param below  probability in [0, 1]
   double value(double below) const;
   /// Returns the prior probability of values below `value`.
-  double share_below(double value) const;
+  double probability_below(double value) const;
 };
 
 /// Returns all parameters that can be calibrated, with their allowed range; "ZONE" and "CLASS"

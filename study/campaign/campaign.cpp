@@ -84,8 +84,8 @@ const MemberTable<Campaign>& contact_keys() {
   constexpr auto kStiffnesses = &Campaign::stiffness;
   static const MemberTable<Campaign> keys(
       {.name = "contact", .meaning = "Law of contacts, their stiffness, and the time step"},
-      {{"law", "", "of the normal force", words(contact_law_names()), &parse_contact_law, kStiffnesses,
-        &Options::law},
+      {{"law", "", "of the normal force", words(contact_law_names()), &parse_contact_law,
+        kStiffnesses, &Options::law},
        {"weights", "", "how contact points share the stiffness",
         words({"patch", "overlap", "count", "none"}), &parse_contact_weighting, &Campaign::weights},
        {"stiffness", "", "what each block, ground and start require", words({"auto"})},

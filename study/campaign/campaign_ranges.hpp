@@ -20,7 +20,7 @@ inline constexpr NumberRange kSoilDensity{50.0, 5000.0, "kg/m^3"};
 inline constexpr NumberRange kSoilMemory{0.01, 10.0, "m"};
 
 // [blocks] draw, and laws of uncertain numbers
-inline constexpr NumberRange kClassShare{1e-6, 1.0, "", ""};
+inline constexpr NumberRange kClassFraction{1e-6, 1.0, "", ""};
 /// Standard deviation of the natural logarithm; at 5, every third draw differs from the median by
 /// more than a factor of 150.
 inline constexpr NumberRange kLogSigma{1e-9, 5.0};

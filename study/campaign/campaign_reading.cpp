@@ -21,7 +21,7 @@ PartReader collect_findings(std::vector<std::string>& findings) {
 }
 
 TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::path& file,
-                    const std::vector<KeyTable>& declared, const PartReader& read) {
+                                const std::vector<KeyTable>& declared, const PartReader& read) {
   std::vector<std::string> names;
   for (const KeyTable& table : declared) {
     if (table.name.find('.') == std::string::npos) names.push_back(table.name);

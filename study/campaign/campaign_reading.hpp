@@ -15,10 +15,10 @@ namespace clast::study_detail {
 
 /// Upper limit of counts per set: above any study, but low enough that a typing error does not
 /// exhaust the memory.
-inline constexpr std::uint64_t kMostPerSet = 1'000'000;
+inline constexpr std::uint64_t kMaxPerSet = 1'000'000;
 /// Upper limits of initial speeds, m/s and rad/s. Larger values are errors of unit, height or
 /// gravity, and their time steps would be too short for the run to end.
-inline constexpr double kMostSpeed = 1000.0, kMostSpin = 1e4;
+inline constexpr double kMaxSpeed = 1000.0, kMaxSpin = 1e4;
 
 /// Classification schemes by which blocks can be selected and sampled.
 inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk", "zingg"};

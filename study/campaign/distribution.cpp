@@ -58,11 +58,11 @@ double Distribution::quantile(double below) const {
   constexpr double kLeast = 1e-12;
   if (fixed()) return first;
   if (law == Law::kUniform) return first + (second - first) * below;
-  const auto share_below = [&](double value) {
+  const auto probability_below = [&](double value) {
     if (law == Law::kNormal) return normal_cdf((value - first) / second);
     return value > 0.0 ? normal_cdf(std::log(value / first) / second) : 0.0;
   };
-  const double from = share_below(low), to = share_below(high);
+  const double from = probability_below(low), to = probability_below(high);
   const double z = normal_quantile(std::clamp(from + (to - from) * below, kLeast, 1.0 - kLeast));
   const double value = law == Law::kNormal ? first + second * z : first * std::exp(second * z);
   return std::clamp(value, low, high);

@@ -8,11 +8,11 @@ namespace clast {
 
 double assume_design_effect(std::size_t runs, std::size_t blocks) {
   const double each = static_cast<double>(runs) / static_cast<double>(blocks);
-  return 1.0 + (each - 1.0) * kAssumedBlockShare;
+  return 1.0 + (each - 1.0) * kAssumedBlockFraction;
 }
 
 bool PlannedPower::is_known() const {
-  return trial_runs > 1 && blocks >= kFewestBlocksOfPower && scatter > 0.0;
+  return trial_runs > 1 && blocks >= kMinBlocksOfPower && scatter > 0.0;
 }
 
 double PlannedPower::smallest() const {

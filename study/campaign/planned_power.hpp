@@ -7,13 +7,13 @@ namespace clast {
 
 /// Assumed intraclass correlation: the fraction of the variance due to the block itself, so that
 /// runs of one block are not independent.
-inline constexpr double kAssumedBlockShare = 0.1;
+inline constexpr double kAssumedBlockFraction = 0.1;
 /// Returns the design effect for comparing two halves of the blocks: 1 + (runs per block - 1)
-/// kAssumedBlockShare. @cite kish1965
+/// kAssumedBlockFraction. @cite kish1965
 double assume_design_effect(std::size_t runs, std::size_t blocks);
 
 /// Minimum number of blocks for a comparison of halves.
-inline constexpr std::size_t kFewestBlocksOfPower = 4;
+inline constexpr std::size_t kMinBlocksOfPower = 4;
 
 /// Planned power: the runout difference between two halves of the blocks that a campaign can
 /// detect.

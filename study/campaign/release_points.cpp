@@ -31,9 +31,9 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
                  : std::nullopt;
   };
   const NumericTableSpec table{.names = {{"x"}, {"y"}, {"z"}},
-                          .range = kMapCoordinate,
-                          .meaning = "three numbers, x y z",
-                          .find = find};
+                               .range = kMapCoordinate,
+                               .meaning = "three numbers, x y z",
+                               .find = find};
   for (const NumericRow& row : read_numeric_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);
   }
@@ -84,7 +84,7 @@ std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t c
 }
 
 std::vector<Vec3> sample_points_in_polygon(std::span<const Vec2> polygon, std::size_t count,
-                                    std::uint64_t seed) {
+                                           std::uint64_t seed) {
   check_has_area(polygon);
   Bounds box;
   for (const Vec2& corner : polygon) box.include({corner.x(), corner.y(), 0.0});

@@ -20,7 +20,7 @@ using namespace study_detail;
 namespace {
 
 /// Mean release-to-stop lines shorter than this have no direction worth naming, m.
-constexpr double kShortestLine = 1e-3;
+constexpr double kMinLineLength = 1e-3;
 
 std::string label(const std::vector<CampaignResults>& results, std::size_t file) {
   const std::string path = results[file].file.string();
@@ -125,7 +125,7 @@ std::optional<Vec2> mean_downslope(const std::vector<RunRow>& rows) {
     sum += (row.stop - row.start).head<2>();
     ++count;
   }
-  if (count == 0 || sum.norm() < kShortestLine * static_cast<double>(count)) return std::nullopt;
+  if (count == 0 || sum.norm() < kMinLineLength * static_cast<double>(count)) return std::nullopt;
   return sum.normalized();
 }
 

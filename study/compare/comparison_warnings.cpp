@@ -27,9 +27,9 @@ constexpr double kSeldomSpeed = 30.0;
 constexpr double kRoundedEnergy = 1e-9;
 
 /// From this share of the runs on, what happened to them could turn an answer round.
-constexpr double kTurningShare = 0.01;
+constexpr double kTurningFraction = 0.01;
 /// The same for energy that contacts lose or gain, which cancels in part over the runs.
-constexpr double kReassignedShare = 0.1;
+constexpr double kReassignedFraction = 0.1;
 
 std::string of(std::size_t part, std::size_t all) {
   return std::to_string(part) + " of " + std::to_string(all);
@@ -61,7 +61,7 @@ void warn_of_lost_runs(Comparison& comparison) {
     if (count == 0) return;
     const std::string happened = of(count, all.started) + " runs " + what;
     const bool turning =
-        static_cast<double>(count) >= kTurningShare * static_cast<double>(all.started);
+        static_cast<double>(count) >= kTurningFraction * static_cast<double>(all.started);
     warn(comparison, happened + advice, turning ? happened + "." : "");
   };
   const std::string in_none = "; they are in no deposit statistics";
@@ -102,8 +102,8 @@ void warn_of_reassigned(Comparison& comparison) {
       of(count, comparison.rows.size()) +
       " runs lose or gain more than 10 % of the energy they dissipate where contacts begin, end or "
       "share their stiffness anew";
-  const bool turning =
-      static_cast<double>(count) >= kReassignedShare * static_cast<double>(comparison.rows.size());
+  const bool turning = static_cast<double>(count) >=
+                       kReassignedFraction * static_cast<double>(comparison.rows.size());
   warn(comparison,
        happened + " (at most " + format_significant(100.0 * largest, 3) + " %, run " +
            std::to_string(worst->record->run) + ", block " + worst->block->id +

@@ -9,7 +9,7 @@ namespace clast {
 namespace {
 
 constexpr Interval kPositive{0.0, INFINITY};
-constexpr Interval kPossibleShare{0.0, 1.0};
+constexpr Interval kPossibleFraction{0.0, 1.0};
 
 double plan_distance(const Vec3& from, const Vec3& to) { return (to - from).head<2>().norm(); }
 
@@ -61,7 +61,7 @@ const std::vector<DepositQuantity>& deposit_quantities() {
        [](const Row& row) {
          return static_cast<double>(row.lying) / static_cast<double>(row.blocks);
        },
-       kPossibleShare},
+       kPossibleFraction},
       {"left_terrain", "", "blocks that left the terrain", 1,
        [](const Row& row) { return static_cast<double>(row.left_terrain); }, kPositive},
       {"volume_m3", "m\xC2\xB3", "volume of the blocks", 2, &Row::volume, kPositive},
@@ -96,15 +96,15 @@ const std::vector<DepositQuantity>& deposit_quantities() {
        of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.friction + energy.between_blocks.friction;
        }),
-       kPossibleShare},
+       kPossibleFraction},
       {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
        of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.rolling + energy.between_blocks.rolling;
        }),
-       kPossibleShare},
+       kPossibleFraction},
       {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
        of_energy([](const EnergyFractions& energy) { return energy.between_blocks.sum(); }),
-       kPossibleShare}};
+       kPossibleFraction}};
   return kFigures;
 }
 
@@ -120,7 +120,7 @@ DepositQuantityComparison compare_deposit_quantities(
       if (of_file.back().summary.count > 0) found.files.push_back(of_file.back());
     }
   }
-  if (by_file.size() > kMostGroups) return found;
+  if (by_file.size() > kMaxGroups) return found;
   found.differences = pairs_of(by_file);
   correct_multiple_tests(found.differences);
   return found;

@@ -47,7 +47,7 @@ struct DepositQuantityComparison {
   std::vector<DepositQuantitySummary>
       files;  ///< by file, then quantity; quantities without a value are omitted
   /// Differences of each pair of files, in the order of the quantities; empty if there are more
-  /// than `kMostGroups` files.
+  /// than `kMaxGroups` files.
   std::vector<DepositQuantityDifference> differences;
 };
 /// Summarises the deposit quantities by file and compares all pairs of files.

@@ -18,7 +18,7 @@ constexpr std::size_t kFewest = 3;  ///< values of a group
 /// Any seed is good; a fixed one gives the same interval every time.
 constexpr std::uint64_t kDifferenceSeed = 20220310;
 
-constexpr std::size_t kMostDifferenceDrawn = 20'000'000;  ///< numbers for one interval or test
+constexpr std::size_t kMaxDifferenceDrawn = 20'000'000;  ///< numbers for one interval or test
 
 struct ComparedQuantity {
   std::string name;
@@ -122,7 +122,7 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   const std::size_t drawn_from = by_runs ? 1 : clusters.count();
   // Large samples are drawn less often.
   const auto draws = [&](std::size_t numbers, std::size_t most) {
-    return std::clamp<std::size_t>(kMostDifferenceDrawn / numbers, 200, most);
+    return std::clamp<std::size_t>(kMaxDifferenceDrawn / numbers, 200, most);
   };
   found.interval = bootstrap_difference(a, b, drawn_from, kDifferenceSeed,
                                         draws(by_runs ? runs : clusters.count(), 2000));
@@ -150,7 +150,7 @@ std::vector<Difference> compute_differences(const Comparison& comparison) {
   const std::vector<ComparedQuantity> all = quantities(comparison);
   std::vector<Difference> found;
   for (const auto& [kind, groups] : families(comparison)) {
-    if (groups.size() > kMostGroups) continue;
+    if (groups.size() > kMaxGroups) continue;
     std::vector<Difference> family;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       for (std::size_t k = i + 1; k < groups.size(); ++k) {

@@ -30,7 +30,7 @@ struct Difference : Contrast {
 };
 
 /// Maximum number of groups of one kind that are compared pairwise.
-inline constexpr std::size_t kMostGroups = 12;
+inline constexpr std::size_t kMaxGroups = 12;
 
 /// Computes the differences of all pairs of blocks, of classes and of column groups, over all
 /// files. Quantities: runout, lateral angle and path length of runs at rest; largest speed of runs

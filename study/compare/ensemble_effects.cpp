@@ -11,7 +11,7 @@ namespace clast {
 
 namespace {
 
-constexpr std::size_t kFewestForIndex = 40, kInBin = 8, kMostBins = 20;
+constexpr std::size_t kMinForIndex = 40, kInBin = 8, kMaxBins = 20;
 
 /// One outcome of each member of an ensemble that has it.
 struct Outcome {
@@ -118,13 +118,15 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
 
 std::uint32_t count_ensemble_members(const CampaignResults& results) {
   std::uint32_t members = 1;
-  for (const GroundParameterSet& set : results.ground_sets) members = std::max(members, set.member + 1);
+  for (const GroundParameterSet& set : results.ground_sets)
+    members = std::max(members, set.member + 1);
   return members;
 }
 
-std::optional<double> estimate_first_order_index(std::span<const double> x, std::span<const double> y) {
+std::optional<double> estimate_first_order_index(std::span<const double> x,
+                                                 std::span<const double> y) {
   const std::size_t count = x.size();
-  if (count < kFewestForIndex) return std::nullopt;
+  if (count < kMinForIndex) return std::nullopt;
   const auto equal = [](std::span<const double> values) {
     return std::all_of(values.begin(), values.end(),
                        [&](double value) { return value == values.front(); });
@@ -134,7 +136,7 @@ std::optional<double> estimate_first_order_index(std::span<const double> x, std:
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
-  const std::size_t groups = std::min(kMostBins, count / kInBin);
+  const std::size_t groups = std::min(kMaxBins, count / kInBin);
   const double mean = summarise(y).mean;
   double between = 0.0, within = 0.0;
   for (std::size_t group = 0; group < groups; ++group) {

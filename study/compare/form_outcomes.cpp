@@ -11,7 +11,7 @@ using namespace study_detail;
 namespace {
 
 /// Fewer forms make no surface.
-constexpr std::size_t kFewestForms = 6;
+constexpr std::size_t kMinForms = 6;
 
 /// Names of blocks that `clast vary` stretched end with both ratios: "B01_il0.8_sl0.5".
 bool is_stretched(const std::string& name) {
@@ -29,14 +29,14 @@ std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparis
     for (const BlockSummary& block : comparison.results[file].blocks) {
       axes.emplace(block.library_block(), block.axes);
     }
-    if (axes.size() < kFewestForms) continue;
+    if (axes.size() < kMinForms) continue;
     const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
     for (const RunOutcome& of_runs : collect_run_outcomes(comparison, file, rows)) {
       std::map<std::string, std::vector<double>> of_form;
       for (std::size_t i = 0; i < rows.size(); ++i) {
         of_form[rows[i]->block->library_block()].push_back(of_runs.values[i]);
       }
-      if (of_form.size() < kFewestForms) continue;
+      if (of_form.size() < kMinForms) continue;
       OutcomeByShape outcome{file, of_runs.name, of_runs.unit, {}};
       for (const auto& [name, all] : of_form) {
         const Summary summary = summarise(all);

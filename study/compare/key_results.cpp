@@ -15,11 +15,11 @@ using namespace study_detail;
 namespace {
 
 constexpr std::uint64_t kAnswerSeed = 20220310;  // any is good; a fixed one repeats the interval
-constexpr std::size_t kMostAnswerDrawn = 20'000'000;  // numbers for one interval
-constexpr double kSameStop = 1e-6;                    // m
+constexpr std::size_t kMaxAnswerDrawn = 20'000'000;  // numbers for one interval
+constexpr double kSameStop = 1e-6;                   // m
 /// Where a block is met at this share of the places or realisations or more, the mean over blocks,
 /// the blocks are the same everywhere.
-constexpr double kSameBlocksShare = 0.25;
+constexpr double kSameBlocksFraction = 0.25;
 
 using File = std::optional<std::uint32_t>;
 
@@ -108,7 +108,7 @@ RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
   if (values.values.size() < 2) return found;
   const std::size_t drawn = clusters.count() > 1 ? clusters.count() : values.values.size();
   found.interval = bootstrap_mean(values, clusters.count(), kAnswerSeed,
-                                  std::clamp<std::size_t>(kMostAnswerDrawn / drawn, 200, 2000));
+                                  std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
   return found;
 }
 
@@ -140,7 +140,7 @@ RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a
   gap.nearer = ahead ? b.group : a.group;
   gap.gap = std::abs(a.mean - b.mean);
   gap.of_few = (ahead ? a.median - b.median : b.median - a.median) < kGapOfFew * gap.gap;
-  if (!a.stands() || !b.stands() || !difference) return gap;
+  if (!a.is_representative() || !b.is_representative() || !difference) return gap;
   gap.verdict = difference->verdict();
   if (gap.verdict == Verdict::kUntested) return gap;
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
@@ -193,7 +193,7 @@ CrossingEstimate share_of(const Comparison& comparison, const BarrierGroupStatis
   share.crossed = group.crossed;
   share.share = group.probability;
   share.interval = group.interval;
-  share.largest = group.crossed < kFewestPassages;
+  share.largest = group.crossed < kMinPassages;
   share.energy = limit_of_passages(group.total, share.largest);
   share.speed = limit_of_passages(group.speed, share.largest);
   share.height = limit_of_passages(group.height, share.largest);
@@ -265,7 +265,7 @@ bool samples_blocks(const Comparison& comparison, const std::vector<std::size_t>
     met += has_block.size();
     possible += of_file[block.first].size();
   }
-  return static_cast<double>(met) < kSameBlocksShare * static_cast<double>(possible);
+  return static_cast<double>(met) < kSameBlocksFraction * static_cast<double>(possible);
 }
 
 FileSummary statement_of(const Comparison& comparison, const File& file) {

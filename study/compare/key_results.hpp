@@ -24,7 +24,7 @@ struct RunoutEstimate {
 
   /// True if at least three runs, and at least half of all, came to rest, so that their mean
   /// describes the group.
-  bool stands() const { return at_rest >= 3 && 2 * at_rest >= started; }
+  bool is_representative() const { return at_rest >= 3 && 2 * at_rest >= started; }
 };
 
 /// Difference in mean runout between two groups.
@@ -52,7 +52,7 @@ struct CrossingEstimate {
   double speed = 0.0;           ///< m/s
   double height = 0.0;          ///< of the centre of mass above the ground, m
   double top = 0.0;             ///< as `BarrierGroupStatistics::top`, m
-  bool largest = false;         ///< true if there are fewer than `kFewestPassages` passages
+  bool largest = false;         ///< true if there are fewer than `kMinPassages` passages
   double largest_energy = 0.0;  ///< of all passages, J
   double largest_top = 0.0;     ///< m
   /// Ranges of `energy`, `speed` and `top` over the ground draws with passages; empty for a single
@@ -101,7 +101,7 @@ struct KeyResults {
 inline constexpr double kGapOfFew = 0.25;
 
 /// Minimum number of passages for a 95th percentile.
-inline constexpr std::size_t kFewestPassages = 20;
+inline constexpr std::size_t kMinPassages = 20;
 
 /// Computes the key results of a comparison.
 KeyResults summarise_key_results(const Comparison& comparison);

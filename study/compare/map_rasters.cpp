@@ -12,7 +12,7 @@ std::size_t MapRasterSet::index(const MapCell& place) const {
 }
 
 MapRasterSet rasterize_cells(const std::vector<MapCell>& cells, double width,
-                        std::vector<RasterLayer> layers) {
+                             std::vector<RasterLayer> layers) {
   MapCell low = cells.front(), high = low;
   for (const MapCell& cell : cells) {
     low = {std::min(low.first, cell.first), std::min(low.second, cell.second)};

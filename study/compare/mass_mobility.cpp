@@ -64,7 +64,7 @@ std::vector<double> joined_values(const Runouts& runouts) {
 }
 
 std::optional<DepositMobility> mobility_of(const Comparison& comparison, std::uint32_t file,
-                                    std::uint32_t alone, const std::string& garcia) {
+                                           std::uint32_t alone, const std::string& garcia) {
   std::set<std::string> both;
   const std::set<std::string> blocks = library_blocks(comparison, file);
   for (const std::string& block : library_blocks(comparison, alone)) {

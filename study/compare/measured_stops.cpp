@@ -136,7 +136,7 @@ BootstrapIntervals bootstrap_intervals(
     const std::vector<double>& seen,
     const std::map<std::uint32_t, std::vector<double>>& by_cluster) {
   constexpr std::uint64_t kSeed = 20220310;  // any is good; a fixed one gives the same interval
-  constexpr std::size_t kDraws = 1000, kMostDrawn = 20'000'000;
+  constexpr std::size_t kDraws = 1000, kMaxDrawn = 20'000'000;
   std::vector<std::vector<double>> clusters;
   std::size_t runs = 0;
   for (const auto& [cluster, values] : by_cluster) {
@@ -150,7 +150,7 @@ BootstrapIntervals bootstrap_intervals(
   }
   Random random(kSeed);
   std::vector<double> medians, distances;
-  const std::size_t draws = std::clamp<std::size_t>(kMostDrawn / (runs + seen.size()), 100, kDraws);
+  const std::size_t draws = std::clamp<std::size_t>(kMaxDrawn / (runs + seen.size()), 100, kDraws);
   for (std::size_t draw = 0; draw < draws; ++draw) {
     std::vector<double> a, b;
     for (std::size_t i = 0; i < seen.size(); ++i)
@@ -167,7 +167,7 @@ BootstrapIntervals bootstrap_intervals(
   return {percentile_interval(std::move(medians)), percentile_interval(std::move(distances))};
 }
 
-constexpr std::size_t kMostCurvePoints = 100;  // of a curve
+constexpr std::size_t kMaxCurvePoints = 100;  // of a curve
 
 /// At every value of the sample, or at so many.
 /// @param banded  with intervals
@@ -175,7 +175,7 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
   std::vector<double> sorted = stops.values;
   std::sort(sorted.begin(), sorted.end());
   StopCurve curve;
-  const std::size_t points = std::min(kMostCurvePoints, sorted.size());
+  const std::size_t points = std::min(kMaxCurvePoints, sorted.size());
   for (std::size_t i = 0; i < points; ++i) {
     const double at = sorted[points == 1 ? 0 : i * (sorted.size() - 1) / (points - 1)];
     if (!curve.runout.empty() && curve.runout.back() == at) continue;
@@ -194,7 +194,7 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 }  // namespace
 
 Verdict judge_agreement(const MeasuredGroup& group) {
-  if (group.measured < kFewestMeasured) return Verdict::kTooFewValues;
+  if (group.measured < kMinMeasured) return Verdict::kTooFewValues;
   const Verdict verdict = group.medians.verdict();
   return verdict == Verdict::kInsignificantAfterCorrection ? Verdict::kSignificant : verdict;
 }

@@ -56,7 +56,7 @@ struct MeasuredGroup {
 };
 
 /// Minimum number of observed stops of a group.
-inline constexpr std::size_t kFewestMeasured = 5;
+inline constexpr std::size_t kMinMeasured = 5;
 
 /// Returns the verdict on the agreement of observed and simulated runouts: significant if the
 /// interval of the medians excludes zero, whatever the test's p-value.

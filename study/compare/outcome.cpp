@@ -50,8 +50,9 @@ void check_outcome(const CampaignResults& results, const std::filesystem::path& 
                                    "\"auto\", and look at the ground "
                                    "at the place named";
   throw SimulationError(std::to_string(outcome.errors()) + " of " +
-                        format_count(results.runs.size(), "run") + " ended with an error, the first: " +
-                        outcome.first_error + ". All runs are in " + file.string() +
+                        format_count(results.runs.size(), "run") +
+                        " ended with an error, the first: " + outcome.first_error +
+                        ". All runs are in " + file.string() +
                         "; clast compare lists the failed ones and leaves them out of its "
                         "statistics" +
                         advice);

@@ -12,8 +12,8 @@
 namespace clast {
 namespace {
 
-constexpr double kDepositCellShare = 1.0 / 3.0;  ///< of the mean S
-constexpr double kMostDepositCells = 2000.0;     ///< along the longer side of all stops
+constexpr double kDepositCellFraction = 1.0 / 3.0;  ///< of the mean S
+constexpr double kMaxDepositCells = 2000.0;         ///< along the longer side of all stops
 
 double deposit_cell_size(const std::vector<const RunRow*>& lying) {
   Bounds box;
@@ -22,9 +22,9 @@ double deposit_cell_size(const std::vector<const RunRow*>& lying) {
     box.include(row->stop);
     sum += row->block->axes.S;
   }
-  const double wanted = kDepositCellShare * sum / static_cast<double>(lying.size());
+  const double wanted = kDepositCellFraction * sum / static_cast<double>(lying.size());
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(round_down_to_nice(wanted), round_up_to_nice(longer / kMostDepositCells));
+  return std::max(round_down_to_nice(wanted), round_up_to_nice(longer / kMaxDepositCells));
 }
 
 /// The highest surface over the middle of each cell.

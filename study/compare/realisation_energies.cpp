@@ -51,7 +51,7 @@ std::vector<RealisationEnergies> collect_realisation_energies(const Comparison& 
 }
 
 RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergies*>& realisations,
-                              const EnergyValue& value) {
+                                      const EnergyValue& value) {
   RealisationCurve curve;
   double last = 0.0;
   std::vector<Along> along;

@@ -224,7 +224,7 @@ void append_column_groups(Comparison& comparison, const std::string& name) {
   const std::set<Value> distinct(values.begin(), values.end());
   // Texts have the number 0.
   const bool numbers = distinct.begin()->first != distinct.rbegin()->first;
-  if (numbers && distinct.size() > kMostValues) {
+  if (numbers && distinct.size() > kMaxValues) {
     std::vector<double> sorted;
     for (const Value& value : values) sorted.push_back(value.first);
     std::sort(sorted.begin(), sorted.end());

@@ -152,7 +152,8 @@ std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapePropert
   found.trend = *trend;
   found.limit = grouping.limit;
   found.halves = *halves;
-  found.smallest = minimum_detectable_difference(halves->standard_error, halves->degrees_of_freedom);
+  found.smallest =
+      minimum_detectable_difference(halves->standard_error, halves->degrees_of_freedom);
   if (margin && outcome.unit == "m") {
     found.equivalence = equivalence_p_value(*halves, *margin);
     const double times = found.smallest / *margin;
@@ -168,7 +169,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
   std::set<std::uint32_t> blocks;
   for (const RunRow* row : rows) blocks.insert(row->record->block);
-  if (results.stay || blocks.size() < kFewestBlocksOfPower) return result;
+  if (results.stay || blocks.size() < kMinBlocksOfPower) return result;
   const bool crossed_masses = has_crossed_masses(rows);
   std::vector<std::pair<ShapeProperty, Grouping>> groupings;
   for (const ShapeProperty& property : properties_of(results)) {

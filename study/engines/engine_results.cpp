@@ -120,8 +120,8 @@ class RockableReader {
     std::vector<StoredRun> runs;
     for (std::uint32_t run = first; run < first + count; ++run) {
       const RunRecord& planned = prepared_.runs[run];
-      runs.push_back(
-          make_run_from_states(prepared_, planned, {{0.0}, {planned.start}}, {StopReason::kError, why}));
+      runs.push_back(make_run_from_states(prepared_, planned, {{0.0}, {planned.start}},
+                                          {StopReason::kError, why}));
       add_stay(runs.back());
     }
     return runs;
@@ -143,12 +143,13 @@ class RockableReader {
       const SceneBody& planned = scene.bodies[i];
       const std::string& name = set_.shapes[planned.shape].shape.name;
       if (body.shape != name || !(std::abs(body.scale / planned.scale - 1.0) < kSixDigits)) {
-        refuse("has a block " + body.shape + " of scale " + format_significant(body.scale, 6) + ", not " +
-               name + " of " + format_significant(planned.scale, 6));
+        refuse("has a block " + body.shape + " of scale " + format_significant(body.scale, 6) +
+               ", not " + name + " of " + format_significant(planned.scale, 6));
       }
       const double away = (body.state.position - planned.start.position).norm();
       if (conf.time == 0.0 && !(away < kSameStart)) {
-        refuse("block " + name + " starts " + format_significant(away, 4) + " m from where it should");
+        refuse("block " + name + " starts " + format_significant(away, 4) +
+               " m from where it should");
       }
     }
   }
@@ -199,8 +200,9 @@ class RockableReader {
     const std::optional<TrackedState> end = read_last_tracked_state(track);
     const double interval = last.time_step * kTrackedSteps;
     if (end && end->time + interval < (1.0 - kSixDigits) * last.time) {
-      throw InputError(file.string() + ": is at t = " + format_significant(last.time, 6) + " s, and " +
-                       track.string() + " ends at " + format_significant(end->time, 6) +
+      throw InputError(file.string() + ": is at t = " + format_significant(last.time, 6) +
+                       " s, and " + track.string() + " ends at " +
+                       format_significant(end->time, 6) +
                        " s; the folder has files of two runs, so delete those of the older");
     }
     return end;
@@ -232,7 +234,7 @@ class RockableReader {
 
   /// How the series ends; what comes after the terrain is cut off.
   RunEnd end_of(const RunRecord& planned, const std::vector<RockableConf>& confs,
-                   StateSeries& series, const std::optional<double>& lost) const {
+                StateSeries& series, const std::optional<double>& lost) const {
     const std::size_t off = find_first_off_terrain(prepared_, series);
     if (off < series.states.size()) {
       series.time.resize(off + 1);
@@ -240,8 +242,8 @@ class RockableReader {
       return {StopReason::kLeftTerrain};
     }
     if (lost) {
-      return {StopReason::kError,
-              "the state of the block is no number from t = " + format_significant(*lost, 6) + " s on"};
+      return {StopReason::kError, "the state of the block is no number from t = " +
+                                      format_significant(*lost, 6) + " s on"};
     }
     const RigidState& last = series.states.back();
     const bool tracked_rest = tracker_ && series.states.size() > 1 &&
@@ -252,11 +254,11 @@ class RockableReader {
     const double interval =
         confs.size() > 1 ? conf.time - confs[confs.size() - 2].time : conf.max_time;
     if (series.time.back() + 1.5 * interval > conf.max_time) return {StopReason::kMaxTime};
-    return {StopReason::kError, "the files end at t = " + format_significant(series.time.back(), 6) +
-                                    " s, when the block moves at " +
-                                    format_significant(last.velocity.norm(), 3) +
-                                    " m/s, before tmax = " + format_significant(conf.max_time, 6) +
-                                    " s; Rockable was stopped, or files are missing"};
+    return {StopReason::kError,
+            "the files end at t = " + format_significant(series.time.back(), 6) +
+                " s, when the block moves at " + format_significant(last.velocity.norm(), 3) +
+                " m/s, before tmax = " + format_significant(conf.max_time, 6) +
+                " s; Rockable was stopped, or files are missing"};
   }
 
   void add_stay(StoredRun& run) const {
@@ -304,7 +306,8 @@ void EngineResultsOptions::check() const {
   }
 }
 
-EngineImportSummary import_engine_results(const EngineResultsOptions& options, const fs::path& target) {
+EngineImportSummary import_engine_results(const EngineResultsOptions& options,
+                                          const fs::path& target) {
   options.check();
   check_results_target(target, options.replace);
   refuse_interrupted(target);

@@ -23,20 +23,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kUsualMass = 1000.0;  ///< kg, of blocks without a size
-constexpr double kSmallShare = 0.05;   ///< of the terrain, that such a block is long at most
-constexpr std::size_t kFewRuns = 400;  ///< to see something within minutes
-constexpr std::size_t kMostOrientations = 16;
+constexpr double kUsualMass = 1000.0;    ///< kg, of blocks without a size
+constexpr double kSmallFraction = 0.05;  ///< of the terrain, that such a block is long at most
+constexpr std::size_t kFewRuns = 400;    ///< to see something within minutes
+constexpr std::size_t kMaxOrientations = 16;
 constexpr double kLongestTime = 480.0;  ///< that runs have, s; trial runs have all of it
 constexpr std::size_t kTrialRuns = 16;  ///< enough to see what half of them do, within seconds
 constexpr double kFewPass = 0.25;       ///< of them: a barrier there says little
-constexpr double kLeastDistance = 2.0;  ///< L that blocks go at least, for a barrier to make sense
+constexpr double kMinDistance = 2.0;    ///< L that blocks go at least, for a barrier to make sense
 
 /// The mass of all blocks where none has a size, at which each is short on the terrain, kg.
 double assumed_mass(const std::vector<Block>& blocks, double extent) {
   double most = kUsualMass;
   for (const Block& block : blocks) {
-    most = std::min(most, block.mass.mass * std::pow(kSmallShare * extent / block.axes().L, 3.0));
+    most =
+        std::min(most, block.mass.mass * std::pow(kSmallFraction * extent / block.axes().L, 3.0));
   }
   // Two digits, rounded down.
   const double digit = std::pow(10.0, std::floor(std::log10(most)) - 1.0);
@@ -88,7 +89,7 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
     proposal.ground.push_back({zone, type ? *type : default_ground_type(), type != nullptr});
   }
   proposal.orientations = std::clamp<std::size_t>(
-      kFewRuns / (proposal.blocks.count * proposal.places.release_points), 1, kMostOrientations);
+      kFewRuns / (proposal.blocks.count * proposal.places.release_points), 1, kMaxOrientations);
   return proposal;
 }
 
@@ -119,7 +120,7 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
                       format_count(trial.count, "trial run") +
                       " passed the foot of the slope, and half of them went less than " +
                       format_decimals(std::max(trial.median_distance, 0.0), 1) + " m";
-  if (trial.median_distance > kLeastDistance * places.block_length &&
+  if (trial.median_distance > kMinDistance * places.block_length &&
       trial.median_distance < places.distance) {
     place_barrier(prepared.header.terrain, *prepared.surface, trial.median_distance, places);
     places.barrier_name = "halfway";

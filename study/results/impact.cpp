@@ -50,7 +50,7 @@ void ImpactObserver::observe_step(const MotionStep& step) {
     flight_ += duration;
     statistics.longest_flight =
         std::max(statistics.longest_flight, (step.end.position.head<2>() - *take_off_).norm());
-    if (open_ && flight_ >= kShortestFlight) end_impact();
+    if (open_ && flight_ >= kMinFlight) end_impact();
     // A run that starts in contact has no impact before its first flight.
     if (!open_ && step.contact_summary.contact_count > 0) begin_impact(step);
   } else {

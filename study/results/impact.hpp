@@ -8,7 +8,7 @@
 
 namespace clast {
 
-/// Impact: contact between two flights. Flights shorter than `kShortestFlight` do not end an
+/// Impact: contact between two flights. Flights shorter than `kMinFlight` do not end an
 /// impact, so that rolling over corners is one impact.
 struct Impact {
   std::uint32_t run = 0;
@@ -32,7 +32,7 @@ struct Impact {
 };
 
 /// Minimum duration of a flight, s: 0.5 mm of free fall.
-inline constexpr double kShortestFlight = 0.01;
+inline constexpr double kMinFlight = 0.01;
 
 /// Contact statistics and maxima of motion of a run.
 struct ContactStatistics {

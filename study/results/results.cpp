@@ -75,12 +75,8 @@ ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignHeader
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
   check_results_disk_space(target, header, runs);
-  return ResultsWriter(
-      std::unique_ptr<Impl>(new Impl{std::move(lock),
-                                     target,
-                                     header,
-                                     ResultsJournal::create(journal_path(target), header),
-                                     {}}));
+  return ResultsWriter(std::unique_ptr<Impl>(new Impl{
+      std::move(lock), target, header, ResultsJournal::create(journal_path(target), header), {}}));
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignHeader& header,

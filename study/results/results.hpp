@@ -163,7 +163,7 @@ CampaignResults read_results(const std::filesystem::path& path);
 /// Reads trajectories of a results file one by one. Not thread-safe.
 class TrajectoryFile {
  public:
-  /// Reads a trajectory.
+  /// Opens the file.
   /// @throws InputError  as `read_results`
   explicit TrajectoryFile(const std::filesystem::path& path);
   ~TrajectoryFile();

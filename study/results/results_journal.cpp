@@ -119,8 +119,8 @@ std::string identity_difference(const Identity& stored, const Identity& now) {
     difference = std::to_string(stored.planned) + " planned runs, now there are " +
                  std::to_string(now.planned);
   } else if (!describe_physics_difference(stored.physics, now.physics).empty()) {
-    difference =
-        "clast " + stored.program + " too, but " + describe_physics_difference(stored.physics, now.physics);
+    difference = "clast " + stored.program + " too, but " +
+                 describe_physics_difference(stored.physics, now.physics);
   }
   return difference;
 }

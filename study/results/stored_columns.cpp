@@ -55,8 +55,9 @@ const TableColumns<Impact>& stored_impact_columns() {
   return columns;
 }
 
-const TableColumns<PersistentBlockRecord>& stored_stay_columns() {
-  static const TableColumns<PersistentBlockRecord> columns = stored_columns<PersistentBlockRecord>();
+const TableColumns<PersistentBlockRecord>& stored_persistent_block_columns() {
+  static const TableColumns<PersistentBlockRecord> columns =
+      stored_columns<PersistentBlockRecord>();
   return columns;
 }
 

@@ -13,7 +13,7 @@ namespace clast {
 const TableColumns<RunRecord>& stored_run_columns();
 const TableColumns<Crossing>& stored_crossing_columns();
 const TableColumns<Impact>& stored_impact_columns();
-const TableColumns<PersistentBlockRecord>& stored_stay_columns();
+const TableColumns<PersistentBlockRecord>& stored_persistent_block_columns();
 const TableColumns<EnergyRecord>& stored_energy_columns();
 
 /// True if a column depends on contact data, which other engines do not provide: its datasets are

@@ -204,14 +204,14 @@ std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& 
   const double asked = *campaign.blocks.draw->volume;
   const double each = mean_drawn_volume(campaign, blocks);
   const double count = std::round(asked / each);
-  if (count >= 1.0 && count <= static_cast<double>(study_detail::kMostPerSet)) {
+  if (count >= 1.0 && count <= static_cast<double>(study_detail::kMaxPerSet)) {
     return static_cast<std::size_t>(count);
   }
   throw InputError(
       campaign.file.string() + ": [blocks] draw volume_m3 = " + format_significant(asked, 6) +
       " comes to " + format_significant(asked / each, 3) + " blocks of " +
       format_significant(each, 3) + " m^3 on average; the number must round to 1 to " +
-      std::to_string(study_detail::kMostPerSet) + ", so give another volume_m3 or mass_kg");
+      std::to_string(study_detail::kMaxPerSet) + ", so give another volume_m3 or mass_kg");
 }
 
 // Draws need not touch every block of the library.

@@ -17,7 +17,7 @@ namespace {
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
 /// Of the terrain that a block may be long.
-constexpr double kLargestShare = 0.1;
+constexpr double kMaxFraction = 0.1;
 
 // Rotations that are the same have the same |w|, so each is compared with its neighbours in that
 // order only: a file can hold a million.
@@ -82,7 +82,7 @@ void tell_of_steps(const CampaignPlan& prepared, std::vector<std::string>& warni
 }
 
 /// Above this e_n^2, single releases have their impacts balanced, and blocks that stay are refused.
-constexpr double kMostUnbalanced = 0.5;
+constexpr double kMaxUnbalanced = 0.5;
 /// From this e_n^2 on, an elastic trial is meant.
 constexpr double kElastic = 0.95;
 
@@ -128,13 +128,13 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
     question("ground." + header.zone_names[zone], most);
     largest = std::max(largest, {most, "ground." + header.zone_names[zone]});
   }
-  if (header.stay && largest.first > kMostUnbalanced) {
+  if (header.stay && largest.first > kMaxUnbalanced) {
     throw InputError(prepared.campaign.file.string() + ": [" + largest.second +
                      "] energy_restitution = " + format_significant(largest.first, 4) +
                      " returns more than half of the energy of an impact; with blocks that stay or "
                      "a rock mass, blocks could gain energy then (docs/theory.md, Weights and "
                      "energy). Give at most " +
-                     format_significant(kMostUnbalanced, 2) +
+                     format_significant(kMaxUnbalanced, 2) +
                      ", or release the blocks one at a time");
   }
   if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
@@ -217,7 +217,7 @@ std::string describe_unusual_size(const std::string& block, double length, doubl
     usual = "blocks are no longer than " + format_significant(kMaxUsualLength, 3) + " m";
   } else if (mass > kMaxUsualMass) {
     usual = "blocks are no heavier than " + format_significant(kMaxUsualMass / 1000.0, 5) + " t";
-  } else if (length > kLargestShare * extent) {
+  } else if (length > kMaxFraction * extent) {
     usual = "a block is no longer than a tenth of the terrain, which is " +
             format_significant(extent, 4) + " m across";
   } else {
@@ -245,7 +245,7 @@ void check_falls(const CampaignPlan& prepared) {
   for (const RunRecord& run : prepared.runs) {
     const double height = std::max(0.0, run.start.position.z() - lowest);
     const double speed = std::sqrt(2.0 * prepared.campaign.gravity * height);
-    if (!(speed > kMostSpeed)) continue;
+    if (!(speed > kMaxSpeed)) continue;
     throw InputError(prepared.campaign.file.string() + ": release point " +
                      std::to_string(run.point + 1) + " is " + format_decimals(height, 3) +
                      " m above the lowest ground, where its blocks could arrive with " +

@@ -11,7 +11,7 @@ namespace clast::study_detail {
 std::string format_release_set_name(const ReleaseSet& release);
 
 /// Checks the release heights.
-/// @throws InputError  if a fall to the lowest ground could exceed `kMostSpeed`
+/// @throws InputError  if a fall to the lowest ground could exceed `kMaxSpeed`
 void check_falls(const CampaignPlan& prepared);
 
 /// Describes an unusual size of a block of given length (m) and mass (kg) on a terrain of given

@@ -150,7 +150,7 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
   // A run that takes this many times the budget is not waited for.
-  constexpr double kLongestProbe = 5.0;
+  constexpr double kMaxProbe = 5.0;
   const std::uint32_t together = prepared.header.runs_per_realisation();
   const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
   const double max_time = prepared.campaign.max_time;
@@ -168,7 +168,7 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
   double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
   std::size_t released = 1;
   const auto in_time = [&](const SequenceProgress& progress) {
-    const double now = spent() - whole, longest = kLongestProbe * budget - whole;
+    const double now = spent() - whole, longest = kMaxProbe * budget - whole;
     reached = progress.time;
     released = progress.released;
     if (halfway < 0.0 && now > 0.5 * longest) {

@@ -5,8 +5,7 @@
 
 namespace clast {
 
-std::filesystem::path shard_file(std::filesystem::path target,
-                                   const std::optional<Shard>& shard) {
+std::filesystem::path shard_file(std::filesystem::path target, const std::optional<Shard>& shard) {
   if (!shard) return target;
   const std::string part = "." + std::to_string(shard->index) + "of" + std::to_string(shard->count);
   target.replace_filename(target.stem().string() + part + target.extension().string());

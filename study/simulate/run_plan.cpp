@@ -271,7 +271,7 @@ class Planner {
 
 /// Run numbers have eight digits in the results.
 void check_count(const Campaign& campaign, std::size_t blocks) {
-  constexpr double kMostRuns = 99'999'999.0;
+  constexpr double kMaxRuns = 99'999'999.0;
   double count = static_cast<double>(blocks);
   if (campaign.stay) {
     if (!campaign.blocks.draw) count *= campaign.stay->realisations;
@@ -283,7 +283,7 @@ void check_count(const Campaign& campaign, std::size_t blocks) {
     }
     count *= per_block * campaign.ensemble.members;
   }
-  if (count <= kMostRuns) return;
+  if (count <= kMaxRuns) return;
   throw InputError(campaign.file.string() + ": asks for " +
                    std::to_string(static_cast<std::uint64_t>(count)) +
                    " runs; split it into campaigns of at most 99999999");

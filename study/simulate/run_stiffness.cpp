@@ -11,7 +11,7 @@ namespace clast::study_detail {
 namespace {
 
 /// So many blocks are named in warnings of one campaign; drawn ones can be thousands.
-constexpr std::size_t kMostNamed = 20;
+constexpr std::size_t kMaxNamed = 20;
 
 /// All energy of a start, and the fall to the lowest ground, in the speed.
 double fastest_speed(const RunRecord& run, const BlockSummary& block, double lowest,
@@ -119,7 +119,7 @@ std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
     const StiffnessChoice choice =
         choose(block, worst[block].ground, worst[block].fastest, central);
     if (choice.warnings.empty()) continue;
-    if (named == kMostNamed) {
+    if (named == kMaxNamed) {
       ++others;
       continue;
     }

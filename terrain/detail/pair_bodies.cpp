@@ -13,8 +13,8 @@ using Triangle = TriangleMesh::Triangle;
 
 /// An outline crosses edges no nearer to their ends than this, m, so that it never passes through a
 /// vertex and no body touches itself there; of shorter edges, than a quarter of them.
-constexpr double kLeastDistance = 1e-5;
-constexpr double kLargestShare = 0.25;
+constexpr double kMinDistance = 1e-5;
+constexpr double kMaxFraction = 0.25;
 /// Less is rounding, m.
 constexpr double kNoThickness = 1e-5;
 
@@ -76,7 +76,7 @@ class Outlining {
     const double inner = from_.thickness(in), outer = from_.thickness(out);
     const double length = (from_.plan[out] - from_.plan[in]).norm();
     const double least =
-        kLeastDistance < kLargestShare * length ? kLeastDistance / length : kLargestShare;
+        kMinDistance < kMaxFraction * length ? kMinDistance / length : kMaxFraction;
     const double share = std::clamp((inner - thickness_) / (inner - outer), least, 1.0 - least);
     const Vec2 plan = from_.plan[in] + share * (from_.plan[out] - from_.plan[in]);
     double top = from_.top[in] + share * (from_.top[out] - from_.top[in]);

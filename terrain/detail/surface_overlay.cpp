@@ -23,7 +23,7 @@ using Triangle = TriangleMesh::Triangle;
 /// The height of a triangle's plane over a place.
 double plane_height(const TriangleMesh& mesh, const Triangle& triangle, const Vec2& at) {
   const Vec3& corner = mesh.vertices[triangle[0]];
-  const Vec3 normal = area_vector(mesh, triangle);
+  const Vec3 normal = doubled_area_vector(mesh, triangle);
   return corner.z() - normal.head<2>().dot(at - corner.head<2>()) / normal.z();
 }
 
@@ -48,7 +48,7 @@ std::vector<std::array<double, 2>> height_spans(const TriangleMesh& mesh) {
 TriangleMesh upper_side(const TriangleMesh& mesh, std::span<const ZonePolygon> outlines) {
   std::vector<Triangle> kept;
   for (const Triangle& triangle : mesh.triangles) {
-    if (!(area_vector(mesh, triangle).z() > 0.0)) continue;
+    if (!(doubled_area_vector(mesh, triangle).z() > 0.0)) continue;
     PlanBox box;
     for (const std::uint32_t v : triangle) box.include(mesh.vertices[v].head<2>());
     const bool near = std::any_of(outlines.begin(), outlines.end(), [&](const ZonePolygon& each) {
@@ -129,7 +129,7 @@ std::vector<Match> matched(const TriangleMesh& divided, const TriangleMesh& othe
     const bool inside =
         outlines.empty() || std::any_of(outlines.begin(), outlines.end(),
                                         [&](const auto& each) { return each.contains(middle); });
-    if (!inside || !(area_vector(divided, triangle).z() > 0.0)) continue;
+    if (!inside || !(doubled_area_vector(divided, triangle).z() > 0.0)) continue;
     double highest = -1e300;
     std::optional<std::uint32_t> found;
     for (const std::uint32_t o : index.boxes_near(middle)) {

@@ -22,10 +22,10 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (area_vector(mesh, mesh.triangles[t]).z() > 0.0) continue;
+    if (doubled_area_vector(mesh, mesh.triangles[t]).z() > 0.0) continue;
     Bounds box;
     for (const std::uint32_t v : mesh.triangles[t]) box.include(mesh.vertices[v]);
-    const double plan = std::abs(area_vector(mesh, mesh.triangles[t]).z()) / 2.0;
+    const double plan = std::abs(doubled_area_vector(mesh, mesh.triangles[t]).z()) / 2.0;
     if (box.high.z() - box.low.z() <= cell && plan <= cell * cell) continue;
     if (count++ == 0) first = centroid(mesh, mesh.triangles[t]);
   }
@@ -77,7 +77,7 @@ PlanTriangle sampled_plan_triangle(const TriangleMesh& mesh, std::uint32_t trian
 double plan_area(const TriangleMesh& mesh) {
   double area = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    area += area_vector(mesh, mesh.triangles[t]).z() / 2.0;
+    area += doubled_area_vector(mesh, mesh.triangles[t]).z() / 2.0;
   return area;
 }
 

@@ -82,9 +82,9 @@ RawSurface read_one_raster(const TerrainOptions& options) {
     const HeightGrid& grid = raster.grid;
     const double own = grid.step.maxCoeff();
     if (*options.resolution < own * (1.0 - 1e-9)) {
-      throw InputError(path.string() + ": resolution = " + format_significant(*options.resolution, 6) +
-                       " m is finer than the raster, which has " + cells_of(own) +
-                       "; leave it out");
+      throw InputError(
+          path.string() + ": resolution = " + format_significant(*options.resolution, 6) +
+          " m is finer than the raster, which has " + cells_of(own) + "; leave it out");
     }
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < grid.heights.size(); ++i) {

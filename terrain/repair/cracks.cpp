@@ -86,7 +86,7 @@ bool may_move(const TriangleMesh& mesh, const Border& border, std::uint32_t vert
     std::array<Vec3, 3> place = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
     place[corner % 3] = to;
     const Vec3 after = (place[1] - place[0]).cross(place[2] - place[0]);
-    if (after.dot(area_vector(mesh, t)) <= 0.0) return false;
+    if (after.dot(doubled_area_vector(mesh, t)) <= 0.0) return false;
   }
   return true;
 }
@@ -220,7 +220,7 @@ std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
 std::vector<Junction> fitting(const std::vector<Junction>& junctions, const BorderSide& at,
                               const TriangleMesh& mesh, const EdgesNearBorder& edges) {
   const Triangle& triangle = mesh.triangles[at.triangle];
-  const Vec3 normal = area_vector(mesh, triangle);
+  const Vec3 normal = doubled_area_vector(mesh, triangle);
   const std::uint32_t last = triangle[(at.side + 1) % 3], apex = triangle[(at.side + 2) % 3];
   const auto fits = [&](std::uint32_t from, std::uint32_t to) {
     const Vec3 part =

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSmallComponent = 0.05;  // of the plan area of the largest component
 constexpr double kNoRoom = 1e-6;          // m, between two faces, at least
 constexpr double kMostlyOver = 0.9;       // of a component's plan area, beyond which it lies double
-constexpr double kFoldedShare = 1e-3;     // of all plan area, under which folds are only noted
+constexpr double kFoldedFraction = 1e-3;  // of all plan area, under which folds are only noted
 
 /// For every triangle that faces up, the one that faces up next over its centroid, if no face
 /// between faces down; and the other way round. Also one that faces down and lies on it: an
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
   };
   std::vector<Hit> hits;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!(area_vector(mesh, mesh.triangles[t]).z() > 0.0)) continue;
+    if (!(doubled_area_vector(mesh, mesh.triangles[t]).z() > 0.0)) continue;
     const Vec3 middle = centroid(mesh, mesh.triangles[t]);
     hits.assign(1, {middle.z(), t, true});
     for (const std::uint32_t other : index.boxes_near(Vec2(middle.head<2>()))) {
@@ -44,7 +44,8 @@ std::vector<std::uint32_t> doubles_of(const TriangleMesh& mesh, double width) {
         continue;
       }
       const std::optional<double> z = height_on_triangle(mesh, other, middle.head<2>());
-      if (z) hits.push_back({*z, other, area_vector(mesh, mesh.triangles[other]).z() > 0.0});
+      if (z)
+        hits.push_back({*z, other, doubled_area_vector(mesh, mesh.triangles[other]).z() > 0.0});
     }
     if (hits.size() == 1) continue;
     std::sort(hits.begin(), hits.end());
@@ -72,7 +73,7 @@ Components components_over_others(const TriangleMesh& mesh,
   std::vector<double> doubled(count, 0.0);
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
     const std::uint32_t here = result.of[t];
-    const double plan = std::max(0.0, area_vector(mesh, mesh.triangles[t]).z() / 2.0);
+    const double plan = std::max(0.0, doubled_area_vector(mesh, mesh.triangles[t]).z() / 2.0);
     result.area[here] += plan;
     if (twin[t] != kNoIndex && result.of[twin[t]] != here) doubled[here] += plan;
   }
@@ -97,7 +98,7 @@ struct PlanArea {
 
 /// Ground over ground that stays is refused, or noted where it is little.
 void check_folded(const PlanArea& folded, double whole, TerrainReport& report) {
-  if (folded.m2 > kFoldedShare * whole) {
+  if (folded.m2 > kFoldedFraction * whole) {
     throw GeometryError("the ground lies double over " + format_significant(folded.m2, 4) +
                         " m2, the first at " + format_map_point(folded.first) +
                         ": two surfaces face up over each other with no overhang between, or lie "
@@ -124,13 +125,13 @@ void remove_overlapping_ground(RawSurface& surface, double width, TerrainReport&
   PlanArea folded, dropped;
   std::vector<bool> keep(twin.size());
   for (std::uint32_t t = 0; t < twin.size(); ++t) {
-    const double plan = area_vector(mesh, mesh.triangles[t]).z() / 2.0;
+    const double plan = doubled_area_vector(mesh, mesh.triangles[t]).z() / 2.0;
     keep[t] = !is_dropped(t);
     if (!keep[t]) {
       dropped.add(plan, centroid(mesh, mesh.triangles[t]));
     } else if (twin[t] != kNoIndex && !is_dropped(twin[t])) {
       // Two that face up are each seen from the other.
-      const bool seen_twice = area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0;
+      const bool seen_twice = doubled_area_vector(mesh, mesh.triangles[twin[t]]).z() > 0.0;
       folded.add(seen_twice ? plan / 2.0 : plan, centroid(mesh, mesh.triangles[t]));
     }
   }

@@ -45,7 +45,7 @@ std::vector<bool> kept_triangles(const TriangleMesh& mesh) {
   const std::vector<PlanBox> boxes = plan_boxes(mesh);
   std::vector<PlanBox> steep;
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 area = doubled_area_vector(mesh, mesh.triangles[t]);
     if (area.z() <= kSteep * area.norm()) steep.push_back(boxes[t]);
   }
   if (steep.empty()) return kept;

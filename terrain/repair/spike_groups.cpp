@@ -16,7 +16,7 @@ namespace clast::terrain_detail {
 namespace {
 
 // More vertices than that are a tower, a tree or a rock.
-constexpr std::size_t kLargestGroup = 8;
+constexpr std::size_t kMaxGroup = 8;
 constexpr double kSuspectGroup = 0.5;  // of the steepness, in a second look
 constexpr double kGroupAlone = 3.0;  // times the farthest of the ground around, as for single ones
 constexpr double kSamePlace = 1e-6;  // m, in plan, of vertices that nothing joins
@@ -34,7 +34,7 @@ std::vector<bool> in_small_sets(const TriangleMesh& mesh, const Joins& joins) {
   std::vector<std::uint32_t> size(mesh.vertices.size(), 0);
   for (std::uint32_t v = 0; v < size.size(); ++v) ++size[sets.find(v)];
   std::vector<bool> small(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < size.size(); ++v) small[v] = size[sets.find(v)] <= kLargestGroup;
+  for (std::uint32_t v = 0; v < size.size(); ++v) small[v] = size[sets.find(v)] <= kMaxGroup;
   return small;
 }
 
@@ -277,7 +277,7 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
       const bool alone = group.size() == 1 && !surroundings.on_border(v);
       const bool of_many =
           std::any_of(group.begin(), group.end(), [&](std::uint32_t each) { return !few[each]; });
-      if (alone || of_many || group.size() > kLargestGroup) continue;
+      if (alone || of_many || group.size() > kMaxGroup) continue;
       level_group(mesh, group, loose, surroundings, steepness, levelled);
     }
   }

@@ -59,7 +59,7 @@ Rings rings_of(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> next(rings.offsets.begin(), rings.offsets.end() - 1);
   each_end([&](std::uint32_t from, std::uint32_t to, bool) { rings.ends[next[from]++] = to; });
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 area = doubled_area_vector(mesh, mesh.triangles[t]);
     if (area.z() > 0.0) continue;
     for (const std::uint32_t v : mesh.triangles[t]) rings.overhung[v] = true;
   }
@@ -189,7 +189,7 @@ void note_slivers(const RawSurface& surface, TerrainReport& report) {
     const std::vector<Vec3>& v = mesh.vertices;
     const double longest = std::sqrt(std::max(
         {(v[b] - v[a]).squaredNorm(), (v[c] - v[b]).squaredNorm(), (v[a] - v[c]).squaredNorm()}));
-    const double height = area_vector(mesh, mesh.triangles[t]).norm() / longest;
+    const double height = doubled_area_vector(mesh, mesh.triangles[t]).norm() / longest;
     if (height >= kSliverHeight) continue;
     ++report.slivers;
     if (height >= lowest) continue;

@@ -14,8 +14,8 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-constexpr double kLeastLeft = 1e-9;  // of the area that is left to fill
-constexpr double kSteepLoop = 0.2;   // cosine to the vertical: steeper than 78 degrees
+constexpr double kMinLeft = 1e-9;   // of the area that is left to fill
+constexpr double kSteepLoop = 0.2;  // cosine to the vertical: steeper than 78 degrees
 
 /// Vertices of a hole in the order of the border sides around it; side k is from vertex k.
 struct Loop {
@@ -69,7 +69,7 @@ void measure(const TriangleMesh& mesh, Loop& loop) {
     loop.area += a.cross(b);
     loop.length += (b - a).norm();
     loop.normal +=
-        (b - a).norm() * area_vector(mesh, mesh.triangles[loop.triangles[i]]).normalized();
+        (b - a).norm() * doubled_area_vector(mesh, mesh.triangles[loop.triangles[i]]).normalized();
     loop.box.include(a + origin);
   }
 }
@@ -145,7 +145,7 @@ std::optional<std::vector<Triangle>> ears(const TriangleMesh& mesh, const Loop& 
       const std::uint32_t a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
       // What is left must not be a line either: the corners of a hole often lie in rows.
       const double cut = turn(a, b, c);
-      if (!(cut > 0.0 && left - cut > kLeastLeft * left)) continue;
+      if (!(cut > 0.0 && left - cut > kMinLeft * left)) continue;
       const bool holds_another = std::any_of(ring.begin(), ring.end(), [&](std::uint32_t p) {
         return p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 &&
                turn(c, a, p) >= 0.0;

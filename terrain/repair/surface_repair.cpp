@@ -15,15 +15,15 @@ namespace clast::terrain_detail {
 namespace {
 
 constexpr double kWeldDistance = 1e-6;  // m
-constexpr double kLeastHeight = 1e-9;   // m, of a triangle over its longest edge
-constexpr double kWallShare = 1e-6;     // of plan area in area, under which a component is a wall
+constexpr double kMinHeight = 1e-9;     // m, of a triangle over its longest edge
+constexpr double kWallFraction = 1e-6;  // of plan area in area, under which a component is a wall
 
 using Triangle = TriangleMesh::Triangle;
 
 bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
   const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
   const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return !(area_vector(mesh, t).norm() >= kLeastHeight * longest) || longest == 0.0;
+  return !(doubled_area_vector(mesh, t).norm() >= kMinHeight * longest) || longest == 0.0;
 }
 
 /// Marks all but the first of triangles with the same corners.
@@ -51,11 +51,11 @@ std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::ui
                              const std::vector<bool>& against) {
   double plan = 0.0, area = 0.0;
   for (const std::uint32_t t : component) {
-    const Vec3 normal = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 normal = doubled_area_vector(mesh, mesh.triangles[t]);
     plan += against[t] ? -normal.z() : normal.z();
     area += normal.norm();
   }
-  if (std::abs(plan) < kWallShare * area) return std::nullopt;
+  if (std::abs(plan) < kWallFraction * area) return std::nullopt;
   return plan >= 0.0;
 }
 

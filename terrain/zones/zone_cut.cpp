@@ -100,7 +100,7 @@ class CutMesh {
   std::optional<Spot> spot_to_divide(const Vec2& point) const {
     for (const std::uint32_t t : triangles_near({point, point})) {
       const Triangle& corners = mesh_.triangles[t];
-      const double sign = area_vector(mesh_, mesh_.triangles[t]).z() > 0.0 ? 1.0 : -1.0;
+      const double sign = doubled_area_vector(mesh_, mesh_.triangles[t]).z() > 0.0 ? 1.0 : -1.0;
       int inside = 0;
       std::optional<Spot> on_side;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -20,7 +20,7 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr std::size_t kMostZones = 65535;
+constexpr std::size_t kMaxZones = 65535;
 constexpr double kUpright = 1e-6;  // of plan area in area, under which the centroid decides
 
 /// Plan areas by label.
@@ -273,7 +273,7 @@ void check_extent(const ZoneMap& map, const Terrain& terrain, const ZoneFile& so
 void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   const ZoneMap map = is_polygon_file(source.path) ? polygon_zones(source, terrain.frame.crs)
                                                    : raster_zones(source, terrain.frame.crs);
-  if (map.labels.size() > kMostZones) {
+  if (map.labels.size() > kMaxZones) {
     throw InputError(source.path.string() + ": " + std::to_string(map.labels.size()) +
                      " zones are more than can be; is it a raster of heights? Give one of classes");
   }
@@ -283,7 +283,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNoIndex);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 area = doubled_area_vector(mesh, mesh.triangles[t]);
     const Vec3 middle = terrain.frame.to_map(centroid(mesh, mesh.triangles[t]));
     const double plan = std::abs(area.z()) / 2.0;
     double covered = 0.0;
@@ -332,7 +332,7 @@ void assign_zones(Terrain& terrain, const std::vector<std::string>& texts) {
   std::vector<std::uint32_t> label(mesh.triangles.size(), kNoIndex);
   Bare bare;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 area = area_vector(mesh, mesh.triangles[t]);
+    const Vec3 area = doubled_area_vector(mesh, mesh.triangles[t]);
     const Vec3 middle = terrain.frame.to_map(centroid(mesh, mesh.triangles[t]));
     const double slope = std::atan2(area.head<2>().norm(), area.z());
     for (std::size_t r = 0; r < rules.size() && label[t] == kNoIndex; ++r) {

@@ -64,8 +64,8 @@ TEST(DefinitionRules, WhatManyPartsNeedIsWrittenOnce) {
   for (const std::string name :
        {"signed_volume", "surface_area", "triangle_area", "counted", "with_digits",
         "sorted_half_edges", "triangle_neighbours", "triangle_components", "manifold_components",
-        "corner_fans", "boundary_loops", "weld_targets", "area_vector", "turn_over", "sha256",
-        "cross", "upper_median", "lower_case", "with_largest_component_positive"}) {
+        "corner_fans", "boundary_loops", "weld_targets", "doubled_area_vector", "turn_over",
+        "sha256", "cross", "upper_median", "lower_case", "with_largest_component_positive"}) {
     const Findings findings = repeated_function_findings(project(), name);
     EXPECT_TRUE(findings.empty()) << lines(findings);
   }

@@ -26,10 +26,12 @@ TEST(BoxConvention, OfARoundedCuboidIsTheCuboidExceptByCallipers) {
   const PrincipalFrame frame = frame_of(body);
   for (const BoxConvention convention :
        {BoxConvention::kSmallest, BoxConvention::kInertia, BoxConvention::kPca}) {
-    EXPECT_TRUE(box_by_convention(body, frame, convention).lengths.isApprox(Vec3(3.4, 2.4, 1.4), 1e-9))
+    EXPECT_TRUE(
+        box_by_convention(body, frame, convention).lengths.isApprox(Vec3(3.4, 2.4, 1.4), 1e-9))
         << name_of(convention);
   }
-  EXPECT_NEAR(box_by_convention(body, frame, BoxConvention::kFeret).lengths[0], std::sqrt(14.0) + 0.4, 1e-12);
+  EXPECT_NEAR(box_by_convention(body, frame, BoxConvention::kFeret).lengths[0],
+              std::sqrt(14.0) + 0.4, 1e-12);
 }
 
 // The moments of a cube leave its axes open; the box doesn't depend on which were written down.

@@ -12,11 +12,11 @@ namespace clast {
 namespace {
 
 TEST(ShellWords, PlainOnesStayAsTheyAre) {
-  EXPECT_EQ(
-      format_shell_command({"clast", "simulate", "a-b_c/1.toml", "-o", "out=2,3.h5", "--shard", "1/4"}),
-      "clast simulate a-b_c/1.toml -o out=2,3.h5 --shard 1/4");
+  EXPECT_EQ(format_shell_command(
+                {"clast", "simulate", "a-b_c/1.toml", "-o", "out=2,3.h5", "--shard", "1/4"}),
+            "clast simulate a-b_c/1.toml -o out=2,3.h5 --shard 1/4");
   EXPECT_EQ(format_shell_command({"\xC3\xA9"
-                           "boulis.toml"}),
+                                  "boulis.toml"}),
             "\xC3\xA9"
             "boulis.toml");
 }

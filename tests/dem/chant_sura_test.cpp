@@ -21,7 +21,7 @@ namespace clast {
 namespace {
 
 constexpr int kThrows = 24;
-constexpr double kShortestFlight = 0.01;  ///< s, that ends an impact
+constexpr double kMinFlight = 0.01;  ///< s, that ends an impact
 
 RigidBody eota(double mass, bool plate) {
   const TriangleMesh mesh = eota_mesh(mass, plate);
@@ -93,7 +93,7 @@ struct FirstImpact {
       depth = std::max(depth, step.contact_summary.overlap);
     } else if (touched) {
       flown += step.end_time - step.begin_time;
-      over = flown >= kShortestFlight;
+      over = flown >= kMinFlight;
     }
   }
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGravity = 9.81;
 /// The most that a run may gain, share of the energy that it began with.
-constexpr double kMostGained = 1e-3;
+constexpr double kMaxGained = 1e-3;
 constexpr double kTime = 8.0;  // s, some ten impacts
 
 struct Elastic {
@@ -101,7 +101,7 @@ TEST_P(EnergyConservation, NoBlockGainsEnergyOnFlatGround) {
          {std::tuple(1, 1, 2.0), {2, 40, 2.0}, {3, 7, 0.3}, {4, 1, 10.0}}) {
       const Energies found = bounce_of(GetParam(), kind, seed, 0.0, cells, height);
       ASSERT_TRUE(found.bounced) << kind << " " << seed;
-      EXPECT_LT(found.most, found.start * (1.0 + kMostGained)) << kind << " " << seed;
+      EXPECT_LT(found.most, found.start * (1.0 + kMaxGained)) << kind << " " << seed;
       if (GetParam().energy_restitution == 1.0) {
         EXPECT_GT(found.last, 0.98 * found.start) << kind << " " << seed;
       }
@@ -114,7 +114,7 @@ TEST_P(EnergyConservation, NoBlockGainsEnergyOnASlope) {
     for (const std::uint64_t seed : {1u, 2u}) {
       for (const double friction : {0.0, 0.4}) {
         const Energies found = bounce_of(GetParam(), kind, seed, 0.4, 20, 1.0, friction);
-        EXPECT_LT(found.most, found.start * (1.0 + kMostGained)) << kind << " " << seed;
+        EXPECT_LT(found.most, found.start * (1.0 + kMaxGained)) << kind << " " << seed;
       }
     }
   }

@@ -40,7 +40,8 @@ std::vector<ConfiningWall> square_form(std::size_t shape, double half, std::size
   return confining_walls;
 }
 
-std::vector<std::size_t> add_forms(World& world, const std::vector<ConfiningWall>& confining_walls) {
+std::vector<std::size_t> add_forms(World& world,
+                                   const std::vector<ConfiningWall>& confining_walls) {
   std::vector<std::size_t> numbers;
   for (const ConfiningWall& form : confining_walls) {
     numbers.push_back(world.add_confining_wall(form.shape, form.pose, form.first, form.end));

@@ -12,7 +12,7 @@ namespace {
 
 /// Largest overlap of any contact at rest, m: a tenth of d, which tips of elongated blocks reach
 /// half of where they are wedged between others.
-constexpr double kMostOverlap = 0.1;
+constexpr double kMaxOverlap = 0.1;
 
 /// Mean slope of some heaps, degrees, with its standard error.
 struct Slope {
@@ -27,7 +27,7 @@ Slope slope_of(HeapScene scene, const char* name) {
     scene.seed = seed;
     const Heap heap = heap_on_disc(scene);
     EXPECT_LT(heap.energy_error, 1e-4);
-    EXPECT_LT(heap.touching, kMostOverlap);
+    EXPECT_LT(heap.touching, kMaxOverlap);
     EXPECT_GT(heap.blocks, 20u);
     blocks += heap.blocks;
     sum += heap.slope;

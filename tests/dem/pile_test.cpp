@@ -17,7 +17,7 @@ TEST(PileOf500, HasTheSameBitsOnTwoThreadsAndAccountsForItsEnergy) {
   EXPECT_GT(statistics.touching_pairs, 500u);
   EXPECT_LT(alone.energy_balance().error, 0.005);
   EXPECT_EQ(alone.energy_balance().dissipated(), together.energy_balance().dissipated());
-  constexpr double kShortestSide = 0.4;  // m, about
+  constexpr double kMinSide = 0.4;  // m, about
   for (std::size_t i = 0; i < alone.body_count(); ++i) {
     EXPECT_EQ(alone.state(i).position, together.state(i).position);
     EXPECT_EQ(alone.state(i).orientation.coeffs(), together.state(i).orientation.coeffs());
@@ -27,7 +27,7 @@ TEST(PileOf500, HasTheSameBitsOnTwoThreadsAndAccountsForItsEnergy) {
   }
   // With e_n^2 = 0.01 a contact settles to F/(k_n e_n^2): 2 % of S under one block, and chains of
   // force carry some twenty of them on one patch. Deeper than that, but not through each other.
-  EXPECT_LT(statistics.max_overlap, 0.5 * kShortestSide);
+  EXPECT_LT(statistics.max_overlap, 0.5 * kMinSide);
   std::printf("largest overlap %.3f m\n", statistics.max_overlap);
 }
 

@@ -95,7 +95,7 @@ std::vector<RigidState> states_of(const World& world) {
 }
 
 /// Does all of it fall asleep where it stood before? What falls is not waited for.
-bool stands(World& world) {
+bool is_representative(World& world) {
   constexpr double kFallen = 0.1, kLongest = 20.0;  // m, s
   const std::vector<RigidState> start = states_of(world);
   while (world.time() < kLongest && farthest_moved(world, start) < kFallen) {
@@ -141,7 +141,7 @@ TEST_P(Overhang, OfBricksStandsWhileTheCentreOfAllAboveIsSupported) {
     edge = end;
   }
   World world = world_of(blocks, 0.6);
-  EXPECT_EQ(stands(world), GetParam() < 1.0);
+  EXPECT_EQ(is_representative(world), GetParam() < 1.0);
 }
 INSTANTIATE_TEST_SUITE_P(Shares, Overhang, testing::Values(0.95, 0.98, 1.02, 1.05));
 
@@ -167,7 +167,7 @@ TEST_P(Wall, OfBricksStandsUntilItsWeightPassesItsFoot) {
   }
   const double topples = std::atan((kDepth - 2.0 * kEdgeRadius) / (kCourses * kHeight));
   World world = world_of(blocks, 0.6, GetParam() * topples);
-  EXPECT_EQ(stands(world), GetParam() < 1.0);
+  EXPECT_EQ(is_representative(world), GetParam() < 1.0);
 }
 INSTANTIATE_TEST_SUITE_P(Shares, Wall, testing::Values(0.0, 0.95, 1.05));
 
@@ -251,7 +251,7 @@ class Arches : public testing::TestWithParam<double> {};
 TEST_P(Arches, OfSevenVoussoirsStandAsLongAsALineOfThrustFitsIn) {
   const Arch arch(GetParam() * least_thickness());
   World world = world_of(arch.blocks, 0.9);
-  EXPECT_EQ(stands(world), GetParam() > 1.0);
+  EXPECT_EQ(is_representative(world), GetParam() > 1.0);
 }
 INSTANTIATE_TEST_SUITE_P(Shares, Arches, testing::Values(0.95, 0.98, 1.05));
 

@@ -43,9 +43,12 @@ TEST(PrincipalFrame, AscendingRightHandedAndDiagonalizing) {
 }
 
 TEST(PrincipalFrame, EqualMomentsAreSaidToBeSo) {
-  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.0, 1.5).asDiagonal())).has_near_equal_moments);
-  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.5, 1.5 + 1e-7).asDiagonal())).has_near_equal_moments);
-  EXPECT_FALSE(principal_frame(with_inertia(Vec3(1.0, 1.2, 1.5).asDiagonal())).has_near_equal_moments);
+  EXPECT_TRUE(
+      principal_frame(with_inertia(Vec3(1.0, 1.0, 1.5).asDiagonal())).has_near_equal_moments);
+  EXPECT_TRUE(principal_frame(with_inertia(Vec3(1.0, 1.5, 1.5 + 1e-7).asDiagonal()))
+                  .has_near_equal_moments);
+  EXPECT_FALSE(
+      principal_frame(with_inertia(Vec3(1.0, 1.2, 1.5).asDiagonal())).has_near_equal_moments);
 }
 
 TEST(PrincipalFrame, MomentsThatTheStatedErrorCannotTellApartAreNearlyEqual) {

@@ -216,7 +216,8 @@ class HollowCube : public testing::TestWithParam<double> {};
 TEST_P(HollowCube, CavityShrinksByTheRadius) {
   const double c = GetParam(), r = 0.2, left = std::max(c - 2.0 * r, 0.0);
   const Vec3 middle(0.47, 0.5, 0.52);
-  const SpheroPolyhedron body = transformed(make_sphero_polyhedron(hollow_cube(c, middle), r), kMotion);
+  const SpheroPolyhedron body =
+      transformed(make_sphero_polyhedron(hollow_cube(c, middle), r), kMotion);
   const double outer = 2.6105014400690667, void_volume = left * left * left;
   const double volume = outer - void_volume;
   const Vec3 centre = (outer * Vec3::Constant(0.5) - void_volume * middle) / volume;
@@ -360,7 +361,8 @@ TEST(SpheroMass, WhatColumnsMayMissIsAllowedFor) {
   // ball leaves of the rim, at most the dent itself lower.
   const double cube = 1.0 + 6.0 * r + 3.0 * kPi * r * r + 4.0 / 3.0 * kPi * r * r * r;
   for (const double accuracy : {1e-2, 1e-4, 1e-5}) {
-    const MassProperties p = sphero_mass_properties(make_sphero_polyhedron(dented, r), 1.0, accuracy);
+    const MassProperties p =
+        sphero_mass_properties(make_sphero_polyhedron(dented, r), 1.0, accuracy);
     EXPECT_GT(p.relative_error, 0.0);
     EXPECT_LE(p.relative_error, accuracy);
     EXPECT_NEAR(p.volume / cube, 1.0, p.relative_error + side * side * depth / 3.0);
@@ -386,7 +388,8 @@ TEST(SpheroMass, SameBitsEveryTime) {
 TEST(SpheroArea, ConvexIsSteinersFormula) {
   const double r = 0.2;
   const double cube = 6.0 + 2.0 * 3.0 * kPi * r + 4.0 * kPi * r * r;
-  EXPECT_NEAR(sphero_surface_area(transformed(make_sphero_polyhedron(box_mesh(Vec3::Ones(), 2), r), kMotion)),
+  EXPECT_NEAR(sphero_surface_area(
+                  transformed(make_sphero_polyhedron(box_mesh(Vec3::Ones(), 2), r), kMotion)),
               cube, 1e-12);
 }
 

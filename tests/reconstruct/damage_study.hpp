@@ -9,13 +9,13 @@ namespace clast {
 
 /// One repair of one damaged rock.
 struct Trial {
-  bool valid = false;           ///< closed 2-manifold in one piece, outward, without crossings
-  double volume_error = 0.0;    ///< relative to the undamaged rock
-  double hausdorff = 0.0;       ///< both ways, at the vertices, m
-  double largest_hole = 0.0;    ///< radius, m
-  double lost_share = 0.0;      ///< of the area
+  bool valid = false;            ///< closed 2-manifold in one piece, outward, without crossings
+  double volume_error = 0.0;     ///< relative to the undamaged rock
+  double hausdorff = 0.0;        ///< both ways, at the vertices, m
+  double largest_hole = 0.0;     ///< radius, m
+  double lost_share = 0.0;       ///< of the area
   double filled_fraction = 0.0;  ///< as reported
-  std::string refusal;          ///< empty: it was repaired
+  std::string refusal;           ///< empty: it was repaired
 };
 
 Trial mend_damaged(const TriangleMesh& rock, double intensity, std::uint64_t seed);

@@ -48,9 +48,10 @@ TEST(Neighbours, ThatAreSmallLowerTheLowerBounds) {
 TEST(Neighbours, ThatAreLargeAreRefused) {
   std::uint64_t seed = 4;
   for (const double radius : {0.25, 0.35, 0.5}) {
-    EXPECT_TRUE(contains(
-        refusal<GeometryError>([&] { extract_field_blocks(balls_that_touch(radius, seed++), "balls"); }),
-        "two bodies that touch in a seam"))
+    EXPECT_TRUE(contains(refusal<GeometryError>([&] {
+                           extract_field_blocks(balls_that_touch(radius, seed++), "balls");
+                         }),
+                         "two bodies that touch in a seam"))
         << radius;
   }
 }

@@ -77,8 +77,9 @@ TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
   std::vector<double> areas(whole.triangles.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     areas[touching.source[t]] += triangle_area(mesh, mesh.triangles[t]);
-    const Vec3 normal = area_vector(whole, whole.triangles[touching.source[t]]).normalized();
-    EXPECT_NEAR(normal.dot(area_vector(mesh, mesh.triangles[t]).normalized()), 1.0, 1e-14);
+    const Vec3 normal =
+        doubled_area_vector(whole, whole.triangles[touching.source[t]]).normalized();
+    EXPECT_NEAR(normal.dot(doubled_area_vector(mesh, mesh.triangles[t]).normalized()), 1.0, 1e-14);
   }
   for (std::size_t t = 0; t < areas.size(); ++t) {
     EXPECT_NEAR(areas[t], triangle_area(whole, whole.triangles[t]), 1e-15);

@@ -17,7 +17,7 @@
 namespace clast {
 namespace {
 
-constexpr std::array<double, 5> kShares = {0.01, 0.05, 0.1, 0.2, 0.3};
+constexpr std::array<double, 5> kFractions = {0.01, 0.05, 0.1, 0.2, 0.3};
 constexpr std::size_t kTornSeeds = 60;
 /// A mesh of more triangles costs a second a seed: it has fewer.
 constexpr std::size_t kFine = 10000, kSeedsOfFine = 5;
@@ -58,13 +58,13 @@ TEST_P(TornScans, KeepTheirVolumeAndTheirBox) {
   const bool coarse = rock.triangles.size() < kCoarseTriangles;
   std::vector<Torn> torn(seeds);
   parallel_for(seeds, 0, [&](std::size_t i) {
-    torn[i] = tear(rock, volume, sides, kShares[i % kShares.size()], i);
+    torn[i] = tear(rock, volume, sides, kFractions[i % kFractions.size()], i);
   });
   double worst_volume = 0.0, worst_box = 0.0;
   std::size_t bracketed = 0;
   for (std::size_t i = 0; i < seeds; ++i) {
     SCOPED_TRACE("seed " + std::to_string(i) + " share " +
-                 std::to_string(kShares[i % kShares.size()]));
+                 std::to_string(kFractions[i % kFractions.size()]));
     bracketed += torn[i].bracketed;
     if (torn[i].bracketed) {
       EXPECT_TRUE(coarse) << "a torn surface is taken for an unseen side";

@@ -39,8 +39,8 @@ struct Tally {
     } else {
       worst_miss = std::max(worst_miss, miss);
       misses.push_back(name + " with " + format_significant(100.0 * block.buried, 3) +
-                       " % of its height buried is missed by " + format_significant(100.0 * miss, 3) +
-                       " %");
+                       " % of its height buried is missed by " +
+                       format_significant(100.0 * miss, 3) + " %");
     }
     widths[nearly_all].push_back((*side.upper_volume - side.lower_volume) / side.estimated_volume);
   }

@@ -137,7 +137,7 @@ TEST(SneedFolkDiagram, MarksStandWhereTheRatiosSay) {
 }
 
 TEST(PopulationPage, ManyBlocksAreShownAsADensityAndThatIsSaid) {
-  const PopulationReport report = report_of({blocks("many", kMostSingleBlocks + 1)});
+  const PopulationReport report = report_of({blocks("many", kMaxSingleBlocks + 1)});
   const std::string html = page_of(report);
   EXPECT_EQ(count_of(html, "data-block=\"0-"), 0u);
   EXPECT_TRUE(contains(html, "show densities"));
@@ -150,7 +150,7 @@ TEST(PopulationPage, ManyBlocksAreShownAsADensityAndThatIsSaid) {
     const std::size_t begin = triangle.rfind('>', at) + 1;
     counted += std::strtoul(triangle.c_str() + begin, nullptr, 10);
   }
-  EXPECT_EQ(counted, kMostSingleBlocks + 1);
+  EXPECT_EQ(counted, kMaxSingleBlocks + 1);
 }
 
 TEST(PopulationPage, TwoPopulationsAreComparedInWords) {

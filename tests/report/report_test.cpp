@@ -173,7 +173,7 @@ TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
 
   CampaignResults many = hand_made_results();
   Random random(1);
-  while (many.runs.size() <= kMostSingleStops) {
+  while (many.runs.size() <= kMaxSingleStops) {
     const auto run = static_cast<std::uint32_t>(many.runs.size());
     many.runs.push_back(
         hand_made_run(run, run % 2, random.uniform(5.0, 45.0), random.uniform(-15.0, 15.0)));

@@ -60,7 +60,10 @@ TEST(BoxStretch, RefusesWhatHasNoFormAndRatiosThatAreNone) {
   SpheroPolyhedron ball;
   ball.vertices = {Vec3::Zero()};
   ball.radius = 1.0;
-  EXPECT_TRUE(contains(refusal<GeometryError>([&] { stretch_to_ratios(ball, {0.5, 0.5}); }), "ball"));
+  EXPECT_TRUE(contains(refusal<GeometryError>([&] {
+                         stretch_to_ratios(ball, {0.5, 0.5});
+                       }),
+                       "ball"));
   EXPECT_TRUE(contains(refusal([&] { stretch_to_ratios(rock(1), {1.2, 0.5}); }), "I/L = 1.2"));
   EXPECT_TRUE(contains(refusal([&] { stretch_to_ratios(rock(1), {0.5, 0.6}); }), "S/L = 0.6"));
   EXPECT_TRUE(contains(refusal([&] { stretch_to_ratios(rock(1), {0.5, NAN}); }), "S/L = nan"));

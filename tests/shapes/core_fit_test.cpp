@@ -71,7 +71,8 @@ TEST(CoreFit, NonsenseIsRefused) {
   EXPECT_THROW(fit_core(rock, {}), GeometryError);
   EXPECT_THROW(fit_core(TriangleMesh{}, make_sphero_polyhedron(rock, 0.1)), GeometryError);
   EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.rounds = -1}), InputError);
-  EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.good_enough = -1.0}), InputError);
+  EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.good_enough = -1.0}),
+               InputError);
 }
 
 }  // namespace

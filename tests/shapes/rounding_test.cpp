@@ -133,7 +133,8 @@ TEST(SurfaceDeviation, OfLargeThinFacesIsThatOfTheirCorners) {
     for (Vec3& v : core.vertices) {
       for (int k = 0; k < 3; ++k) v[k] += (v[k] > 0.0 ? -0.99 : 0.99) * r;
     }
-    const SurfaceDeviation deviation = measure_surface_deviation(slab, make_sphero_polyhedron(core, r));
+    const SurfaceDeviation deviation =
+        measure_surface_deviation(slab, make_sphero_polyhedron(core, r));
     const double corner = r * (0.99 * std::sqrt(3.0) - 1.0), gap = 2e-4 * sides.norm();
     EXPECT_GE(deviation.scan_to_body, corner * (1.0 - 1e-9));
     EXPECT_LE(deviation.scan_to_body, corner + gap);
@@ -164,14 +165,17 @@ TEST(SurfaceDeviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
 TEST(SurfaceDeviation, OfTheScanTakenAsCoreIsTheRadius) {
   // Where it is convex; under a reflex edge the skin is farther.
   const TriangleMesh box = box_mesh({1, 2, 3}, 3);
-  const SurfaceDeviation deviation = measure_surface_deviation(box, make_sphero_polyhedron(box, 0.03));
+  const SurfaceDeviation deviation =
+      measure_surface_deviation(box, make_sphero_polyhedron(box, 0.03));
   EXPECT_NEAR(deviation.mean, 0.03, 1e-12);
   // The bound is at its worst where the distance is the same everywhere.
   EXPECT_GE(deviation.hausdorff, 0.03);
   EXPECT_LE(deviation.hausdorff, 0.045);
   const TriangleMesh rock = random_rock(2);
-  EXPECT_GE(measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), 1000).mean, 0.03 - 1e-12);
-  const SurfaceDeviation none = measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.0), 1000);
+  EXPECT_GE(measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), 1000).mean,
+            0.03 - 1e-12);
+  const SurfaceDeviation none =
+      measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.0), 1000);
   EXPECT_LT(none.hausdorff, kGap * bounds(rock).diagonal());
 }
 
@@ -194,8 +198,8 @@ TEST(SurfaceDeviation, SeesWhatOnlyTheBodyHas) {
 }
 
 TEST(SurfaceDeviation, InsideTheCoreCountsFromTheSkin) {
-  const SurfaceDeviation deviation = measure_surface_deviation(scaled(box_mesh({1, 1, 1}), 0.5),
-                                                make_sphero_polyhedron(box_mesh({1, 1, 1}), 0.1));
+  const SurfaceDeviation deviation = measure_surface_deviation(
+      scaled(box_mesh({1, 1, 1}), 0.5), make_sphero_polyhedron(box_mesh({1, 1, 1}), 0.1));
   // The corner (1/2, 1/2, 1/2) of the small cube is half a unit inside the core, 0.6 under the
   // skin.
   EXPECT_GE(deviation.hausdorff, 0.6 - 1e-12);
@@ -219,7 +223,8 @@ TEST(SurfaceDeviation, AFilledSlotCountsByItsDepth) {
   const double r = 0.1;
   const TriangleMesh core = slotted(0.02, 0.4);
   const TriangleMesh scan = slotted(0.04, 0.45);
-  const SurfaceDeviation deviation = measure_surface_deviation(scan, make_sphero_polyhedron(core, r));
+  const SurfaceDeviation deviation =
+      measure_surface_deviation(scan, make_sphero_polyhedron(core, r));
   // The skin over the slot is about r above the core's rims at z = 1.
   EXPECT_GT(deviation.scan_to_body, 0.45);
 }
@@ -250,8 +255,9 @@ TEST(SurfaceDeviation, BoundsHoldAgainstDenseSampling) {
 }
 
 TEST(SurfaceDeviation, EmptySurfacesAreRefused) {
-  EXPECT_THROW(measure_surface_deviation(TriangleMesh{}, make_sphero_polyhedron(tetrahedron(), 0.1)),
-               GeometryError);
+  EXPECT_THROW(
+      measure_surface_deviation(TriangleMesh{}, make_sphero_polyhedron(tetrahedron(), 0.1)),
+      GeometryError);
   EXPECT_THROW(measure_surface_deviation(tetrahedron(), {}), GeometryError);
 }
 

@@ -67,7 +67,8 @@ TEST(Skin, OfACubeIsClosedAndItsVolumeTendsToTheFormula) {
   double error_before = 1.0;
   for (const int segments : {2, 4, 8, 16, 32}) {
     for (const int n : {1, 3}) {
-      const TriangleMesh skin = rounded_surface_mesh(make_sphero_polyhedron(box_mesh({1, 1, 1}, n), r), segments);
+      const TriangleMesh skin =
+          rounded_surface_mesh(make_sphero_polyhedron(box_mesh({1, 1, 1}, n), r), segments);
       const MeshReport report = inspect_mesh(skin);
       EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
       EXPECT_EQ(report.euler_characteristic, 2);
@@ -135,7 +136,8 @@ TEST(Skin, OfABallAndACapsuleIsClosed) {
   capsule.vertices.push_back({1, 2, 5});
   capsule.edges = {{0, 1}};
   const double ball_volume = 4.0 / 3.0 * kPi * 0.125, tube = kPi * 0.25 * 2.0;
-  const TriangleMesh ball_skin = rounded_surface_mesh(ball, 32), capsule_skin = rounded_surface_mesh(capsule, 32);
+  const TriangleMesh ball_skin = rounded_surface_mesh(ball, 32),
+                     capsule_skin = rounded_surface_mesh(capsule, 32);
   for (const TriangleMesh* skin : {&ball_skin, &capsule_skin}) {
     EXPECT_TRUE(inspect_mesh(*skin).is_closed() && inspect_mesh(*skin).is_oriented());
     EXPECT_EQ(inspect_mesh(*skin).euler_characteristic, 2);
@@ -148,7 +150,8 @@ TEST(Skin, OfABallAndACapsuleIsClosed) {
 
 TEST(Skin, OfANonConvexCoreIsClosed) {
   const TriangleMesh skin = rounded_surface_mesh(make_sphero_polyhedron(l_block(), 0.1));
-  EXPECT_TRUE(inspect_mesh(skin).is_closed() && inspect_mesh(skin).is_oriented()) << inspect_mesh(skin).summary();
+  EXPECT_TRUE(inspect_mesh(skin).is_closed() && inspect_mesh(skin).is_oriented())
+      << inspect_mesh(skin).summary();
 }
 
 /// How often the closed surface goes round the point.
@@ -197,7 +200,8 @@ TEST(Skin, OfANonConvexCoreGoesRoundTheBodyAndNothingElse) {
 TEST(Skin, OfPolygonsIsThatOfTheirTriangles) {
   for (const TriangleMesh& core : {box_mesh({1, 1, 1}, 3), l_block()}) {
     const SpheroPolyhedron shape = make_sphero_polyhedron(core, 0.1);
-    const TriangleMesh plain = rounded_surface_mesh(shape), merged = rounded_surface_mesh(merge_coplanar_faces(shape));
+    const TriangleMesh plain = rounded_surface_mesh(shape),
+                       merged = rounded_surface_mesh(merge_coplanar_faces(shape));
     EXPECT_TRUE(inspect_mesh(merged).is_closed() && inspect_mesh(merged).is_oriented());
     EXPECT_NEAR(enclosed_volume(merged), enclosed_volume(plain), 1e-12);
     EXPECT_NEAR(surface_area(merged), surface_area(plain), 1e-11);

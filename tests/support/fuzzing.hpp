@@ -38,9 +38,9 @@ struct FuzzedReader {
 
 /// CPU seconds that one file may take; sanitizers cost a factor of five to ten.
 #ifdef __SANITIZE_ADDRESS__
-inline constexpr double kMostFuzzSeconds = 10.0;
+inline constexpr double kMaxFuzzSeconds = 10.0;
 #else
-inline constexpr double kMostFuzzSeconds = 2.0;
+inline constexpr double kMaxFuzzSeconds = 2.0;
 #endif
 
 /// Numbers of files that once were read wrongly, by the reader's name: they are tried every time.
@@ -148,7 +148,7 @@ inline void expect_read_or_refused(const FuzzedReader& reader, std::uint64_t usu
     EXPECT_EQ(outcome.fault, "");
     ++(outcome.read ? read : refused);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    EXPECT_LT(seconds, kMostFuzzSeconds);
+    EXPECT_LT(seconds, kMaxFuzzSeconds);
     longest = std::max(longest, seconds);
   }
   std::cout << reader.name << ": " << read << " read, " << refused << " refused, longest "

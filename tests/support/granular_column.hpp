@@ -47,13 +47,13 @@ inline TerrainSurface quarter_floor(double side, double wall_height) {
 /// Blocks fall into the ring from a loose grid, lie still, the ring is removed, and the deposit
 /// lies still. docs/theory.md, Columns, defines the front.
 inline Collapse collapse_column(const ColumnScene& scene) {
-  constexpr double kGravity = 9.81, kPackedShare = 0.57, kLink = 1.5, kCalm = 1e-3;
+  constexpr double kGravity = 9.81, kPackedFraction = 0.57, kLink = 1.5, kCalm = 1e-3;
   std::vector<RigidBody> shapes = block_sizes();
   const double reach = largest_reach(shapes), middle_mass = shapes[2].mass;
   const std::size_t sizes = shapes.size();
   Collapse result;
-  result.radius = std::cbrt(static_cast<double>(scene.blocks) * mean_volume(shapes) / kPackedShare /
-                            (0.25 * kPi * scene.aspect));
+  result.radius = std::cbrt(static_cast<double>(scene.blocks) * mean_volume(shapes) /
+                            kPackedFraction / (0.25 * kPi * scene.aspect));
   Random random(scene.seed);
   const auto filling = loose_filling(scene.blocks, result.radius, reach, 0.0, true, random);
   const double top = filling.back().position.z() + reach + 1.0;

@@ -27,7 +27,7 @@ Vec3 centre(const TriangleMesh& mesh, const Triangle& t) {
 std::vector<Vec3> outward_normals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) normals[v] += area_vector(mesh, t);
+    for (const std::uint32_t v : t) normals[v] += doubled_area_vector(mesh, t);
   }
   for (Vec3& n : normals) n.normalize();
   return normals;
@@ -117,7 +117,7 @@ TriangleMesh cut_off(const TriangleMesh& mesh, const Vec3& direction, double sha
 TriangleMesh without_side(TriangleMesh mesh, const Vec3& direction, double angle) {
   const double limit = std::cos(angle);
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
-    return area_vector(mesh, t).normalized().dot(direction) > limit;
+    return doubled_area_vector(mesh, t).normalized().dot(direction) > limit;
   });
   return without_loose_vertices(mesh);
 }

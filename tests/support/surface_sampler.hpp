@@ -20,7 +20,8 @@ class SurfaceSampler {
   /// @param mesh  must outlive this
   explicit SurfaceSampler(const TriangleMesh& mesh) : mesh_(mesh) {
     for (const TriangleMesh::Triangle& t : mesh.triangles) {
-      areas_.push_back((areas_.empty() ? 0.0 : areas_.back()) + area_vector(mesh, t).norm());
+      areas_.push_back((areas_.empty() ? 0.0 : areas_.back()) +
+                       doubled_area_vector(mesh, t).norm());
     }
   }
 

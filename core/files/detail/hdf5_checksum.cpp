@@ -73,8 +73,9 @@ bool update_checksum(hid_t object, std::uint64_t change) {
     return attribute.valid() && H5Awrite(attribute, H5T_NATIVE_UINT64, &sum) >= 0;
   }
   const ScopedId space(H5Screate(H5S_SCALAR), H5Sclose);
-  const ScopedId attribute(H5Acreate2(object, kChecksumAttribute, H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT),
-                     H5Aclose);
+  const ScopedId attribute(
+      H5Acreate2(object, kChecksumAttribute, H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
   return attribute.valid() && H5Awrite(attribute, H5T_NATIVE_UINT64, &sum) >= 0;
 }
 

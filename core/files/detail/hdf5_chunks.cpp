@@ -11,7 +11,7 @@ constexpr unsigned kGzipLevel = 4;
 }  // namespace
 
 void set_chunked_compression(const ScopedId& properties, const std::vector<hsize_t>& extent,
-                        std::size_t row_bytes) {
+                             std::size_t row_bytes) {
   std::vector<hsize_t> chunk = extent;
   chunk[0] = std::clamp<hsize_t>(kChunk / row_bytes, 1, extent[0]);
   H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data());

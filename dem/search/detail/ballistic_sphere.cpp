@@ -8,7 +8,7 @@ namespace {
 
 /// A stretch of the path moves the ball by this share of a cell, or of its radius when that is
 /// more.
-constexpr double kPieceShare = 0.5;
+constexpr double kPieceFraction = 0.5;
 
 /// True when no ground of these cells reaches up to a ball anywhere within `spread` of `middle` in
 /// plan and not below `lowest`.
@@ -43,7 +43,7 @@ bool surveyed(const PlanGrid& grid, const Vec2& position) {
 double ballistic_contact_free_time(const PlanGrid& grid, const BallisticSphere& ball,
                                    double longest) {
   const Vec2 along = ball.velocity.head<2>();
-  const double piece = kPieceShare * std::max(grid.cell_size(), ball.radius);
+  const double piece = kPieceFraction * std::max(grid.cell_size(), ball.radius);
   const auto height = [&](double time) {
     return ball.centre.z() + time * (ball.velocity.z() - 0.5 * ball.gravity * time);
   };

@@ -108,7 +108,7 @@ void orient_outward(std::vector<Vec3>& normals, std::span<const Vec3> points,
 std::size_t correct_normals(std::vector<Vec3>& normals, const TriangleMesh& surface) {
   std::vector<Vec3> areas(normals.size(), Vec3::Zero());
   for (const TriangleMesh::Triangle& t : surface.triangles) {
-    const Vec3 area = area_vector(surface, t);
+    const Vec3 area = doubled_area_vector(surface, t);
     for (const std::uint32_t v : t) areas[v] += area;
   }
   std::size_t corrected = 0;

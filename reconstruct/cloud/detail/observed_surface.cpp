@@ -17,7 +17,7 @@ namespace {
 constexpr double kMaxBall = 2.5;
 /// An edge of a plate that nobody saw is a strip hardly wider than the points are apart, but long:
 /// a patch that extends over so many spacings is a hole with balls of this radius.
-constexpr double kLongPatch = 12.0, kLargestInLong = 1.75;
+constexpr double kLongPatch = 12.0, kMaxInLong = 1.75;
 /// The sparsest points around a patch, in so many rings: this quantile of their spacings. A stray
 /// point or two in the middle of a hole do not make it a sparse area.
 constexpr int kSparseRings = 2;
@@ -75,7 +75,7 @@ double ball_of_hole(const SparsePatch& patch, const TriangleMesh& mesh,
   std::vector<double> own;
   for (const std::uint32_t point : patch.points) own.push_back(spacings[point]);
   std::sort(own.begin(), own.end());
-  return box.diagonal() > kLongPatch * quantile(own, 0.5) ? kLargestInLong : kMaxBall;
+  return box.diagonal() > kLongPatch * quantile(own, 0.5) ? kMaxInLong : kMaxBall;
 }
 
 /// @param patch  with the points of the rings around it
@@ -119,7 +119,7 @@ ObservedSurface find_observed_surface(const TriangleMesh& closed, std::span<cons
   std::vector<bool> unobserved(patches.size());
   for (std::size_t k = 0; k < patches.size(); ++k) {
     SparsePatch& patch = patches[k];
-    if (patch.largest_share <= kLargestInLong) continue;
+    if (patch.largest_share <= kMaxInLong) continue;
     const double ball = ball_of_hole(patch, closed, spacings);
     if (patch.largest_share <= ball) continue;
     add_rings(patch.points, closed);

@@ -22,15 +22,15 @@ std::int64_t version_of(const json& root) {
 
 CameraIntrinsics read_alicevision_lens(const json& intrinsic, std::int64_t version) {
   CameraIntrinsics lens{.width = parse_json_count(intrinsic.at("width")),
-            .height = parse_json_count(intrinsic.at("height"))};
+                        .height = parse_json_count(intrinsic.at("height"))};
   if (version < 10200) {
     lens.fx = lens.fy = parse_json_number(intrinsic.at("pxFocalLength"));
   } else if (version < 10202) {
     lens.fx = parse_json_number(intrinsic.at("pxFocalLength").at(0));
     lens.fy = parse_json_number(intrinsic.at("pxFocalLength").at(1));
   } else {
-    lens.fx = parse_json_number(intrinsic.at("focalLength")) / parse_json_number(intrinsic.at("sensorWidth")) *
-              lens.width;
+    lens.fx = parse_json_number(intrinsic.at("focalLength")) /
+              parse_json_number(intrinsic.at("sensorWidth")) * lens.width;
     const double ratio =
         intrinsic.contains("pixelRatio") ? parse_json_number(intrinsic.at("pixelRatio")) : 1.0;
     lens.fy = version < 10205 ? lens.fx / ratio : lens.fx * ratio;
@@ -43,7 +43,8 @@ CameraIntrinsics read_alicevision_lens(const json& intrinsic, std::int64_t versi
   }
   std::vector<double> k;
   if (intrinsic.contains("distortionParams") && intrinsic.at("distortionParams").is_array()) {
-    for (const json& value : intrinsic.at("distortionParams")) k.push_back(parse_json_number(value));
+    for (const json& value : intrinsic.at("distortionParams"))
+      k.push_back(parse_json_number(value));
   }
   // Since layout 1.2.6 the kind of distortion has a key of its own.
   std::string kind = intrinsic.at("type").get<std::string>();
@@ -91,8 +92,10 @@ PhotoModel read_alicevision_model(const json& root) {
       rotation(static_cast<int>(i % 3), static_cast<int>(i / 3)) =
           parse_json_number(transform.at("rotation").at(i));
     }
-    const Quat quaternion = rotation_from_matrix(rotation, "pose " + parse_json_id(item.at("poseId")));
-    poses[parse_json_id(item.at("poseId"))] = {-(quaternion * parse_json_vector(transform.at("center"))), quaternion};
+    const Quat quaternion =
+        rotation_from_matrix(rotation, "pose " + parse_json_id(item.at("poseId")));
+    poses[parse_json_id(item.at("poseId"))] = {
+        -(quaternion * parse_json_vector(transform.at("center"))), quaternion};
   }
   std::map<std::string, std::uint32_t> photo_of;
   for (const json& view : root.at("views")) {

@@ -5,7 +5,8 @@
 
 namespace clast::photos_detail {
 
-CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height, const std::vector<double>& p) {
+CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
+                                  const std::vector<double>& p) {
   // Parameters of each of COLMAP's models, in its order: one focal length or two, the centre, and
   // the distortion.
   struct Layout {

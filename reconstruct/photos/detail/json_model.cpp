@@ -26,7 +26,8 @@ int parse_json_count(const nlohmann::json& value) {
 }
 
 Vec3 parse_json_vector(const nlohmann::json& value) {
-  return {parse_json_number(value.at(0)), parse_json_number(value.at(1)), parse_json_number(value.at(2))};
+  return {parse_json_number(value.at(0)), parse_json_number(value.at(1)),
+          parse_json_number(value.at(2))};
 }
 
 std::string parse_json_id(const nlohmann::json& value) {

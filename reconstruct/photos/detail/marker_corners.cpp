@@ -17,12 +17,12 @@ namespace clast::photos_detail {
 
 namespace {
 
-constexpr double kShortestSide = 16.0;   ///< px; cells of less than 3 px have no edges of their own
-constexpr double kFromCorner = 0.12;     ///< of the side: the edge there is bent by the blur
-constexpr double kReach = 3.0;           ///< px to each side of an edge
-constexpr double kProfileStep = 0.25;    ///< px
+constexpr double kMinSide = 16.0;      ///< px; cells of less than 3 px have no edges of their own
+constexpr double kFromCorner = 0.12;   ///< of the side: the edge there is bent by the blur
+constexpr double kReach = 3.0;         ///< px to each side of an edge
+constexpr double kProfileStep = 0.25;  ///< px
 constexpr double kMinContrast = 20.0;  ///< grey levels
-constexpr double kFurthestFit = 0.8;     ///< px off the line; such places are left out
+constexpr double kFurthestFit = 0.8;   ///< px off the line; such places are left out
 constexpr std::size_t kMinPlaces = 6;
 
 struct KnownDictionary {
@@ -103,7 +103,7 @@ std::optional<Line> edge_line(const cv::Mat& grey, const CameraIntrinsics& lens,
                               const Vec2& to, const Vec2& inside) {
   const Vec2 along = to - from;
   const double length = along.norm();
-  if (length < kShortestSide) return std::nullopt;
+  if (length < kMinSide) return std::nullopt;
   Vec2 outward(along.y() / length, -along.x() / length);
   if (outward.dot(inside - from) > 0.0) outward = -outward;
   // The black border is a sixth of the side, or an eighth.
@@ -194,8 +194,9 @@ std::vector<DetectedMarker> detect_markers(const cv::Mat& grey, const std::strin
   return found;
 }
 
-std::optional<DetectedMarker> refine_marker_corners(const DetectedMarker& marker, const cv::Mat& grey,
-                                               const CameraIntrinsics& lens) {
+std::optional<DetectedMarker> refine_marker_corners(const DetectedMarker& marker,
+                                                    const cv::Mat& grey,
+                                                    const CameraIntrinsics& lens) {
   Vec2 middle = Vec2::Zero();
   for (const Vec2& corner : marker.corners) middle += 0.25 * corner;
   std::array<Line, 4> lines;

@@ -49,7 +49,8 @@ CameraIntrinsics read_metashape_lens(const pugi::xml_node& sensor) {
                        " isn't known; optimize the cameras without it");
     }
   }
-  CameraIntrinsics lens{.width = size.attribute("width").as_int(), .height = size.attribute("height").as_int()};
+  CameraIntrinsics lens{.width = size.attribute("width").as_int(),
+                        .height = size.attribute("height").as_int()};
   lens.fisheye = type != "frame";
   if (calibration.child("fx")) {  // PhotoScan up to 1.1: the centre from the corner
     lens.fx = number_of(calibration, "fx", 0.0);

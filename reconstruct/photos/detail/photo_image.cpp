@@ -44,7 +44,9 @@ void write_binary_mask(const std::filesystem::path& mask, const std::filesystem:
   }
 }
 
-SingleThreadedOpenCv::SingleThreadedOpenCv() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
+SingleThreadedOpenCv::SingleThreadedOpenCv() : before_(cv::getNumThreads()) {
+  cv::setNumThreads(1);
+}
 SingleThreadedOpenCv::~SingleThreadedOpenCv() { cv::setNumThreads(before_); }
 
 }  // namespace clast::photos_detail

@@ -164,9 +164,10 @@ bool repeats_an_edge(const std::vector<TriangleMesh::Triangle>& triangles) {
 
 }  // namespace
 
-std::optional<LoopFilling> triangulate_loop(const TriangleMesh& mesh, std::span<const std::uint32_t> loop,
-                                     std::span<const Vec3> normals,
-                                     const std::set<EdgeKey>& edges) {
+std::optional<LoopFilling> triangulate_loop(const TriangleMesh& mesh,
+                                            std::span<const std::uint32_t> loop,
+                                            std::span<const Vec3> normals,
+                                            const std::set<EdgeKey>& edges) {
   if (loop.size() < 3) return std::nullopt;
   Triangulations all(mesh, loop, normals, edges);
   LoopFilling filling;
@@ -191,7 +192,8 @@ std::optional<LoopFilling> triangulate_loop(const TriangleMesh& mesh, std::span<
   return filling;
 }
 
-TangentConeVolumes tangent_cone_volumes(std::span<const Vec3> border, std::span<const Vec3> normals) {
+TangentConeVolumes tangent_cone_volumes(std::span<const Vec3> border,
+                                        std::span<const Vec3> normals) {
   const std::size_t n = border.size();
   Vec3 centre = Vec3::Zero(), area = Vec3::Zero();
   for (const Vec3& p : border) centre += p / static_cast<double>(n);

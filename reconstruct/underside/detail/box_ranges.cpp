@@ -14,11 +14,11 @@ namespace {
 constexpr int kEverywhere = 1500;    ///< turns spread over all, about 13 degrees apart
 constexpr std::size_t kStarts = 32;  ///< of these, those with the smallest boxes are followed down
 constexpr double kFirstStep = 0.12, kLastStep = 3e-4;  // rad; halved in between
-constexpr double kMinGain = 1e-12;  ///< of a step; less is rounding, which never ends
-constexpr double kSameBox = 1e-4;     ///< relative; minima closer than this are one
-constexpr std::size_t kMinima = 12;   ///< ... and so many least boxes are looked around
-constexpr int kDirections = 24;       ///< a minimum is looked around by turns about so many axes
-constexpr int kAngles = 8;            ///< ... by so many angles
+constexpr double kMinGain = 1e-12;   ///< of a step; less is rounding, which never ends
+constexpr double kSameBox = 1e-4;    ///< relative; minima closer than this are one
+constexpr std::size_t kMinima = 12;  ///< ... and so many least boxes are looked around
+constexpr int kDirections = 24;      ///< a minimum is looked around by turns about so many axes
+constexpr int kAngles = 8;           ///< ... by so many angles
 constexpr double kMaxAngle = 0.25, kShrink = 0.62;  // rad; each angle against the last
 /// Hulls with more corners are simplified; what is lost of an extent is below 1e-3 of it.
 constexpr std::size_t kMaxHullCorners = 1500;
@@ -113,7 +113,8 @@ BoxOrientation followed_down(const Eigen::Matrix3Xd& points, BoxOrientation orie
 bool smaller(const BoxOrientation& a, const BoxOrientation& b) { return a.volume < b.volume; }
 
 /// Places where the box of what was seen is the least of all around, each once.
-std::vector<BoxOrientation> least_boxes(const Eigen::Matrix3Xd& points, std::vector<BoxOrientation> orientations) {
+std::vector<BoxOrientation> least_boxes(const Eigen::Matrix3Xd& points,
+                                        std::vector<BoxOrientation> orientations) {
   std::stable_sort(orientations.begin(), orientations.end(), smaller);
   orientations.resize(std::min(orientations.size(), kStarts));
   for (BoxOrientation& orientation : orientations) orientation = followed_down(points, orientation);
@@ -121,7 +122,8 @@ std::vector<BoxOrientation> least_boxes(const Eigen::Matrix3Xd& points, std::vec
   const auto same = [](const BoxOrientation& a, const BoxOrientation& b) {
     return b.volume <= (1.0 + kSameBox) * a.volume;
   };
-  orientations.erase(std::unique(orientations.begin(), orientations.end(), same), orientations.end());
+  orientations.erase(std::unique(orientations.begin(), orientations.end(), same),
+                     orientations.end());
   orientations.resize(std::min(orientations.size(), kMinima));
   return orientations;
 }

@@ -88,8 +88,10 @@ class Space {
 
 }  // namespace
 
-std::optional<EnclosedSpace> compute_enclosed_space(std::span<const TriangleCorners> closure, const Vec3& centre,
-                                            std::span<const Plane> planes, double farthest) {
+std::optional<EnclosedSpace> compute_enclosed_space(std::span<const TriangleCorners> closure,
+                                                    const Vec3& centre,
+                                                    std::span<const Plane> planes,
+                                                    double farthest) {
   Space space(centre, planes, farthest);
   for (const TriangleCorners& triangle : closure) {
     if (!space.bounded()) break;

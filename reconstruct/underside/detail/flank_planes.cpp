@@ -112,7 +112,7 @@ std::vector<FlankPatch> patches_of(const TriangleMesh& mesh, std::span<const Vec
 }  // namespace
 
 FlankPlanes fit_flank_planes(const TriangleMesh& closed, std::size_t observed,
-                         std::span<const std::uint32_t> rims) {
+                             std::span<const std::uint32_t> rims) {
   std::vector<Vec3> corners, middles, areas, rim_points;
   double whole = 0.0;
   for (std::size_t t = 0; t < observed; ++t) {

@@ -253,7 +253,7 @@ Column column_behind(const Parted& parts, const TriangleTree& tree, const Closur
   for (std::size_t t = 0; t < closure_of.size(); ++t) {
     if (closure_of[t] != closure_index) continue;
     const auto triangle = static_cast<std::uint32_t>(parts.first + t);
-    const Vec3 area = area_vector(parts.closed, parts.closed.triangles[triangle]);
+    const Vec3 area = doubled_area_vector(parts.closed, parts.closed.triangles[triangle]);
     const double facing = 0.5 * area.dot(out);
     if (!(facing > 0.0)) continue;
     const auto& [a, b, c] = parts.closed.triangles[triangle];

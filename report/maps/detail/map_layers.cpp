@@ -33,7 +33,7 @@ Joined joined(const MapRasterSet& rasters, const RasterLayer& layer) {
   const double cells = static_cast<double>(rasters.columns) * rasters.rows;
   Joined grid;
   grid.factor = static_cast<std::uint32_t>(
-      std::ceil(std::sqrt(std::max(1.0, cells / static_cast<double>(kMostMapCells)))));
+      std::ceil(std::sqrt(std::max(1.0, cells / static_cast<double>(kMaxMapCells)))));
   grid.columns = (rasters.columns + grid.factor - 1) / grid.factor;
   grid.rows = (rasters.rows + grid.factor - 1) / grid.factor;
   grid.value.assign(std::size_t{grid.columns} * grid.rows, NAN);
@@ -99,7 +99,7 @@ Json paths_json(const Comparison& comparison, const DrawnRuns& stored, const Vec
     std::vector<float> x, y;
   };
   std::map<std::string, Lines> by_class;
-  const std::size_t count = std::min(kMostMapPaths, stored.rows.size());
+  const std::size_t count = std::min(kMaxMapPaths, stored.rows.size());
   for (std::size_t i = 0; i < count; ++i) {
     const RunRow& row = comparison.rows[stored.rows[i * stored.rows.size() / count]];
     Lines& lines = by_class[row.block->garcia];
@@ -119,8 +119,9 @@ Json paths_json(const Comparison& comparison, const DrawnRuns& stored, const Vec
 
 }  // namespace
 
-MapLayers make_map_layers(const Comparison& comparison, const std::vector<const MapRasterSet*>& rasters,
-                     const Vec2& origin, bool with_paths) {
+MapLayers make_map_layers(const Comparison& comparison,
+                          const std::vector<const MapRasterSet*>& rasters, const Vec2& origin,
+                          bool with_paths) {
   Json layers = Json::array(), paths = Json::array();
   for (const MapRasterSet* grid : rasters) {
     const std::vector<ValueStyle> styles = choose_value_styles(*grid);
@@ -132,7 +133,7 @@ MapLayers make_map_layers(const Comparison& comparison, const std::vector<const 
   if (with_paths) {
     const DrawnRuns stored = select_drawn_runs(comparison);
     result.stored_paths = stored.rows.size();
-    result.paths = std::min(kMostMapPaths, stored.rows.size());
+    result.paths = std::min(kMaxMapPaths, stored.rows.size());
     paths = paths_json(comparison, stored, origin);
   }
   result.json = Json{

@@ -9,9 +9,9 @@
 namespace clast::report_detail {
 
 /// Maximum number of raster cells; larger rasters are coarsened by the maximum of the merged cells.
-inline constexpr std::size_t kMostMapCells = 100'000;
+inline constexpr std::size_t kMaxMapCells = 100'000;
 /// Maximum number of drawn paths, chosen evenly.
-inline constexpr std::size_t kMostMapPaths = 250;
+inline constexpr std::size_t kMaxMapPaths = 250;
 
 /// Layers of a map as JSON.
 struct MapLayers {

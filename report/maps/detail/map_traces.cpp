@@ -144,7 +144,7 @@ void add_measured(const Comparison& comparison, Json& data) {
 }  // namespace
 
 void add_stops(const Comparison& comparison, const PlanWindow& window, Json& data) {
-  if (comparison.rows.size() > kMostSingleStops) {
+  if (comparison.rows.size() > kMaxSingleStops) {
     add_stop_density(comparison, window, data);
   } else {
     add_single_stops(comparison, data);

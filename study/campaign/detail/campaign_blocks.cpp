@@ -67,7 +67,7 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
   const TomlTable shares(node, table.file(), "[blocks] draw shares", class_names(draw.scheme));
   double sum = 0.0;
   for (const std::string& name : class_names(draw.scheme)) {
-    const std::optional<double> share = shares.number(name, kClassShare);
+    const std::optional<double> share = shares.number(name, kClassFraction);
     if (!share || *share == 0.0) continue;
     draw.shares.emplace_back(name, *share);
     sum += *share;
@@ -81,13 +81,13 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
 const MemberTable<BlockSampling>& draw_keys() {
   static const MemberTable<BlockSampling> keys(
       {"blocks.draw", "Blocks drawn from those selected"},
-      {{"count", "", "how many", count(1, kMostPerSet), &BlockSampling::count},
+      {{"count", "", "how many", count(1, kMaxPerSet), &BlockSampling::count},
        {"volume_m3", "m^3", "total volume of rock, on average; in place of count",
         number({1e-9, 1e9}), &BlockSampling::volume},
        {"seed", "", "of the draw", seed(), &BlockSampling::seed},
        {"scheme", "", "scheme of the classes in shares", words(kSelectingSchemes),
         &BlockSampling::scheme},
-       {"shares", "", "share of each class; they add up to 1", named(number(kClassShare)),
+       {"shares", "", "share of each class; they add up to 1", named(number(kClassFraction)),
         &read_shares},
        {"mass_kg", "kg", "mass of a drawn block; without, its own", uncertain(kBlockMass),
         &BlockSampling::mass}});

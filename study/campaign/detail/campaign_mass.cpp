@@ -38,13 +38,15 @@ void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
                  "must not cross, touch or retrace itself, and its sides " +
                      std::to_string(found->first + 1) + " and " +
                      std::to_string(found->second + 1) + " meet at [" +
-                     format_significant(found->place.x(), 9) + ", " + format_significant(found->place.y(), 9) +
+                     format_significant(found->place.x(), 9) + ", " +
+                     format_significant(found->place.y(), 9) +
                      "]; give the corners in their order around it");
   }
 }
 
 /// Checks a mass whose blocks are where they were cut or scanned.
-void check_places(const DeclaredTable& table, const Campaign& campaign, const MultiBlockRelease& mass) {
+void check_places(const DeclaredTable& table, const Campaign& campaign,
+                  const MultiBlockRelease& mass) {
   for (const char* key :
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
     table.refuse_if_present(key, "is for a heap; blocks that are in place have theirs already");
@@ -145,7 +147,7 @@ const MemberTable<MultiBlockRelease>& mass_keys() {
        {"thickness_m", "m", "largest height of a heap above the ground", number({1e-3, 1e3}),
         &Mass::thickness},
        {"share", "", "of the blocks that are in this heap", number({1e-6, 1.0}), &Mass::share},
-       {"count", "", "blocks that are in this heap", count(1, kMostPerSet), &Mass::count},
+       {"count", "", "blocks that are in this heap", count(1, kMaxPerSet), &Mass::count},
        {"release_time_s", "s", "its blocks are held until then, since the first release",
         number({1e-6, 1e5, "s", "at the first release"}), &Mass::release_time},
        {"settle", "", "the blocks of a heap settle before it is released", flag(), &Mass::settle},
@@ -155,7 +157,7 @@ const MemberTable<MultiBlockRelease>& mass_keys() {
         words({"together", "one by one"})},
        {"face_interval_s", "s", "from one face to the next", number({1e-3, 1e4}),
         &Mass::face_interval},
-       {"realisations", "", "how often the masses are released", count(1, kMostPerSet)},
+       {"realisations", "", "how often the masses are released", count(1, kMaxPerSet)},
        {"seed", "", "of what is drawn", seed()}});
   return keys;
 }
@@ -189,7 +191,8 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
   return releases;
 }
 
-std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top, const Campaign& campaign) {
+std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top,
+                                                              const Campaign& campaign) {
   const std::vector<DeclaredTable> tables = find_tables(top, mass_keys());
   if (tables.empty()) return std::nullopt;
   const DeclaredTable& first = tables.front();

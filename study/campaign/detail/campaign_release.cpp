@@ -71,7 +71,8 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
   return rule.checked("polygon", [&] {
-    return sample_points_in_polygon(corners, count, rule.value<std::uint64_t>("seed").value_or(plan.seed));
+    return sample_points_in_polygon(corners, count,
+                                    rule.value<std::uint64_t>("seed").value_or(plan.seed));
   });
 }
 
@@ -116,15 +117,16 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& pla
 
 void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& rate, double most) {
   if (rate.norm() > most) {
-    table.refuse(key, "must be " + format_significant(most, 6) + " in size at most; check the units");
+    table.refuse(key,
+                 "must be " + format_significant(most, 6) + " in size at most; check the units");
   }
 }
 
 ReleaseSet read_release(const DeclaredTable& table, bool y_up) {
   ReleaseSet plan;
   release_keys().read(table, plan);
-  check_rate(table, "velocity_m_s", plan.velocity, kMostSpeed);
-  check_rate(table, "angular_velocity_rad_s", plan.angular_velocity, kMostSpin);
+  check_rate(table, "velocity_m_s", plan.velocity, kMaxSpeed);
+  check_rate(table, "angular_velocity_rad_s", plan.angular_velocity, kMaxSpin);
   plan.points = read_release_points(table, y_up, plan);
   read_orientation_set(table, y_up, plan);
   return plan;
@@ -134,20 +136,20 @@ ReleaseSet read_release(const DeclaredTable& table, bool y_up) {
 
 const MemberTable<ReleaseSet>& release_keys() {
   using Plan = ReleaseSet;
-  static const TableKey how_many{
-      "count", "", "how many points",
-      required("how many points, a whole number", count(1, kMostPerSet))};
-  static const ValueFormat points = either({text(), list(point(), 1),
-                                          table({{"line", "m", "points are spaced evenly along it",
-                                                  required("a list of points", list(point(), 2))},
-                                                 how_many}),
-                                          table({{"polygon", "m", "points are drawn in it",
-                                                  required("a list of points", list(point(), 3))},
-                                                 how_many,
-                                                 {"seed", "", "of the points", seed()}})});
+  static const TableKey how_many{"count", "", "how many points",
+                                 required("how many points, a whole number", count(1, kMaxPerSet))};
+  static const ValueFormat points =
+      either({text(), list(point(), 1),
+              table({{"line", "m", "points are spaced evenly along it",
+                      required("a list of points", list(point(), 2))},
+                     how_many}),
+              table({{"polygon", "m", "points are drawn in it",
+                      required("a list of points", list(point(), 3))},
+                     how_many,
+                     {"seed", "", "of the points", seed()}})});
   static const ValueFormat orientations = either(
       {text(), table({{"random", "", "how many",
-                       required("how many orientations, a whole number", count(1, kMostPerSet))},
+                       required("how many orientations, a whole number", count(1, kMaxPerSet))},
                       {"seed", "", "of the orientations", seed()},
                       {"fresh", "", "different ones for every block and point", flag()}})});
   static const MemberTable<Plan> keys(
@@ -161,14 +163,14 @@ const MemberTable<ReleaseSet>& release_keys() {
        {"height_m", "m", "drop height; points are plan positions then", number(kDropHeight),
         &Plan::drop_height},
        {"velocity_m_s", "m/s", "of the centre of mass at the start",
-        list(number({-kMostSpeed, kMostSpeed}), 3, 3), &Plan::velocity},
+        list(number({-kMaxSpeed, kMaxSpeed}), 3, 3), &Plan::velocity},
        {"angular_velocity_rad_s", "rad/s", "at the start, along the map axes",
-        list(number({-kMostSpin, kMostSpin}), 3, 3), &Plan::angular_velocity},
+        list(number({-kMaxSpin, kMaxSpin}), 3, 3), &Plan::angular_velocity},
        {"seed", "", "where points or orientations have none of their own", seed(), &Plan::seed},
        {"sequence", "", "every run alone, or blocks stay where they stop",
         words({"single", "stay"})},
        {"realisations", "", "how often all blocks are released, where they stay",
-        count(1, kMostPerSet)},
+        count(1, kMaxPerSet)},
        {"order", "", "of blocks that stay", words({"random", "listed"})},
        {"remove", "", "blocks that rest in a ground zone are removed",
         table({{"zone", "", "name of the zone, or several",

@@ -8,7 +8,7 @@ namespace clast::study_detail {
 namespace {
 
 /// Masses that differ by less are one.
-constexpr double kMassLevelShare = 5e-3;
+constexpr double kMassLevelFraction = 5e-3;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::vector<const RunRow*> select_rows_of_file(const Comparison& comparison, std
 }
 
 std::vector<RunOutcome> collect_run_outcomes(const Comparison& comparison, std::uint32_t file,
-                                     const std::vector<const RunRow*>& rows) {
+                                             const std::vector<const RunRow*>& rows) {
   std::vector<RunOutcome> outcomes = {
       {"runout", "m", {}}, {"lateral angle", "rad", {}}, {"largest energy", "J", {}}};
   for (const RunRow* row : rows) {
@@ -49,7 +49,7 @@ std::vector<double> find_distinct_masses(const std::vector<const RunRow*>& rows)
   for (const RunRow* row : rows) all.insert(row->block->mass);
   std::vector<double> distinct;
   for (const double mass : all) {
-    if (distinct.empty() || mass > distinct.back() * (1.0 + kMassLevelShare))
+    if (distinct.empty() || mass > distinct.back() * (1.0 + kMassLevelFraction))
       distinct.push_back(mass);
   }
   return distinct;

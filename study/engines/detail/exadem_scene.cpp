@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kExademSnapshot = 0.1;  ///< s between pictures, where no trajectory is wanted
 constexpr double kCellsPerBlock = 2.0;   ///< cell size over the longest diagonal of a block
-constexpr double kLeastRadius = 1e-3;    ///< m, of the ground: it wants one
+constexpr double kMinRadius = 1e-3;      ///< m, of the ground: it wants one
 
 /// The share of critical damping that returns e_n^2 of the energy of a linear spring with dashpot.
 double damping_rate(double energy_restitution) {
@@ -99,7 +99,7 @@ Bounds domain_of(const CampaignPlan& prepared, const Scene& scene, double cell) 
 }
 
 std::string drivers_text(const CampaignPlan& prepared, const SceneContents& set) {
-  const double radius = std::max(prepared.campaign.terrain_radius, kLeastRadius);
+  const double radius = std::max(prepared.campaign.terrain_radius, kMinRadius);
   std::string text = "setup_drivers:\n";
   const std::vector<std::size_t> drivers = drivers_of(set);
   for (std::size_t i = 0; i < drivers.size(); ++i) {

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 
-constexpr double kMostBodies = 1e7;
+constexpr double kMaxBodies = 1e7;
 
 /// The lines of a file of blank-separated words.
 class WordLines {
@@ -51,7 +51,7 @@ class WordLines {
 
   std::size_t count(const Words& words, std::size_t at) const {
     const double value = number(words, at);
-    if (!(value >= 0.0 && value <= kMostBodies) || value != std::floor(value)) {
+    if (!(value >= 0.0 && value <= kMaxBodies) || value != std::floor(value)) {
       refuse("a whole number was expected, not " + words[at]);
     }
     return static_cast<std::size_t>(value);

@@ -11,11 +11,11 @@
 namespace clast::study_detail {
 namespace {
 
-constexpr std::size_t kLongestName = 15;  ///< that ExaDEM keeps of a shape
+constexpr std::size_t kMaxNameLength = 15;  ///< that ExaDEM keeps of a shape
 /// Of half the period of the lightest block on its contact spring.
 constexpr double kStepsPerContact = 350.0;
-constexpr double kSceneMarginShare = 0.05;  ///< of S of the smallest block
-constexpr double kLeastMargin = 0.01;       ///< m
+constexpr double kSceneMarginFraction = 0.05;  ///< of S of the smallest block
+constexpr double kMinMargin = 0.01;            ///< m
 
 /// "00042"
 std::string padded(std::uint32_t number, std::size_t width) {
@@ -27,7 +27,7 @@ std::string zone_name(std::size_t zone) { return "ground" + std::to_string(zone 
 
 /// The id itself where other engines can read it and no other shape has it.
 std::string shape_name(const std::string& id, std::set<std::string>& used) {
-  const bool readable = !id.empty() && id.size() <= kLongestName &&
+  const bool readable = !id.empty() && id.size() <= kMaxNameLength &&
                         std::all_of(id.begin(), id.end(), [](unsigned char c) {
                           return std::isalnum(c) || c == '_' || c == '-';
                         });
@@ -101,8 +101,9 @@ void add_contacts(const CampaignPlan& prepared, const SceneContents& set, std::u
 }  // namespace
 
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first) {
-  return prepared.header.stay ? "realisation" + padded(first / prepared.header.runs_per_realisation(), 4)
-                              : "run" + padded(first, 5);
+  return prepared.header.stay
+             ? "realisation" + padded(first / prepared.header.runs_per_realisation(), 4)
+             : "run" + padded(first, 5);
 }
 
 SceneContents scene_set(const CampaignPlan& prepared) {
@@ -138,7 +139,7 @@ Scene build_scene(const CampaignPlan& prepared, const SceneContents& set, std::u
     step = std::min(step, kPi * std::sqrt(body.mass / run.stiffness.normal) / kStepsPerContact);
   }
   scene.time_step = step;
-  scene.search_margin = std::max(kLeastMargin, kSceneMarginShare * smallest);
+  scene.search_margin = std::max(kMinMargin, kSceneMarginFraction * smallest);
   scene.search_interval = std::max(step, 0.5 * scene.search_margin / std::max(speed, 1.0));
   add_contacts(prepared, set, first, together, scene);
   return scene;

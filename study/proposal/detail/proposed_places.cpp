@@ -11,24 +11,25 @@
 namespace clast {
 namespace {
 
-constexpr double kSteps = 150.0;             ///< along the longer side of the terrain
-constexpr double kLeastSteps = 12.0;         ///< along the shorter one
-constexpr int kStartsPerSide = 40;           ///< that are tried, in a grid over the terrain
-constexpr double kBorderMarginShare = 0.04;  ///< of the terrain, that releases keep from its border
+constexpr double kSteps = 150.0;    ///< along the longer side of the terrain
+constexpr double kMinSteps = 12.0;  ///< along the shorter one
+constexpr int kStartsPerSide = 40;  ///< that are tried, in a grid over the terrain
+constexpr double kBorderMarginFraction =
+    0.04;  ///< of the terrain, that releases keep from its border
 /// Degrees: below the first no block starts; ground steeper than the second is no better.
 constexpr double kGentlestStart = 10.0, kSteepStart = 55.0;
-constexpr double kNearlyBest = 0.9;  ///< of the best start is as good
-constexpr double kLineShare = 0.6;   ///< of the slope at the start, that its neighbours need
-constexpr std::size_t kMostReleasePoints = 5;
+constexpr double kNearlyBest = 0.9;    ///< of the best start is as good
+constexpr double kLineFraction = 0.6;  ///< of the slope at the start, that its neighbours need
+constexpr std::size_t kMaxReleasePoints = 5;
 /// Apparent, of the whole path: an energy line of 33 degrees. On gentle terrain it is this share of
 /// the steepest slope, so that the point moves at all.
-constexpr double kFriction = 0.65, kGentleShare = 0.75;
-constexpr double kStartHead = 1.0;          ///< m of fall that the point has at its start
-constexpr double kLargestHead = 20.0;       ///< m: blocks are seldom faster than 20 m/s
-constexpr std::size_t kLongestPath = 2000;  ///< steps
-constexpr double kFootShare = 0.7;      ///< of the descent lies above the foot of a slope at least
-constexpr double kLateFoot = 0.85;      ///< of the way, where a slope has no foot
-constexpr double kBarrierShare = 0.35;  ///< of the way, half the length of the barrier
+constexpr double kFriction = 0.65, kGentleFraction = 0.75;
+constexpr double kStartHead = 1.0;            ///< m of fall that the point has at its start
+constexpr double kLargestHead = 20.0;         ///< m: blocks are seldom faster than 20 m/s
+constexpr std::size_t kMaxPathLength = 2000;  ///< steps
+constexpr double kFootFraction = 0.7;  ///< of the descent lies above the foot of a slope at least
+constexpr double kLateFoot = 0.85;     ///< of the way, where a slope has no foot
+constexpr double kBarrierFraction = 0.35;  ///< of the way, half the length of the barrier
 
 double tangent(double degrees) { return std::tan(degrees * kRadiansPerDegree); }
 
@@ -40,8 +41,8 @@ struct UpperGround {
   UpperGround(const TerrainSurface& ground, double block_length) : surface(ground) {
     const Vec2 size = (ground.extent().high - ground.extent().low).head<2>();
     step = std::min(std::max(size.maxCoeff() / kSteps, block_length / 2.0),
-                    size.minCoeff() / kLeastSteps);
-    step = std::max(step, size.maxCoeff() / static_cast<double>(kLongestPath));
+                    size.minCoeff() / kMinSteps);
+    step = std::max(step, size.maxCoeff() / static_cast<double>(kMaxPathLength));
   }
 
   std::optional<double> height(const Vec2& place) const {
@@ -81,7 +82,7 @@ std::vector<Vec3> fall_path(const UpperGround& ground, const Vec2& start, double
   std::vector<Vec3> path;
   Vec2 place = start, direction = Vec2::Zero();
   double head = kStartHead;
-  while (path.size() < kLongestPath) {
+  while (path.size() < kMaxPathLength) {
     const std::optional<Vec2> uphill = ground.gradient(place);
     if (!uphill) break;
     const double z = *ground.height(place);
@@ -141,7 +142,7 @@ Start best_start(const UpperGround& ground, std::vector<Start> starts) {
     return descent_of(start.path) * std::min(start.uphill.norm(), tangent(kSteepStart));
   };
   for (Start& start : starts) {
-    start.path = fall_path(ground, start.place, std::min(kFriction, kGentleShare * steepest));
+    start.path = fall_path(ground, start.place, std::min(kFriction, kGentleFraction * steepest));
     best = std::max(best, merit(start));
   }
   std::erase_if(starts, [&](const Start& start) { return merit(start) < kNearlyBest * best; });
@@ -172,7 +173,7 @@ double distance_to_foot(const std::vector<Vec3>& path) {
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
     const double fallen = path.front().z() - path[i].z();
     const double below = fallen - descent * static_cast<double>(i) / last;
-    if (fallen < kFootShare * descent || below <= deepest) continue;
+    if (fallen < kFootFraction * descent || below <= deepest) continue;
     deepest = below;
     foot = i;
   }
@@ -197,7 +198,7 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   places.block_length = block_length;
   places.margin = std::max(
       2.0 * block_length,
-      kBorderMarginShare * (surface.extent().high - surface.extent().low).head<2>().maxCoeff());
+      kBorderMarginFraction * (surface.extent().high - surface.extent().low).head<2>().maxCoeff());
   std::vector<Start> starts = starts_with(ground, places.margin);
   if (starts.empty()) starts = starts_with(ground, places.margin = block_length);
   if (starts.empty()) {
@@ -216,14 +217,14 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   const auto good = [&](const Vec2& place) {
     const std::optional<Vec2> uphill = ground.gradient(place);
     return uphill && ground.covers(place, places.margin) &&
-           uphill->norm() >= kLineShare * std::min(steep, tangent(kSteepStart));
+           uphill->norm() >= kLineFraction * std::min(steep, tangent(kSteepStart));
   };
   const double apart = 2.0 * block_length;
   const double way = (places.path.back() - places.path.front()).head<2>().norm();
   const double half = reach(start.place, across, std::min(apart, ground.step),
                             std::max(2.0 * apart, 0.1 * way), good);
   places.release_points =
-      std::min(kMostReleasePoints, 1 + static_cast<std::size_t>(2.0 * half / apart));
+      std::min(kMaxReleasePoints, 1 + static_cast<std::size_t>(2.0 * half / apart));
   places.releases = line_through(ground, terrain.frame, start.place,
                                  (places.release_points > 1 ? half : 0.0) * across);
   place_barrier(terrain, surface, distance_to_foot(places.path), places);
@@ -247,10 +248,10 @@ void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double
   // Blocks that come down see its first point on their left.
   const Vec2 place = path[at].head<2>(), left(-places.downslope.y(), places.downslope.x());
   const double releases = (places.releases.to - places.releases.from).head<2>().norm();
-  const double half =
-      reach(place, left, ground.step,
-            std::max(kBarrierShare * places.distance, 0.5 * releases + 2.0 * places.block_length),
-            [&](const Vec2& spot) { return surface.covers(spot.x(), spot.y()); });
+  const double half = reach(
+      place, left, ground.step,
+      std::max(kBarrierFraction * places.distance, 0.5 * releases + 2.0 * places.block_length),
+      [&](const Vec2& spot) { return surface.covers(spot.x(), spot.y()); });
   places.barrier = line_through(ground, terrain.frame, place, std::max(clear, half) * left);
 }
 

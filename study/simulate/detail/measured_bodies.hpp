@@ -33,13 +33,13 @@ class MeasuredBodies {
     const std::uint32_t first = bodies_.first_equal_body(block);
     const auto found = kept_.find(first);
     if (found != kept_.end()) return *found->second;
-    if (kept_.size() == kMostKept) kept_.clear();
+    if (kept_.size() == kMaxRetained) kept_.clear();
     return *kept_.emplace(first, std::make_unique<MeasuredBody>(ground_, bodies_[block]))
                 .first->second;
   }
 
  private:
-  static constexpr std::size_t kMostKept = 500;
+  static constexpr std::size_t kMaxRetained = 500;
   const TerrainSurface& ground_;
   const BlockBodies& bodies_;
   std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< by `first_equal_body`

@@ -14,8 +14,8 @@ namespace {
 
 /// Width of the cells that a heap is put together in, as a share of the smallest S, unless they
 /// were too many.
-constexpr double kStartCellShare = 1.0 / 6.0;
-constexpr double kMostStartCells = 1e6;
+constexpr double kStartCellFraction = 1.0 / 6.0;
+constexpr double kMaxStartCells = 1e6;
 
 /// Of each mass, local frame.
 std::vector<std::vector<Vec2>> outlines(const CampaignPlan& prepared) {
@@ -35,12 +35,12 @@ double width_of_cells(const CampaignPlan& prepared,
     if (prepared.bodies.first_equal_body(i) < i) continue;
     smallest = std::min(smallest, prepared.bodies[i].size());
   }
-  double width = kStartCellShare * smallest;
+  double width = kStartCellFraction * smallest;
   for (const std::vector<Vec2>& outline : outlines) {
     Bounds box;
     for (const Vec2& corner : outline) box.include({corner.x(), corner.y(), 0.0});
     const Vec3 sides = box.high - box.low;
-    width = std::max(width, std::sqrt(sides.x() * sides.y() / kMostStartCells));
+    width = std::max(width, std::sqrt(sides.x() * sides.y() / kMaxStartCells));
   }
   return width;
 }

@@ -12,7 +12,7 @@ namespace {
 /// A block that is lifted to its touch is no deeper in the ground than this share of its S.
 constexpr double kStartTouch = 1e-6;
 /// The highest lift, in bounding radii: a ball that touches a slope of 83 degrees under its centre.
-constexpr double kMostLift = 8.0;
+constexpr double kMaxLift = 8.0;
 /// The first lift that is tried, share of S; then twice as much, and so on.
 constexpr double kFirstLift = 0.01;
 
@@ -34,7 +34,7 @@ std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
 
 bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
                    const RigidBody& body, RigidState& state) {
-  const double size = body.smallest_side, most = kMostLift * body.bounding_radius();
+  const double size = body.smallest_side, most = kMaxLift * body.bounding_radius();
   const auto lifted_by = [&](double lift) {
     RigidState lifted = state;
     lifted.position.z() += lift;

@@ -76,8 +76,8 @@ GeoTiffKeys read_geotiff_keys(const std::filesystem::path& path) {
   const bool big = file.is_big();
   const std::uint64_t directory = file.number(big ? 8 : 4, big ? 8 : 4);
   const std::uint64_t entries = file.number(directory, big ? 8 : 2);
-  constexpr std::uint64_t kMostEntries = 65535;
-  for (std::uint64_t i = 0; i < std::min(entries, kMostEntries); ++i) {
+  constexpr std::uint64_t kMaxEntries = 65535;
+  for (std::uint64_t i = 0; i < std::min(entries, kMaxEntries); ++i) {
     const std::uint64_t at = directory + (big ? 8 + 20 * i : 2 + 12 * i);
     const std::uint64_t tag = file.number(at, 2);
     if (tag == 34735) keys.directory = entry_bytes(file, at, 2);

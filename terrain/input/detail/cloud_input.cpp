@@ -19,10 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostCloudCells = 2e9;
-constexpr std::uint32_t kMostHeights = 64;  // kept per cell
-constexpr double kPinholes = 3.0;           // cells: holes up to this are filled by default
-constexpr long kOutlierReach = 2;           // cells on every side whose medians are compared
+constexpr double kMaxCloudCells = 2e9;
+constexpr std::uint32_t kMaxHeights = 64;  // kept per cell
+constexpr double kPinholes = 3.0;          // cells: holes up to this are filled by default
+constexpr long kOutlierReach = 2;          // cells on every side whose medians are compared
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Cells on multiples of their size that cover a plan box.
@@ -34,7 +34,7 @@ struct Cells {
   Cells(const Vec2& low, const Vec2& high, double cell, const fs::path& path)
       : size(cell), first((low / cell).array().floor()) {
     const Vec2 count = (high / cell).array().floor() - first.array() + 1.0;
-    if (!(count.prod() < kMostCloudCells)) {
+    if (!(count.prod() < kMaxCloudCells)) {
       throw InputError(path.string() + ": cells of " + format_significant(cell, 6) + " m over " +
                        format_significant((high - low).x(), 6) + " x " +
                        format_significant((high - low).y(), 6) +
@@ -233,7 +233,7 @@ double percentile_of(std::span<double> heights, double percentile) {
   return heights[below] + (rank - std::floor(rank)) * (heights[below + 1] - heights[below]);
 }
 
-/// Heights of the points of every cell, at most `kMostHeights` of each.
+/// Heights of the points of every cell, at most `kMaxHeights` of each.
 struct CellHeights {
   std::vector<std::uint64_t> offsets;
   std::vector<double> heights;
@@ -248,14 +248,14 @@ CellHeights cell_heights(const Survey& survey, const Cells& cells,
   CellHeights result;
   result.offsets.assign(hits.size() + 1, 0);
   for (std::size_t c = 0; c < hits.size(); ++c) {
-    result.offsets[c + 1] = result.offsets[c] + std::min(hits[c], kMostHeights);
+    result.offsets[c + 1] = result.offsets[c] + std::min(hits[c], kMaxHeights);
   }
   result.heights.resize(result.offsets.back());
   std::vector<std::uint32_t> seen(hits.size(), 0);
   for (const Cloud& cloud : survey.clouds) {
     cloud.each_point([&](const Vec3& point) {
       const std::size_t c = cells.at(point);
-      const std::uint64_t k = seen[c]++, kept = std::min(hits[c], kMostHeights);
+      const std::uint64_t k = seen[c]++, kept = std::min(hits[c], kMaxHeights);
       // The k-th of n goes to place k kept / n, and the last to come to a place stays there.
       result.heights[result.offsets[c] + k * kept / hits[c]] = point.z();
     });

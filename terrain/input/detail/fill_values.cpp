@@ -20,7 +20,7 @@ constexpr std::array<double, 17> kFillSizes = {0.0,    99.0,   99.9,   99.99,   
                                                999.0,  999.9,  999.99, 999.999, 1000.0, 1111.0,
                                                5000.0, 9999.0, 9999.9, 9999.99, 10000.0};
 /// The sea is at 0, with cliffs that are lower than this, m.
-constexpr double kHighestCliff = 100.0;
+constexpr double kMaxCliffHeight = 100.0;
 /// A lowest or highest height counts as repeated from so many cells on.
 constexpr std::size_t kRepeated = 4;
 /// Steps around fill over the mean step between cells.
@@ -142,7 +142,7 @@ void refuse_impossible(const HeightGrid& grid, const std::filesystem::path& path
 /// True if a fill value is too far from all other heights to be one of them.
 /// @param gap  to the nearest of the others, m
 bool is_far(double value, double gap, double span) {
-  return gap > span && (value != 0.0 || gap > kHighestCliff);
+  return gap > span && (value != 0.0 || gap > kMaxCliffHeight);
 }
 
 }  // namespace
@@ -193,8 +193,8 @@ std::vector<std::string> check_fill_values(const HeightGrid& grid,
     if (!(is_usual_fill(value) && far) && !stepped) continue;
     const std::string number = format_significant(value, 9);
     const std::string text =
-        path.string() + ": " + format_count(cells.count, "cell has", "cells have") + " the height " +
-        number + " m, " +
+        path.string() + ": " + format_count(cells.count, "cell has", "cells have") +
+        " the height " + number + " m, " +
         (gap > 0.0 ? format_significant(gap, 4) + " m " + (value < others.low ? "below" : "above") +
                          " all others"
                    : format_significant(median, 4) + " m from those of the neighbouring cells") +

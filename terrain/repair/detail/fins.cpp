@@ -10,7 +10,7 @@ namespace clast::terrain_detail {
 namespace {
 
 // Of the area of the largest component: a flap larger than this may be the ground itself.
-constexpr double kLargestFin = 0.01;
+constexpr double kMaxFin = 0.01;
 
 /// Triangles of each edge that has more than two.
 std::vector<std::vector<std::uint32_t>> crowded_edges(const TriangleMesh& mesh) {
@@ -30,14 +30,14 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
   const std::vector<std::uint32_t> component = manifold_components(links);
   std::vector<double> area(*std::max_element(component.begin(), component.end()) + 1u, 0.0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    area[component[t]] += area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
+    area[component[t]] += doubled_area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
   }
   const std::vector<std::vector<std::uint32_t>> crowded = crowded_edges(mesh);
   const double largest = *std::max_element(area.begin(), area.end());
   std::vector<bool> dropped(area.size(), false);
   for (const std::vector<std::uint32_t>& triangles : crowded) {
     for (const std::uint32_t t : triangles) {
-      dropped[component[t]] = area[component[t]] <= kLargestFin * largest;
+      dropped[component[t]] = area[component[t]] <= kMaxFin * largest;
     }
   }
   // Where the ground itself would be opened, all that meets there stays, and so on from there.
@@ -62,7 +62,7 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
     keep[t] = !dropped[component[t]];
     if (keep[t]) continue;
     if (dropped_area == 0.0) first_at = centroid(mesh, mesh.triangles[t]);
-    dropped_area += area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
+    dropped_area += doubled_area_vector(mesh, mesh.triangles[t]).norm() / 2.0;
   }
   retain_triangles(surface, keep);
   report.removed_components += fins;

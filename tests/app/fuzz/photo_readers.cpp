@@ -39,10 +39,11 @@ std::string bmp() {
 
 NamedReader mask_reader() {
   return {"mask.bmp", []() -> FuzzedReader {
-            return {"mask.bmp",
-                    "masks/photo.bmp",
-                    {{"masks/photo.bmp", bmp()}, {"photo.bmp", bmp()}},
-                    [](const auto& folder) { find_masks({folder / "photo.bmp"}, folder / "masks"); }};
+            return {
+                "mask.bmp",
+                "masks/photo.bmp",
+                {{"masks/photo.bmp", bmp()}, {"photo.bmp", bmp()}},
+                [](const auto& folder) { find_masks({folder / "photo.bmp"}, folder / "masks"); }};
           }};
 }
 

@@ -17,7 +17,7 @@ namespace clast::reliability {
 
 namespace {
 
-constexpr std::size_t kMostVertices = 2000;
+constexpr std::size_t kMaxVertices = 2000;
 constexpr std::size_t kFineTriangles = 1500;
 constexpr double kSameVolume = 1e-3;  ///< relative, of a mesh and its row of the reference table
 
@@ -42,8 +42,8 @@ TriangleMesh cut_in_four(const TriangleMesh& mesh) {
 }
 
 Body body_of(const std::string& name, TriangleMesh mesh) {
-  if (mesh.vertices.size() > kMostVertices) {
-    mesh = simplify_mesh(mesh, {.target_vertices = kMostVertices});
+  if (mesh.vertices.size() > kMaxVertices) {
+    mesh = simplify_mesh(mesh, {.target_vertices = kMaxVertices});
   }
   const OrientedBox box = smallest_box(mesh.vertices);
   for (Vec3& v : mesh.vertices) v = (v - box.centre) / box.lengths[0];

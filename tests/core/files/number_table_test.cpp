@@ -26,7 +26,8 @@ class NumberTables : public testing::Test {
     return at == std::string::npos ? message : message.substr(at);
   }
 
-  const NumericTableSpec kPoints{{{"x"}, {"y"}, {"z", "height"}}, {-1e8, 1e8, "m"}, "three numbers"};
+  const NumericTableSpec kPoints{
+      {{"x"}, {"y"}, {"z", "height"}}, {-1e8, 1e8, "m"}, "three numbers"};
   ScratchFolder folder_;
 };
 

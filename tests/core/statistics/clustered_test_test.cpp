@@ -75,7 +75,8 @@ TEST(ClusteredKs, SeesWhatPointsHide) {
       }
     }
     found += clustered_ks_test(pair.a, pair.b, 8, seed, 999)->p_value < 0.01 ? 1 : 0;
-    found_in_single_values += two_sample_ks_test(pair.a.values, pair.b.values)->p_value < 0.01 ? 1 : 0;
+    found_in_single_values +=
+        two_sample_ks_test(pair.a.values, pair.b.values)->p_value < 0.01 ? 1 : 0;
   }
   EXPECT_EQ(found_in_single_values, 0);
   EXPECT_EQ(found, 20);
@@ -102,7 +103,8 @@ TEST(ClusteredKs, TakesNoPointForAGroup) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Pair pair = scattered(seed, 12, 10, [](std::uint32_t point, int) { return point < 6; });
     flagged += clustered_ks_test(pair.a, pair.b, 12, seed, 999)->p_value < 0.05 ? 1 : 0;
-    flagged_by_single_values += two_sample_ks_test(pair.a.values, pair.b.values)->p_value < 0.05 ? 1 : 0;
+    flagged_by_single_values +=
+        two_sample_ks_test(pair.a.values, pair.b.values)->p_value < 0.05 ? 1 : 0;
   }
   EXPECT_GE(flagged_by_single_values, 100);
   EXPECT_LE(flagged, 20);  // 10 expected, standard deviation 3.1

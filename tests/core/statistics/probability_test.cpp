@@ -74,7 +74,8 @@ TEST(ChiSquaredAbove, HitsThePrintedPoints) {
 TEST(StudentBeyond, EqualsItsClosedForms) {
   for (const double t : {1e-9, 0.1, 0.7, 1.0, 2.0, 5.0, 40.0, 1e4}) {
     // Boost takes an arcsine close to 1 here: 8e-12 off at t = 1e-9.
-    EXPECT_NEAR(student_two_sided_tail(t, 1), 1.0 - 2.0 / kPi * std::atan(t), t < 1e-6 ? 1e-11 : 1e-13);
+    EXPECT_NEAR(student_two_sided_tail(t, 1), 1.0 - 2.0 / kPi * std::atan(t),
+                t < 1e-6 ? 1e-11 : 1e-13);
     EXPECT_NEAR(student_two_sided_tail(t, 2), 1.0 - t / std::sqrt(2.0 + t * t), 1e-13);
     const double s = t / std::sqrt(4.0 + t * t);
     EXPECT_NEAR(student_two_sided_tail(t, 4), 1.0 - s * (1.0 + 0.5 * (1.0 - s * s)), 1e-13);

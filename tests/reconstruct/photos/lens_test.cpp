@@ -12,7 +12,8 @@ namespace clast {
 namespace {
 
 CameraIntrinsics odd_lens() {
-  CameraIntrinsics lens{.width = 4000, .height = 3000, .fx = 3100.0, .fy = 3080.0, .cx = 2011.3, .cy = 1480.7};
+  CameraIntrinsics lens{
+      .width = 4000, .height = 3000, .fx = 3100.0, .fy = 3080.0, .cx = 2011.3, .cy = 1480.7};
   lens.radial = {-0.11, 0.06, -0.012, 0.0};
   lens.divisor = {0.02, -0.01, 0.003};
   lens.p1 = 0.0007;
@@ -44,7 +45,8 @@ TEST(CameraIntrinsics, ProjectsAsOpenCvDoes) {
 }
 
 TEST(CameraIntrinsics, FisheyeProjectsAsOpenCvDoes) {
-  CameraIntrinsics lens{.width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
+  CameraIntrinsics lens{
+      .width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
   lens.radial = {0.03, -0.01, 0.004, -0.0006};
   lens.fisheye = true;
   const cv::Matx33d k(lens.fx, 0.0, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0);
@@ -63,7 +65,8 @@ TEST(CameraIntrinsics, FisheyeProjectsAsOpenCvDoes) {
 }
 
 TEST(CameraIntrinsics, DirectionAtAPixelIsSeenThere) {
-  CameraIntrinsics fisheye{.width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
+  CameraIntrinsics fisheye{
+      .width = 2000, .height = 2000, .fx = 600.0, .fy = 610.0, .cx = 990.0, .cy = 1005.0};
   fisheye.radial = {0.03, -0.01, 0.004, -0.0006};
   fisheye.fisheye = true;
   CameraIntrinsics skewed = odd_lens();
@@ -85,7 +88,8 @@ TEST(CameraIntrinsics, WhatIsBehindOrBeyondTheDistortionIsNotSeen) {
   EXPECT_FALSE(project(odd_lens(), {0.1, 0.1, -1.0}).has_value());
   EXPECT_FALSE(project(odd_lens(), {0.1, 0.1, 0.0}).has_value());
   // r (1 - 0.3 r^2) falls where 0.9 r^2 > 1.
-  CameraIntrinsics barrel{.width = 1000, .height = 1000, .fx = 500.0, .fy = 500.0, .cx = 500.0, .cy = 500.0};
+  CameraIntrinsics barrel{
+      .width = 1000, .height = 1000, .fx = 500.0, .fy = 500.0, .cx = 500.0, .cy = 500.0};
   barrel.radial[0] = -0.3;
   EXPECT_TRUE(project(barrel, {1.05, 0.0, 1.0}).has_value());
   EXPECT_FALSE(project(barrel, {1.06, 0.0, 1.0}).has_value());

@@ -38,8 +38,8 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
 }
 
 TEST(PhotoBlock, WithoutAScaleItIsRefusedUnlessThatIsAllowed) {
-  const std::string text =
-      refusal([&] { reconstruct_from_photos(rock_file("images"), {.model = rock_file("colmap_txt")}); });
+  const std::string text = refusal(
+      [&] { reconstruct_from_photos(rock_file("images"), {.model = rock_file("colmap_txt")}); });
   EXPECT_TRUE(contains(text, "no scale"));
   EXPECT_TRUE(contains(text, "`bars`"));
   EXPECT_TRUE(contains(text, "masses are not"));

@@ -16,7 +16,8 @@ TEST(PhotoChain, TheRenderedRockIsPlacedScaledAndMeasured) {
   PhotoScanOptions options;
   options.colmap.cache = cache.path();
   options.scale.marker_side = 0.2;
-  const PhotoScan scan = reconstruct_from_photos(test_data("photos/synthetic_rock/images"), options);
+  const PhotoScan scan =
+      reconstruct_from_photos(test_data("photos/synthetic_rock/images"), options);
   EXPECT_EQ(scan.model.photos.size(), 36u);
   const double scale = 1.0 / ToTruth(scan.model).scale;
   std::cout << "scale " << 100.0 * (scale - 1.0) << " %\n";
@@ -38,7 +39,8 @@ TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {
   // From here on the cameras come from the cache: this program isn't there.
   PhotoScanOptions options;
   options.colmap = {.program = "no-such-colmap", .cache = cache.path()};
-  EXPECT_TRUE(contains(refusal([&] { reconstruct_from_photos(photos, options); }), "masses are not"));
+  EXPECT_TRUE(
+      contains(refusal([&] { reconstruct_from_photos(photos, options); }), "masses are not"));
   options.allow_unscaled = true;
   const PhotoScan scan = reconstruct_from_photos(photos, options);
   EXPECT_FALSE(scan.metric);

@@ -26,7 +26,9 @@ class PhotoMasks : public testing::Test {
     mask.at<unsigned char>(5, 5) = static_cast<unsigned char>(brightness);
     cv::imwrite((folder_ / "masks" / name).string(), mask);
   }
-  std::vector<std::filesystem::path> masks() const { return find_masks(photos_, folder_ / "masks"); }
+  std::vector<std::filesystem::path> masks() const {
+    return find_masks(photos_, folder_ / "masks");
+  }
 
   ScratchFolder folder_;
   std::vector<std::filesystem::path> photos_;

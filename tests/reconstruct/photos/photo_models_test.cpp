@@ -59,9 +59,11 @@ TEST_P(StoredModel, EveryPointHasTheReprojectionErrorThatColmapWrote) {
     int count = 0;
     for (int image, feature; words >> image >> feature; ++count) {
       const Image& seen = images.at(image);
-      const std::optional<Vec2> position = project_into_photo(model, number.at(seen.name), {x, y, z});
+      const std::optional<Vec2> position =
+          project_into_photo(model, number.at(seen.name), {x, y, z});
       ASSERT_TRUE(position.has_value());
-      sum += (*position + Vec2(0.5, 0.5) - seen.pixels.at(static_cast<std::size_t>(feature))).norm();
+      sum +=
+          (*position + Vec2(0.5, 0.5) - seen.pixels.at(static_cast<std::size_t>(feature))).norm();
     }
     worst = std::max(worst, std::abs(sum / count - error));
     ++points;

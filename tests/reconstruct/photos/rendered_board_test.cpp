@@ -39,7 +39,8 @@ TEST(RenderedBoard, AChArUcoBoardGivesTheScale) {
   other.dictionary = "4x4_50";
   EXPECT_TRUE(find_board_corners(model, other, {.threads = 2}).empty());
   const std::vector<BoardCorner> again = find_board_corners(model, board, {.threads = 1});
-  for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_EQ(again[i].position, corners[i].position);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    EXPECT_EQ(again[i].position, corners[i].position);
 }
 
 TEST(RenderedBoard, AnEvenNumberOfRowsIsTheSameToIt) {

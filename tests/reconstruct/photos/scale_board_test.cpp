@@ -69,7 +69,8 @@ TEST(ScaleBoard, TwoOfFiveAreLeftOutAndThreeThatDisagreeAreRefused) {
   three.markers.resize(3);
   const std::vector<LocatedMarker> found = seen(three);
   three.markers[0].centre.x() += 0.02;
-  const std::string message = refusal([&] { estimate_scale_from_markers(found, {.board = three}); });
+  const std::string message =
+      refusal([&] { estimate_scale_from_markers(found, {.board = three}); });
   EXPECT_TRUE(contains(message, "3 of its 3 points can't tell which is wrong")) << message;
 }
 
@@ -104,7 +105,8 @@ std::vector<BoardCorner> corners(const CharucoBoard& board, double noise, std::u
   Random random(seed);
   std::vector<BoardCorner> found;
   for (int k = 0; k < (board.columns - 1) * (board.rows - 1); ++k) {
-    const Vec3 position = board.square * Vec3(k % (board.columns - 1), k / (board.columns - 1), 0.0);
+    const Vec3 position =
+        board.square * Vec3(k % (board.columns - 1), k / (board.columns - 1), 0.0);
     found.push_back({k, (position + noise * random.unit_vector()) / kBoardUnit, 8, 0.1});
   }
   return found;
@@ -125,8 +127,8 @@ TEST(ScaleBoard, RowsAndColumnsOfAChArUcoBoardGiveTheScale) {
   EXPECT_TRUE(contains(without.notes.at(0), "corner 8 is not where the board has it"));
   EXPECT_NEAR(without.metres_per_unit / kBoardUnit, 1.0, 1.5e-4);
   found.resize(1);
-  EXPECT_TRUE(
-      contains(refusal([&] { estimate_scale_from_markers({}, options, found); }), "1 of its corners"));
+  EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers({}, options, found); }),
+                       "1 of its corners"));
 }
 
 TEST(ScaleBoard, WhatIsNoBoardIsRefused) {

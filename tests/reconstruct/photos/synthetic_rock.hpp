@@ -47,7 +47,7 @@ inline PhotoModel true_model() {
 
 inline PhotoModel colmap_model() {
   return locate_photo_files(read_photo_model(test_data("photos/synthetic_rock/colmap_txt")),
-                    test_data("photos/synthetic_rock/images"));
+                            test_data("photos/synthetic_rock/images"));
 }
 
 /// Takes a model to the true frame: scale, rotation and place by least squares over the centres of

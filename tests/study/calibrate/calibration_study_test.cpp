@@ -76,7 +76,7 @@ TEST_F(StudyFile, HoldsSitesUnknownsAndFigures) {
   ASSERT_EQ(study.unknowns.size(), 2u);
   EXPECT_DOUBLE_EQ(study.unknowns[0].value(0.5), 0.65);
   EXPECT_NEAR(study.unknowns[1].value(0.5), 1e6, 1.0);
-  EXPECT_DOUBLE_EQ(study.unknowns[1].share_below(1e6), 0.5);
+  EXPECT_DOUBLE_EQ(study.unknowns[1].probability_below(1e6), 0.5);
   ASSERT_EQ(study.observations.size(), 2u);
   // Release points (1, 2, 3) and (4, 5, 6) with y up lie at (1, -3) and (4, -6); downslope is
   // (1, 0.1)/sqrt(1.01). The three compact stops are 7.5, 17.5 and 37.5 beyond their middle in x.

@@ -160,10 +160,11 @@ INSTANTIATE_TEST_SUITE_P(Laws, UncertainNumber,
 // Whatever passes is drawn in the end: the widest laws that are taken.
 TEST(UncertainNumbers, TheWidestLawsDrawWithinTheirRange) {
   Random random(1);
-  for (const Distribution& number : {Distribution{Distribution::Law::kNormal, 1e-6, 100.0, 1e-6, 100.0},
-                                  Distribution{Distribution::Law::kNormal, 100.0, 100.0, 1e-6, 100.0},
-                                  Distribution{Distribution::Law::kLogNormal, 1e-6, 5.0, 1e-6, 1.0},
-                                  Distribution{Distribution::Law::kLogNormal, 1.0, 5.0, 1e-6, 1.0}}) {
+  for (const Distribution& number :
+       {Distribution{Distribution::Law::kNormal, 1e-6, 100.0, 1e-6, 100.0},
+        Distribution{Distribution::Law::kNormal, 100.0, 100.0, 1e-6, 100.0},
+        Distribution{Distribution::Law::kLogNormal, 1e-6, 5.0, 1e-6, 1.0},
+        Distribution{Distribution::Law::kLogNormal, 1.0, 5.0, 1e-6, 1.0}}) {
     for (int i = 0; i < 1000; ++i) {
       const double value = number.draw(random);
       EXPECT_TRUE(value > number.low && value <= number.high);
@@ -177,7 +178,8 @@ TEST(UncertainNumbers, TheMeanIsThatOfTheDraws) {
   for (const Distribution& number :
        {Distribution{Law::kFixed, 3.0}, Distribution{Law::kUniform, 1.0, 4.0},
         Distribution{Law::kNormal, 2.0, 0.5}, Distribution{Law::kNormal, 2.0, 3.0, 1.0, 9.0},
-        Distribution{Law::kLogNormal, 2.0, 0.7}, Distribution{Law::kLogNormal, 2.0, 1.5, 1.0, 20.0}}) {
+        Distribution{Law::kLogNormal, 2.0, 0.7},
+        Distribution{Law::kLogNormal, 2.0, 1.5, 1.0, 20.0}}) {
     constexpr int kDraws = 100000;
     double sum = 0.0, squares = 0.0;
     for (int i = 0; i < kDraws; ++i) {

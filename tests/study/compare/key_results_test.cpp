@@ -114,7 +114,7 @@ TEST(KeyResults, TheLastBarrierThatIsPassedComesFirst) {
   EXPECT_NEAR(passages[0].classes[0].share,
               static_cast<double>(compact) / static_cast<double>(runs), 1e-12);
   std::sort(energies.begin(), energies.end());
-  ASSERT_GE(energies.size(), kFewestPassages);
+  ASSERT_GE(energies.size(), kMinPassages);
   EXPECT_FALSE(passages[0].all.largest);
   EXPECT_NEAR(passages[0].all.energy, quantile(energies, 0.95), 1e-9);
   EXPECT_NEAR(passages[0].all.height, 1e-5 * quantile(energies, 0.95), 1e-12);
@@ -126,7 +126,7 @@ TEST(KeyResults, OfFewPassagesTheLargestIsSaid) {
   const Comparison comparison = compared(std::move(results));
   const BarrierSummary passage = only(summarise_key_results(comparison)).passages.at(0);
   ASSERT_GT(passage.all.crossed, 0u);
-  ASSERT_LT(passage.all.crossed, kFewestPassages);
+  ASSERT_LT(passage.all.crossed, kMinPassages);
   EXPECT_TRUE(passage.all.largest);
   double most = 0.0;
   for (const Crossing& crossing : comparison.results[0].crossings) {
