@@ -4,7 +4,7 @@
     make_site.py SOURCE BUILD [--doxygen PROGRAM]
 
 SOURCE is the source tree, BUILD a folder that is made anew; the site is BUILD/html. A link to a page,
-a file or an anchor that is not there is an error.
+a file or an anchor that is not there is an error. Formulas are drawn by MathJax, which the site has a copy of.
 """
 
 import argparse
@@ -26,6 +26,11 @@ ELSEWHERE = {
 # Folders of headers that others include.
 LIBRARIES = ("core mesh shapes reconstruct massprops classify dem terrain library pipeline study "
              "report").split()  # fmt: skip
+
+# MathJax 2 (Debian: libjs-mathjax), and what TeX drawn as SVG needs of it.
+MATHJAX = Path("/usr/share/javascript/mathjax")
+MATHJAX_PARTS = ("MathJax.js config/TeX-AMS_SVG.js extensions jax/element jax/input/TeX jax/output/SVG/jax.js "
+                 "jax/output/SVG/config.js jax/output/SVG/autoload jax/output/SVG/fonts/TeX").split()  # fmt: skip
 
 
 def relink(text, folder, source, pages, page):
@@ -76,6 +81,17 @@ def write_pages(source, pages_folder):
         shutil.copy(picture, pages_folder)
     bib = (source / "docs" / "references.bib").read_text(encoding="utf-8")
     (pages_folder / "references.md").write_text(f"# References\n\n```bibtex\n{bib}\n```\n", encoding="utf-8")
+
+
+def write_mathjax(source, pages_folder):
+    """Copies MathJax and its settings, so that formulas are drawn without a network."""
+    if not (MATHJAX / "MathJax.js").exists():
+        raise SystemExit(f"error: no MathJax in {MATHJAX} (on Debian: apt install libjs-mathjax)")
+    for part in MATHJAX_PARTS:
+        copy = pages_folder / "mathjax" / part
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        (shutil.copytree if (MATHJAX / part).is_dir() else shutil.copy)(MATHJAX / part, copy)
+    shutil.copy(source / "docs" / "site" / "mathjax_settings.js", pages_folder / "mathjax" / "settings.js")
 
 
 def signature(node):
@@ -189,6 +205,7 @@ def main():
     pages_folder = build / "pages"
     pages_folder.mkdir(parents=True)
     write_pages(source, pages_folder)
+    write_mathjax(source, pages_folder)
     write_python_api(source, pages_folder)
     settings = (source / "docs" / "site" / "mkdocs.yml").read_text(encoding="utf-8")
     if given.doxygen:

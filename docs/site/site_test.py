@@ -23,6 +23,8 @@ def make(source, build):
 def copy(tmp_path):
     """What the site is made of, to be damaged."""
     pytest.importorskip("mkdocs", reason="mkdocs is not installed")
+    if not Path("/usr/share/javascript/mathjax/MathJax.js").exists():
+        pytest.skip("MathJax is not installed")
     for part in PARTS:
         original = SOURCE / part
         target = tmp_path / "source" / part
@@ -41,6 +43,19 @@ def test_the_site_has_every_page_and_no_broken_link(copy, tmp_path):
     api = (html / "api" / "python.html").read_text(encoding="utf-8")
     for name in ("reconstruct", "Campaign", "calibrate", "import_results", "shape_classes"):
         assert f'id="{name.lower()}"' in api, name
+
+
+def test_formulas_are_drawn_by_a_mathjax_of_the_site(copy, tmp_path):
+    done = make(copy, tmp_path / "site")
+    assert done.returncode == 0, done.stderr
+    html = tmp_path / "site" / "html"
+    page = (html / "theory" / "mass-properties.html").read_text(encoding="utf-8")
+    assert page.count('class="arithmatex"') > 10
+    assert "$$" not in page
+    scripts = re.findall(r'<script src="([^"]*mathjax/[^"]*)"', page)
+    assert len(scripts) == 2
+    for file in (*scripts, "../mathjax/config/TeX-AMS_SVG.js", "../mathjax/jax/output/SVG/fonts/TeX"):
+        assert (html / "theory" / file).exists(), file
 
 
 @pytest.mark.parametrize(
