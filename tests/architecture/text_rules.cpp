@@ -123,6 +123,20 @@ Findings docs_comment_findings(const SourceFile& file) {
   return findings;
 }
 
+Findings long_line_findings(const SourceFile& document) {
+  Findings findings;
+  if (!document.path.ends_with(".md")) return findings;
+  for (std::size_t i = 0; i < document.lines.size(); ++i) {
+    const auto characters =
+        std::count_if(document.lines[i].begin(), document.lines[i].end(),
+                      [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    if (characters <= 120) continue;
+    findings.push_back(
+        finding(document, i + 1, "has " + std::to_string(characters) + " characters, 120 at most"));
+  }
+  return findings;
+}
+
 Findings renamed_name_findings(const SourceFile& file) {
   static const std::map<std::string, std::string> kRenamed = {
       {"Asleep", "SeparationBound"},

@@ -20,6 +20,9 @@ Findings citation_findings(const SourceFile& file, const SourceFile& references)
 /// or a lower-case letter) or that ask a question.
 Findings docs_comment_findings(const SourceFile& file);
 
+/// Lines of documents with more than 120 characters.
+Findings long_line_findings(const SourceFile& document);
+
 /// Identifiers of headers that have standard terms instead.
 Findings renamed_name_findings(const SourceFile& file);
 

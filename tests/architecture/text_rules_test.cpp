@@ -48,6 +48,11 @@ TEST(TextRules, DocsCommentsBeginWithANounOrAVerb) {
   EXPECT_TRUE(findings.empty()) << lines(findings);
 }
 
+TEST(TextRules, LinesOfDocumentsHaveAtMost120Characters) {
+  const Findings findings = in_every_file(long_line_findings);
+  EXPECT_TRUE(findings.empty()) << lines(findings);
+}
+
 TEST(TextRules, HeadersUseStandardTerms) {
   const Findings findings = in_every_file(renamed_name_findings);
   EXPECT_TRUE(findings.empty()) << lines(findings);
@@ -74,6 +79,14 @@ TEST(TextRules, DocsCommentWithoutASubjectIsFound) {
   EXPECT_EQ(count("/// Is it closed?\nbool a();\n"), 1u);
   EXPECT_EQ(count("/// Volume of a block\n/// in its frame.\nint a;  ///< of the block\n"), 0u);
   EXPECT_EQ(count("// Of every block.\n"), 0u);
+}
+
+TEST(TextRules, LongLineOfADocumentIsFound) {
+  const std::string line(120, 'a');
+  EXPECT_TRUE(long_line_findings(source_file("docs/a.md", line + "\n")).empty());
+  EXPECT_EQ(long_line_findings(source_file("docs/a.md", "\n" + line + "b\n")),
+            Findings{"docs/a.md:2: has 121 characters, 120 at most"});
+  EXPECT_TRUE(long_line_findings(source_file("a.cpp", line + line + "\n")).empty());
 }
 
 TEST(TextRules, NameThatWasRenamedIsFound) {
