@@ -17,7 +17,6 @@ struct OptionEntry {
   std::string description;
 };
 
-/// Command with its subcommands.
 struct CommandEntry {
   std::string name;  ///< last word
   std::string summary;

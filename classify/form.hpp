@@ -53,7 +53,6 @@ struct TernaryCoordinates {
 };
 TernaryCoordinates ternary_coordinates(const Axes& axes);
 
-/// Definition of a form index.
 struct FormIndex {
   const char* name;     ///< in tables and JSON
   const char* formula;  ///< in terms of L, I and S

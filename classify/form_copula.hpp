@@ -45,7 +45,6 @@ class FormCopula {
   /// @throws InputError  for fewer than ten blocks, or axes that are not positive
   explicit FormCopula(std::span<const BlockForm> population);
 
-  /// Draws a block.
   BlockForm sample(Random& random) const;
   /// Compares drawn blocks with the population.
   CopulaFit assess_fit(std::span<const BlockForm> drawn) const;

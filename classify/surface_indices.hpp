@@ -35,7 +35,6 @@ struct SurfaceOrientation {
 ///                        and valid)
 SurfaceOrientation surface_orientation(const SpheroPolyhedron& body);
 
-/// Definition of a surface index.
 struct SurfaceIndex {
   const char* name;     ///< as in tables and JSON
   const char* formula;  ///< V volume, A area, f1 >= f2 >= f3 of the orientation tensor

@@ -169,7 +169,6 @@ void serialize(Bytes& bytes, std::unordered_map<Key, T>& map) {
   if constexpr (Bytes::kReads) map = {entries.begin(), entries.end()};
 }
 
-/// Returns the serialised bytes of a value.
 template <class T>
 std::string serialized_bytes(T& value) {
   std::ostringstream text;

@@ -7,7 +7,6 @@
 
 namespace clast {
 
-/// Progress of a job.
 struct ProgressUpdate {
   std::size_t done = 0;         ///< out of `total` runs, scans, ...
   std::size_t total = 0;        ///< 0 if unknown

@@ -14,7 +14,6 @@
 
 namespace clast {
 
-/// Origin of a block.
 struct BlockSource {
   std::string file;     ///< path as given by the user
   std::string sha256;   ///< of that file

@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Exported surface of a block.
 enum class ExportedSurface {
   kSkin,     ///< rounded surface
   kCore,     ///< core polyhedron

@@ -68,7 +68,6 @@ std::string name_of_variation(const Variation& variation);
 /// Returns the label of a variation in ids: "il0.8_sl0.5".
 std::string variation_label(const Variation& variation);
 
-/// Size that a variation preserves.
 enum class PreservedSize { kMass, kVolume, kLength };
 /// Parses "mass", "volume" or "L".
 /// @throws InputError  for another name

@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Options for making a block.
 struct BlockOptions {
   bool core = false;             ///< the mesh is the core, unchanged; needs `radius`
   std::optional<double> radius;  ///< Minkowski radius, m

@@ -31,7 +31,6 @@ struct SeriesRequest {
   void check() const;  ///< throws InputError naming the field and its value, or what is missing
 };
 
-/// Result of a request.
 struct SeriesResult {
   BlockSeries series;              ///< at least one body
   std::size_t wanted = 0;          ///< number of requested bodies

@@ -24,7 +24,6 @@ TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
 /// Returns the readable formats as lower-case extensions with the dot.
 const std::vector<std::string>& readable_mesh_extensions();
 
-/// Options for writing a mesh.
 struct MeshWriteOptions {
   OverwritePolicy rules = {};
   /// Returns the text of "<path>.origin.txt" if `origin` (m, may be zero) was subtracted from the

@@ -20,7 +20,6 @@ struct PointBatch {
 /// ASPRS class of ground points (LAS 1.4 R15, table 17).
 inline constexpr std::uint8_t kGroundClass = 2;
 
-/// Summary of a cloud file.
 struct CloudSummary {
   std::size_t points = 0;      ///< handed over
   std::size_t non_finite = 0;  ///< skipped points with a non-finite coordinate

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Declared length unit.
 struct DeclaredUnit {
   double metres = 1.0;  ///< per unit; 0 if unknown
   std::string name;     ///< "US survey foot"
@@ -23,7 +22,6 @@ enum class ReferenceSystemKind {
   kVertical     ///< heights only
 };
 
-/// Declaration of length units in a file.
 struct LengthUnitDeclaration {
   std::string source;  ///< for messages: "GeoTIFF key 3072 = 26913, NAD83 / UTM zone 13N"
   ReferenceSystemKind kind = ReferenceSystemKind::kUnstated;

@@ -10,7 +10,6 @@
 
 namespace clast {
 
-/// Options of a batch.
 struct BatchOptions {
   std::filesystem::path library = "blocks.h5";  ///< total number in the library
   unsigned jobs = 1;                            ///< number of parallel scans; 0: one per core
@@ -46,7 +45,6 @@ class BatchObserver {
   virtual void on_note(const std::string& /*text*/) {}
 };
 
-/// Result of a batch.
 struct BatchResult {
   std::size_t added = 0;         ///< number of added blocks
   std::size_t skipped = 0;       ///< scans whose block existed

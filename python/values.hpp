@@ -16,7 +16,6 @@ pybind11::tuple make_table(TableValues table);
 /// Converts JSON to dict, list, str, int, float, bool or None.
 pybind11::object to_python_object(const nlohmann::ordered_json& json);
 
-/// Returns a dict from table name to keys.
 pybind11::dict to_key_dict(const std::vector<KeyTable>& tables);
 
 }  // namespace clast::python_detail

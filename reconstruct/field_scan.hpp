@@ -14,7 +14,6 @@
 
 namespace clast {
 
-/// Options of field scans.
 struct FieldScanOptions {
   ScanOptions scan;         ///< closed, metres, z up
   bool up_given = false;    ///< `scan.up` was given; otherwise z points up from a detected ground
@@ -27,7 +26,6 @@ struct FieldScanOptions {
   void check() const;  ///< throws what its members throw
 };
 
-/// Block of a scan.
 struct FieldBlock {
   Scan scan;                            ///< closed, in metres, z up
   std::optional<Underside> underside;   ///< of an open scan, in the frame of `scan`

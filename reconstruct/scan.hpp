@@ -12,7 +12,6 @@
 
 namespace clast {
 
-/// Options for reading a scan.
 struct ScanOptions {
   double unit = 1.0;  ///< metres per unit of the file
   /// Up axis of the file: "y", "z", or "auto", y for glTF files and z for others.

@@ -6,7 +6,6 @@
 
 namespace clast {
 
-/// Options of decimation.
 struct SimplifyOptions {
   std::size_t target_vertices = 250;
 

@@ -26,7 +26,6 @@ struct ComparisonReportOptions {
   std::filesystem::path browser = {};  ///< prints report.pdf; empty: no PDF
 };
 
-/// Files of a report.
 struct WrittenReport {
   std::vector<std::filesystem::path> files;  ///< relative to the folder, the report last
   std::optional<std::string> no_pdf;         ///< reason if the PDF could not be printed

@@ -16,7 +16,6 @@ struct PopulationFiles {
   std::string units;                ///< of length; empty: from the table header, or m
 };
 
-/// Measures that are computed for each block.
 struct BlockMeasuringOptions {
   std::string box = "smallest";           ///< box whose sides are the axes of library blocks
   bool box_given = false;                 ///< explicitly requested, which is an error for tables

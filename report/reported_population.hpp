@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Input file with its digest.
 struct InputFile {
   std::string file;  ///< path as given
   std::string sha256;

@@ -21,7 +21,6 @@ BoxRatios box_ratios(const OrientedBox& box);
 double ratio_difference(const BoxRatios& ratios,
                         const BoxRatios& target);  ///< remaining `ratio_difference`
 
-/// Stretched body.
 struct StretchedBody {
   SpheroPolyhedron body;
   Vec3 stretch = Vec3::Ones();    ///< principal stretches of the core, descending; product 1

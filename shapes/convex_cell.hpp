@@ -12,7 +12,6 @@ namespace clast {
 /// Bounded convex polyhedron with shared vertices, so that it stays closed when clipped.
 class ConvexCell {
  public:
-  /// Makes a box.
   explicit ConvexCell(const Bounds& box);
 
   /// Returns the part below a plane; empty if there is none. Vertices within `tolerance`, m, count

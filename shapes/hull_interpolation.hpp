@@ -19,7 +19,6 @@ class HullInterpolation {
   /// @throws GeometryError  if the surface is not star-shaped
   explicit HullInterpolation(const TriangleMesh& surface);
 
-  /// Returns the number of edge flips.
   std::size_t edge_flips() const { return edge_flips_.size(); }
   /// Returns an intermediate surface.
   /// @param fraction  0: the surface itself; 1: all vertices on the hull

@@ -25,7 +25,6 @@ struct JointSet {
 ///                     spacing 1e-3 to 1000 m, scatter 0 to 3 times the spacing
 JointSet parse_joint_set(const std::string& text);
 
-/// Options of cutting.
 struct CuttingOptions {
   double least_volume = 1e-3;       ///< smaller pieces are omitted, m^3
   std::size_t most_blocks = 10000;  ///< more blocks are an error

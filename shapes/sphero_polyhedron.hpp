@@ -45,7 +45,6 @@ TriangleMesh core_mesh(const SpheroPolyhedron& shape);
 ///                        radius)
 TriangleMesh rounded_surface_mesh(const SpheroPolyhedron& shape, int segments = 4);
 
-/// Returns the transformed body.
 SpheroPolyhedron transformed(SpheroPolyhedron shape, const Pose& to_from);
 /// Returns the body scaled about the origin.
 SpheroPolyhedron scaled(SpheroPolyhedron shape, double factor);

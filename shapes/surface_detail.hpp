@@ -13,7 +13,6 @@ struct SurfaceDetailOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Definition of the coarse shape.
 enum class CoarseShape { kHarmonics, kBilaplacian };
 
 struct DetailedSurface {

@@ -47,7 +47,6 @@ class PlanIndex {
   std::vector<std::uint32_t> numbers_;
 };
 
-/// Returns the plan boxes of the triangles of a mesh.
 std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh);
 
 /// Returns the height of a triangle above a plan point; empty outside (edges belong to the

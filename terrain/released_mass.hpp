@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Options for computing the released mass.
 struct ReleasedMassOptions {
   /// Minimum vertical thickness, m; smaller differences count as survey errors. 0: all count.
   double min_thickness = 0.1;
@@ -25,7 +24,6 @@ struct ReleasedMassOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Body of the released mass.
 struct MassBody {
   std::size_t rank = 0;        ///< rank by volume, from 1
   TriangleMesh mesh;           ///< closed, outward, map coordinates; empty for excluded bodies

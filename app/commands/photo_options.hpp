@@ -23,7 +23,6 @@ struct PhotoArgs {
   PhotoScanOptions parsed() const;
 };
 
-/// Adds the options to a command as a group.
 void add_photo_options(CLI::App& command, PhotoArgs& args);
 
 }  // namespace clast

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Result of a child process.
 struct ProcessResult {
   int exit_code = -1;      ///< 128 + signal if the process was killed
   bool timed_out = false;  ///< true if the time limit was exceeded

@@ -26,7 +26,6 @@ class Sha256 {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the digest of bytes.
 std::string sha256(std::string_view bytes);
 
 /// Returns the digest of a file, which is read in chunks.

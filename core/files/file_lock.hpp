@@ -7,7 +7,6 @@
 
 namespace clast {
 
-/// Options of a file lock.
 struct FileLockOptions {
   std::chrono::milliseconds timeout = std::chrono::minutes(5);
   /// Called once if another process holds the lock.
@@ -36,7 +35,6 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// Returns the path of the lock file.
   static std::filesystem::path lock_path(const std::filesystem::path& target);
 
  private:

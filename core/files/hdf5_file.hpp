@@ -57,7 +57,6 @@ class Hdf5Group {
   friend class Hdf5File;
   struct Handle;
   explicit Hdf5Group(std::shared_ptr<Handle> handle) : handle_(std::move(handle)) {}
-  /// Opens a dataset for its attributes.
   Hdf5Group open_dataset(const std::string& name) const;
   std::shared_ptr<Handle> handle_;
 };

@@ -98,7 +98,6 @@ void append_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row
   csv.end_row();
 }
 
-/// Formats the whole table as CSV.
 template <class Row>
 std::string format_csv(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   CsvWriter csv;

@@ -17,7 +17,6 @@ class TextScanner {
   bool next_line();
   /// Returns the number of the current line, from 1.
   std::size_t line_number() const { return line_number_; }
-  /// Returns the rest of the current line.
   std::string_view rest_of_line() const { return line_; }
   /// Returns the next word of the line; empty at its end.
   std::string_view next_word();

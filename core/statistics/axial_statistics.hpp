@@ -15,7 +15,6 @@ namespace clast {
 /// @return in (-pi/2, pi/2]
 double wrap_axial_angle(double angle);
 
-/// Mean axial direction.
 struct AxialMean {
   std::size_t count = 0;
   double direction = NAN;  ///< rad, in (-pi/2, pi/2]; NaN without a preferred direction

@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Verdict on a difference.
 enum class Verdict {
   kSignificant,          ///< significant after correction
   kDistributionDiffers,  ///< the mean difference is not significant, but the distributions differ

@@ -49,9 +49,7 @@ class GaussianProcess {
 
   const GaussianProcessHyperparameters& hyperparameters() const { return hyperparameters_; }
   double mean() const { return mean_; }
-  /// Returns the process variance.
   double variance() const { return variance_; }
-  /// Returns the noise variance of a value.
   double noise_variance() const { return variance_ * hyperparameters_.nugget; }
   /// Returns the restricted log marginal likelihood, up to a constant.
   double log_likelihood() const { return log_likelihood_; }

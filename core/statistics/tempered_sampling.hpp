@@ -9,7 +9,6 @@ namespace clast {
 /// Log-likelihood at points, one column each; called with many points at a time.
 using LogLikelihood = std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>;
 
-/// Options of the sampler.
 struct TemperedSamplingOptions {
   std::size_t draws = 2000;
   double effective_fraction = 0.5;  ///< fraction of effective draws that a tempering step keeps

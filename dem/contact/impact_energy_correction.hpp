@@ -26,7 +26,6 @@ class ImpactEnergyCorrection {
 
   /// Records that the block touches a ground zone.
   void add_touched_zone(const GroundParameters& zone) { applies_ = applies_ || applies_to(zone); }
-  /// Adds the impulse of contact loads.
   void add_contact_load(double duration, const ContactLoad& load);
   void add_event_impulse(const EventImpulse& event);
 

@@ -79,7 +79,6 @@ class PathIntegral {
       work_ += weighted_force * path_.rate_at(time);
     }
   }
-  /// Returns the response for a final force.
   NormalResponse response(double force) const {
     const double step = path_.duration;
     return {force, work_, impulse_ - 0.5 * step * (first_force_ + force),

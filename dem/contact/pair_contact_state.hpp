@@ -22,7 +22,6 @@ class PairContactState {
   /// @param model  must outlive the pair, as must the surfaces
   PairContactState(const BlockSurface& reference, const BlockSurface& block, double size,
                    const ContactModel& model);
-  /// Makes a pair of a block and the terrain.
   PairContactState(const IndexedSurface& terrain, const BlockSurface& block, double size,
                    const ContactModel& model);
 

@@ -11,10 +11,8 @@ class RigidBodyIntegrator {
   RigidBodyIntegrator(const RigidBody& body, const RigidState& start);
 
   const RigidState& state() const { return state_; }
-  /// Sets the state.
   void set_state(const RigidState& state);
 
-  /// Advances the body in free flight.
   BodyMotion advance_flight(double duration, const Vec3& gravity);
   /// Applies the first half of the velocity update and moves the body. Returns its new pose and
   /// mean velocities.

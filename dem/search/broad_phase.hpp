@@ -10,7 +10,6 @@
 
 namespace clast::dem_detail {
 
-/// Bounding sphere of a body.
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;

@@ -125,7 +125,6 @@ class TerrainNarrowPhase {
             inside_until, outside_until);
     }
   };
-  /// Part near the ground.
   struct NearPart {
     explicit NearPart(const BlockPart& part)
         : first_vertex(part.first_vertex),
@@ -176,7 +175,6 @@ class TerrainNarrowPhase {
     std::uint32_t side;
     ContactPoint point;
   };
-  /// Contacts found.
   struct FoundContacts {
     std::vector<ContactPoint> contacts;
     std::vector<SideContact> of_sides;
@@ -229,7 +227,6 @@ class TerrainNarrowPhase {
   /// Returns the contact-free time of a flight, s, from planes between block and ground.
   /// @param horizon  s: longer times are not needed
   double contact_free_time(const FlightBounds& flight, double horizon);
-  /// Returns the contact-free time over one ground face.
   double contact_free_time_over_face(const LocalFaces::Face& face, const FlightBounds& flight,
                                      double horizon);
   /// Returns the contact-free time over a face whose plane does not separate the whole block, from
@@ -255,7 +252,6 @@ class TerrainNarrowPhase {
 
   // Vertices by their number within the part; those that touch are added to `found`.
 
-  /// Returns the vertex index in the block.
   std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
     return parts_.vertices[part.first_vertex + vertex];
   }

@@ -25,7 +25,6 @@ struct ReleaseSettings : MotionSettings {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Summary of the contacts at one time.
 struct ContactSummary {
   std::uint32_t contact_count =
       0;                 ///< number of contact points; if 0, the other members are undefined
@@ -56,7 +55,6 @@ RigidState interpolate_state(const RigidBody& body, const MotionStep& step, doub
 
 using MotionObserver = std::function<void(const MotionStep&)>;
 
-/// Result of a run.
 struct ReleaseResult {
   StopReason stop_reason = StopReason::kError;
   std::string message;    ///< for errors, otherwise empty

@@ -13,7 +13,6 @@
 
 namespace clast {
 
-/// Block of a sequence.
 struct SequenceBlock {
   std::size_t shape = 0;  ///< index into the shapes
   RigidState start;
@@ -65,7 +64,6 @@ class SettlingError : public SimulationError {
   bool left_wall = false;  ///< they left their walls; false: they still moved after `settle_time`
 };
 
-/// Result of one block of a sequence.
 struct SequenceResult {
   /// Result of the block. `duration` and `energy` refer to its own release (shared by multi-block
   /// releases, until all blocks rested), `stop_reason` and `final_state` to the end of the sequence
@@ -92,7 +90,6 @@ struct SequenceResult {
 /// block sleeps, is fixed or settles.
 using SequenceObserver = std::function<void(std::size_t block, const MotionStep&)>;
 
-/// Progress of a sequence.
 struct SequenceProgress {
   double time = 0.0;         ///< simulated time including settling, s
   std::size_t released = 0;  ///< number of released blocks

@@ -6,7 +6,6 @@
 namespace clast {
 
 struct TerrainSurface::Impl {
-  /// Point on the rounded surface.
   struct SurfacePoint {
     double height;       ///< z, m
     std::uint32_t face;  ///< index of its triangle

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Options of surface reconstruction.
 struct CloudSurfaceOptions {
   /// Side of averaging cubes as a fraction of the diagonal; used if points are closer together than
   /// half of it.

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Block above the ground.
 struct BlockOnGround {
   std::vector<std::uint32_t> points;  ///< ascending indices of its points
   Vec3 centre = Vec3::Zero();         ///< of its box, m

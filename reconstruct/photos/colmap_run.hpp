@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Options of a COLMAP run.
 struct ColmapOptions {
   std::string program = "colmap";  ///< path, or a name looked up in PATH
   /// Cache folder of models, by photo digest; empty: `default_photo_cache`.

@@ -13,7 +13,6 @@
 
 namespace clast {
 
-/// Options of dense reconstruction.
 struct DenseOptions {
   StereoPairOptions pairs = {};
   int most_pixels = 1100;  ///< largest side of compared image regions; larger ones are reduced

@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Options of marker detection.
 struct MarkerOptions {
   /// Dictionary: "4x4_50", "apriltag_36h11", ...; "auto" tries common ones on some photos; "none"
   /// disables the search.

@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Photo with its camera.
 struct Photo {
   std::string name;            ///< as in the model
   std::filesystem::path file;  ///< empty until located

@@ -13,7 +13,6 @@
 
 namespace clast {
 
-/// Options of a photo scan.
 struct PhotoScanOptions {
   /// Camera model (`read_photo_model`). Empty: a model in the photo folder, otherwise COLMAP is
   /// run.

@@ -6,7 +6,6 @@
 
 namespace clast {
 
-/// Sharpness of a photo.
 struct Sharpness {
   double relative = 1.0;  ///< relative to the median of the photos
   bool blurred = false;

@@ -19,7 +19,6 @@ struct ViewCoverage {
 /// Numbers of views for coverages: one pair gives a depth, three agreeing pairs a point.
 inline constexpr std::array<std::uint16_t, 5> kCoverageSteps = {1, 2, 3, 5, 10};
 
-/// Use of a marker.
 struct MarkerUsage {
   int id = 0;
   std::size_t photos = 0;

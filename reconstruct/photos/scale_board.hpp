@@ -10,7 +10,6 @@
 
 namespace clast {
 
-/// Marker on a board.
 struct BoardMarker {
   int id = 0;
   Vec3 centre = Vec3::Zero();  ///< m, in any frame

@@ -11,7 +11,6 @@ namespace clast::reconstruct_detail {
 /// Maximum number of edges of holes closed by a fan, exact for planar holes.
 inline constexpr std::size_t kFanEdges = 4;
 
-/// Measures a hole from its border.
 FilledHole measure_hole(const std::vector<Vec3>& border);
 
 /// True if the hole is an unobserved side, of which only bounds are known: at least 5 % of the

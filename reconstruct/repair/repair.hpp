@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Options of a repair.
 struct RepairOptions {
   double weld_tolerance = 1e-5;  ///< fraction of the diagonal within which vertices are merged
   bool keep_inner_shells =

@@ -39,7 +39,6 @@ struct Defect {
   std::optional<Vec3> position;  ///< of the largest or the first
 };
 
-/// Filled hole.
 struct FilledHole {
   std::size_t border_edges = 0;
   double perimeter = 0.0;      ///< m

@@ -17,7 +17,6 @@ struct FreeSpaceGrid {
 
   /// True if the cube that contains a position is free; false outside the grid.
   bool is_free(const Vec3& position) const;
-  /// Returns the centre of a cube by index.
   Vec3 cell_centre(std::size_t cube) const;
 };
 

@@ -14,7 +14,6 @@
 
 namespace clast {
 
-/// Options for closing an underside.
 struct UndersideOptions {
   /// Ground below the block, normal up. It bounds the block from below only if more than half of
   /// the space under it was observed to be free. If empty, the rim faces down.

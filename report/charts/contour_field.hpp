@@ -38,7 +38,6 @@ bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull,
                              double level, double side);
 
-/// Contour line of the surface.
 struct ContourLine {
   std::string path;                           ///< SVG path data; empty if there is no line
   std::vector<std::pair<Vec2, Vec2>> pieces;  ///< the same line as segments

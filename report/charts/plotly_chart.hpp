@@ -34,7 +34,6 @@ struct LabelledLine {
   std::string name;  ///< plain text
 };
 
-/// Title and axes of a chart.
 struct ChartAxes {
   std::string title;
   std::string x;  ///< label with unit

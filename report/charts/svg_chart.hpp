@@ -23,7 +23,6 @@ struct LimitLine {
   std::string text;
 };
 
-/// Texts and limits of a chart.
 struct ChartText {
   std::string title;
   std::string x_label;

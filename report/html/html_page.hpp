@@ -65,7 +65,6 @@ std::string format_folded_section(std::string_view line, std::string_view body,
                                   PrintedState on_paper = PrintedState::kLeftOut);
 /// Formats a paragraph of plain text; text in backticks becomes code.
 std::string paragraph(std::string_view text);
-/// Formats a figure with caption.
 std::string figure(std::string_view svg, std::string_view caption = {});
 /// Formats one entry of a "<dl class=facts>" list.
 std::string format_fact(std::string_view name, std::string_view value);

@@ -25,7 +25,6 @@ struct ValueStyle {
 
 /// Opacity of raster layers over the relief.
 inline constexpr double kLayerOpacity = 0.85;
-/// Opacity of path lines.
 inline constexpr double kPathOpacity = 0.6;
 
 /// Chooses the style of each layer. Energies have limits at 1, 3, 10, 30, ... (30 and 300 kJ

@@ -11,7 +11,6 @@ namespace clast::report_detail {
 /// Formats the .qml file of a raster; QGIS applies NAME.qml to NAME.tif.
 std::string format_raster_qml(const ValueStyle& style);
 
-/// Style of a GeoPackage layer.
 struct LayerStyle {
   std::string layer;
   std::string qml;

@@ -38,7 +38,6 @@ std::pair<std::string, std::string> choose_curve_style(
     const Comparison& comparison, const Group& group,
     const std::vector<std::string>& classes_before);
 
-/// Makes one series per group.
 template <class Value>
 std::vector<Series> make_value_series(const Comparison& comparison, GroupKind kind,
                                       Value value_of) {

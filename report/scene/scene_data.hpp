@@ -16,7 +16,6 @@ struct SceneLimits {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Data of the view.
 struct SceneData {
   std::string json;
   std::size_t runs_drawn = 0;  ///< 0 if no trajectories are stored

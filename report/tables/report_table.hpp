@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Table that is computed from a source.
 template <class Source>
 struct ReportTable {
   std::string name;  ///< file name without ".csv"

@@ -7,7 +7,6 @@
 
 namespace clast {
 
-/// Key figure of a report.
 struct KeyFigure {
   std::string value;      ///< "45 / 32 m"
   std::string label;      ///< "mean runout, compact / elongated"

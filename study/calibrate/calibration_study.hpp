@@ -19,7 +19,6 @@ struct CalibrationSite {
   Campaign campaign;
 };
 
-/// Design of a calibration.
 struct CalibrationDesign {
   std::uint32_t members = 64;   ///< number of simulated parameter sets
   std::uint32_t releases = 64;  ///< per member and site

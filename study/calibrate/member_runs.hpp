@@ -15,13 +15,10 @@ void simulate_missing_members(const CalibrationStudy& study, const CalibrationBa
                               const std::filesystem::path& target, const CalibrateOptions& options,
                               StoredCalibration& stored);
 
-/// Simulates members for the leader of the team.
 void simulate_received_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
                                ProcessTeam& team);
 
-/// Serialises release outcomes.
 std::string serialize_outcomes(const std::vector<ReleaseOutcome>& outcomes);
-/// Deserialises release outcomes.
 std::vector<ReleaseOutcome> deserialize_outcomes(const std::string& bytes);
 
 }  // namespace clast::study_detail

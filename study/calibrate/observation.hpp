@@ -100,7 +100,6 @@ StopPosition stop_position_of(const Observation& observation, const SiteDescript
 double compute_statistic(const SummaryStatistic& figure, std::span<const SelectedOutcome> seen,
                          std::span<const std::size_t> sample);
 
-/// Computes a statistic of observed stops.
 double compute_statistic(const SummaryStatistic& figure, std::span<const StopPosition> stops);
 
 }  // namespace clast

@@ -11,7 +11,6 @@ namespace clast::study_detail {
 /// Reads what observations need of a site before its campaign is prepared: all but its blocks.
 SiteDescription read_site_path(const CalibrationSite& site);
 
-/// Returns the keys of [[observation]].
 const MemberTable<Observation>& observation_keys();
 
 /// Reads the tables [[observation]] and computes the statistics of the stops that they name.

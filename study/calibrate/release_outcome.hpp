@@ -39,7 +39,6 @@ struct OutcomeAtMoment {
   bool passed() const { return speed == speed; }
 };
 
-/// Outcome of one release.
 struct ReleaseOutcome {
   std::uint32_t block = 0;  ///< index into the blocks of the site
   std::uint32_t point = 0;  ///< release point; releases of one point share its ground

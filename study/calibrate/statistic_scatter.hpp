@@ -14,7 +14,6 @@ struct SiteStatistics {
   std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
   std::vector<std::size_t> figures;       ///< their statistics, numbered over all observations
 };
-/// Groups the observations by site.
 std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations);
 
 /// Scatter of the statistics of one `SiteStatistics`, in their order. NaN if the member has no

@@ -84,7 +84,6 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top);
 /// @param campaign  with its blocks and groups
 std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top,
                                                               const Campaign& campaign);
-/// Reads the release sets of [release] or [[mass]].
 std::vector<ReleaseSet> read_releases(const TomlTable& top, bool y_up);
 /// Reads the settings of persistent blocks.
 /// @param campaign  with its blocks, groups and releases

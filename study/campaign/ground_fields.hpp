@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Declaration of one ground parameter.
 struct GroundParameterField {
   const char* name;     ///< in campaign files, results and tables, with unit
   const char* unit;     ///< empty if dimensionless

@@ -36,7 +36,6 @@ struct ValueFormat {
   const ValueFormat& leaf() const { return items.empty() ? *this : items.front().leaf(); }
 };
 
-/// Declaration of one key.
 struct TableKey {
   std::string name;     ///< "blocks"; nested tables: "contact.blocks"
   std::string unit;     ///< empty if none, or stated by the parts

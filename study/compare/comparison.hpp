@@ -170,7 +170,6 @@ struct Comparison {
 /// none.
 std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line);
 
-/// Options of a comparison.
 struct CompareOptions {
   std::vector<std::string> by;  ///< columns of `run_columns` whose values define groups
   std::optional<std::filesystem::path> measured;  ///< table of stops seen in the field

@@ -60,7 +60,6 @@ struct CrossingEstimate {
   std::optional<Interval> energy_range, speed_range, top_range;
 };
 
-/// Passages at one barrier.
 struct BarrierSummary {
   std::size_t line = 0;  ///< index into Comparison::lines
   CrossingEstimate all;
@@ -85,7 +84,6 @@ struct FileSummary {
   bool samples_blocks = false;
 };
 
-/// Key results of a comparison.
 struct KeyResults {
   /// A single entry if each class has files of its own; otherwise one entry per file.
   std::vector<FileSummary> statements;
@@ -103,7 +101,6 @@ inline constexpr double kGapOfFew = 0.25;
 /// Minimum number of passages for a 95th percentile.
 inline constexpr std::size_t kMinPassages = 20;
 
-/// Computes the key results of a comparison.
 KeyResults summarise_key_results(const Comparison& comparison);
 
 }  // namespace clast

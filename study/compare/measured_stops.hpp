@@ -22,7 +22,6 @@ struct MeasuredStop {
   double lateral = 0.0;       ///< of the observed stops, m and rad
 };
 
-/// Quartiles of a sample.
 struct Quartiles {
   double low = 0.0;
   double median = 0.0;

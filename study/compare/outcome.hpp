@@ -27,7 +27,6 @@ struct StopReasonCounts {
   std::size_t errors() const { return reasons.back(); }
 };
 
-/// Counts the stop reasons of all runs.
 StopReasonCounts count_stop_reasons(const CampaignResults& results);
 
 /// Returns warnings about failed and implausible runs, one sentence each.

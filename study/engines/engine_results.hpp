@@ -14,7 +14,6 @@ namespace clast {
 /// Returns the engines whose results can be read: "rockable".
 const std::vector<std::string>& importable_engines();
 
-/// Options of an import.
 struct EngineResultsOptions {
   std::string engine = "rockable";
   std::filesystem::path scenes =
@@ -27,7 +26,6 @@ struct EngineResultsOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Summary of an import.
 struct EngineImportSummary {
   std::size_t runs = 0;
   std::size_t planned = 0;

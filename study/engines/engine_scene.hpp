@@ -13,7 +13,6 @@ namespace clast {
 /// Returns the engines: "rockable" and "exadem".
 const std::vector<std::string>& exportable_engines();
 
-/// Options of an export.
 struct EngineSceneOptions {
   std::string engine = "rockable";
   /// Indices of the exported runs, or of the realisations of multi-block releases; empty: all.
@@ -22,7 +21,6 @@ struct EngineSceneOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Exported scenes.
 struct EngineScenes {
   std::vector<std::string> folders;  ///< one per scene, "run00001"
   /// Limitations and differences of the other engine, as sentences.
@@ -34,7 +32,6 @@ inline constexpr const char* kSceneFile = "SCENE.txt";
 inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
 inline constexpr const char* kSceneCampaign = "campaign.toml";
 
-/// Returns the folder kind by which scene folders are recognised.
 FolderKind scene_folder_kind();
 
 /// Writes one scene per run, or per realisation of a multi-block release: starts, blocks as

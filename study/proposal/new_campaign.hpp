@@ -36,7 +36,6 @@ struct ProposedLines {
   double block_length = 0.0;  ///< L of the longest block, m
 };
 
-/// Results of the trial runs.
 struct TrialRuns {
   std::size_t count = 0;
   std::size_t passed = 0;        ///< number of runs that passed the barrier at the foot
@@ -61,7 +60,6 @@ struct ProposedBlocks {
   std::vector<std::string> left_out;  ///< reasons, such as "B03 has no size"
 };
 
-/// Proposed campaign.
 struct CampaignProposal {
   ProposedBlocks blocks;
   ProposedLines places;

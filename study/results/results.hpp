@@ -97,7 +97,6 @@ struct Trajectory {
   std::vector<RigidState> states;  ///< local frame
 };
 
-/// All stored data of one run.
 struct StoredRun {
   RunRecord record;
   std::vector<Crossing> crossings;

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Makes the rigid body of a block.
 RigidBody rigid_body(const Block& block);
 
 /// Rigid bodies of all blocks: one stored body per library block. Scaled bodies are made on access,
@@ -21,7 +20,6 @@ class BlockBodies {
   std::size_t size() const { return blocks_.size(); }
   /// Makes the scaled body of a block of `BlockChoice::blocks`.
   RigidBody operator[](std::size_t block) const;
-  /// Returns the first block with an equal body.
   std::uint32_t first_equal_body(std::size_t block) const {
     return blocks_[block].first_equal_body;
   }

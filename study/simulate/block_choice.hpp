@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Block of a campaign.
 struct CampaignBlock {
   std::string id;  ///< of the library block; for sampled blocks "SP1A#7", the seventh sample
   std::size_t library = 0;  ///< used library blocks, unscaled

@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Result of a check.
 struct CampaignCheck {
   /// Errors: the first one of each table of the file, and those of library, terrain and starts if
   /// these could be checked. Empty if the campaign would run.

@@ -35,7 +35,6 @@ std::string normalised_crs(const std::string& crs);
 /// True if both texts denote the same coordinate system.
 bool is_same_crs(const std::string& one, const std::string& other);
 
-/// True if the extension is that of a raster.
 bool is_raster_file(const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

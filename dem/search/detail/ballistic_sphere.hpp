@@ -4,7 +4,6 @@
 
 namespace clast::dem_detail {
 
-/// Sphere on a ballistic path.
 struct BallisticSphere {
   Vec3 centre = Vec3::Zero();    ///< present position
   Vec3 velocity = Vec3::Zero();  ///< present velocity, m/s

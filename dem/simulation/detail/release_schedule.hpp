@@ -16,7 +16,6 @@ class ReleaseSchedule {
 
   /// True if a confining wall holds the block.
   bool is_confined(std::size_t block) const;
-  /// True if the block is fixed at its start.
   bool starts_fixed(std::size_t block) const;
   /// Returns the release time of a block since the first release, s, for multi-block releases.
   double release_time(std::size_t block) const;

@@ -54,7 +54,6 @@ struct WorldBody {
     return still;
   }
   bool is_immobile() const { return fixed || inactive; }
-  /// Stores the motion of a step.
   void apply_motion(const BodyMotion& over_step) {
     const Pose &from = motion.world_from_body, &to = over_step.world_from_body;
     path_length += (to.translation - from.translation).norm();

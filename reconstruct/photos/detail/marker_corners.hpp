@@ -10,7 +10,6 @@
 
 namespace clast::photos_detail {
 
-/// Detected marker in a photo.
 struct DetectedMarker {
   int id = 0;
   std::array<Vec2, 4> corners{};  ///< px

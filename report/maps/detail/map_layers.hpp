@@ -13,7 +13,6 @@ inline constexpr std::size_t kMaxMapCells = 100'000;
 /// Maximum number of drawn paths, chosen evenly.
 inline constexpr std::size_t kMaxMapPaths = 250;
 
-/// Layers of a map as JSON.
 struct MapLayers {
   std::string json;              ///< {layers, paths}: see map.js
   std::size_t paths = 0;         ///< number of drawn paths

@@ -48,7 +48,6 @@ struct RockfallTracker {
 /// Reads the stop criterion; empty if the folder has no dataExtractors.txt or another extractor.
 std::optional<RockfallTracker> read_rockfall_tracker(const std::filesystem::path& folder);
 
-/// State of a track at one time.
 struct TrackedState {
   double time = 0.0;
   RigidState state;

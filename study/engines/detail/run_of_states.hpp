@@ -12,7 +12,6 @@ struct StateSeries {
   std::vector<RigidState> states;  ///< finite
 };
 
-/// End of a run.
 struct RunEnd {
   StopReason reason = StopReason::kError;
   std::string message = {};  ///< for errors

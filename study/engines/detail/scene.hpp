@@ -38,7 +38,6 @@ struct SceneContents {
 /// Number of time steps between two lines of a Rockable track.
 inline constexpr std::size_t kTrackedSteps = 200;
 
-/// Body of a scene.
 struct SceneBody {
   std::uint32_t shape = 0;  ///< and group
   double scale = 1.0;       ///< of lengths
@@ -78,13 +77,11 @@ Scene build_scene(const CampaignPlan& prepared, const SceneContents& set, std::u
 /// Writes shapes, conf file and tracker input for Rockable.
 void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set,
                           const Scene& scene, const std::filesystem::path& folder);
-/// Returns the limitations of Rockable for a campaign.
 std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared);
 
 /// Writes the input file of ExaDEM, bodies as a conf file and terrain as STL files.
 void write_exadem_scene(const CampaignPlan& prepared, const SceneContents& set, const Scene& scene,
                         const std::filesystem::path& folder);
-/// Returns the limitations of ExaDEM for a campaign.
 std::vector<std::string> check_exadem_limits(const CampaignPlan& prepared);
 
 }  // namespace clast::study_detail
