@@ -53,7 +53,6 @@ bool is_within_tolerance(const Block& block, const BlockOptions& options);
 /// Makes a block. A core is used unchanged, with coplanar faces merged. Otherwise the core is
 /// `surface` offset inwards by the radius, fitted to `scan` until the block is within tolerance or
 /// stops improving, and scaled about its centre to the scan's volume.
-///
 /// @param surface  closed, outward, simplified; outer surface of the rock, or its core
 /// @param scan  full-resolution closed scan from which `surface` was simplified; reference of
 ///              deviation and volume

@@ -17,10 +17,9 @@ std::string escape_formula(std::string_view text);
 /// Removes the apostrophe of `escape_formula`.
 std::string_view unescape_formula(std::string_view cell);
 
-/// Writer of CSV (RFC 4180) with "
-/// " line ends. Numbers have the fewest digits that restore their bits (-0 is written as 0);
-/// unknown values are empty cells. Texts that a spreadsheet would execute are escaped by
-/// `escape_formula` and quoted.
+/// Writer of CSV (RFC 4180) with CRLF line ends. Numbers have the fewest digits that restore their
+/// bits (-0 is written as 0); unknown values are empty cells. Texts that a spreadsheet would
+/// execute are escaped by `escape_formula` and quoted.
 /// @cite rfc4180
 class CsvWriter {
  public:

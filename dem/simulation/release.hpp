@@ -78,7 +78,6 @@ struct ReleaseResult {
 };
 
 /// Simulates one release.
-///
 /// @param zones  parameters of each ground zone of the terrain
 /// @param start  at rest or moving
 /// @throws SimulationError  if the start is outside the terrain or overlaps the ground by more than

@@ -117,7 +117,6 @@ struct SequenceObservers {
 };
 
 /// Simulates a sequence.
-///
 /// @param shapes  of the blocks
 /// @param zones  parameters of each ground zone of the terrain
 /// @param from  state of the same sequence saved by the same program (`SequenceProgress::save`), to

@@ -20,7 +20,6 @@ struct BodySeam {
 /// the body on both sides, the convex hulls of both parts together are clearly smaller than the
 /// hull of the whole, and the surface is concave along most of the outline or the section is very
 /// narrow. A notch is concave along a part of the outline only.
-///
 /// @param closed  outward
 /// @returns empty if there is no such plane
 std::optional<BodySeam> find_body_seam(const TriangleMesh& closed);

@@ -62,7 +62,6 @@ struct Underside : VolumeBracket {
 /// surface's height over its own tangent planes, down to a known ground, and excluding free space.
 /// There is no upper volume if it would exceed the observed one by more than a third (doubling,
 /// above a ground). Best estimate: docs/theory.md; measurements: docs/benchmarks.md.
-///
 /// @param open  oriented 2-manifold of one component; small holes may remain
 /// @returns empty if no hole is large enough: the scan is practically closed
 /// @throws GeometryError  if it is not an oriented manifold, is a sheet, or a rim cannot be filled;
