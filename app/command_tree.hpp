@@ -27,7 +27,6 @@ struct CommandEntry {
 /// Builds the tree of a command-line parser.
 CommandEntry build_command_tree(const CLI::App& command);
 
-/// Converts a command tree to JSON.
 nlohmann::json to_json(const CommandEntry& command);
 /// Reads the JSON of `to_json`.
 /// @throws nlohmann::json::exception  if it was not written by `to_json`

@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Axes and convexity of a block.
 struct BlockForm {
   Axes axes;                        ///< m
   std::optional<double> convexity;  ///< empty if unknown
@@ -46,7 +45,6 @@ class FormCopula {
   explicit FormCopula(std::span<const BlockForm> population);
 
   BlockForm sample(Random& random) const;
-  /// Compares drawn blocks with the population.
   CopulaFit assess_fit(std::span<const BlockForm> drawn) const;
 
  private:

@@ -35,7 +35,6 @@ struct SizeShapeCorrelation {
   std::optional<TestResult> test;  ///< Kolmogorov-Smirnov; empty if a population has no values
 };
 
-/// Formats the correlation as a sentence.
 std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasure size);
 
 struct PopulationSummary {

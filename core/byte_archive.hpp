@@ -78,7 +78,7 @@ class ByteReader {
     if (stored > bytes_.size()) throw InputError("a record has an impossible size");
     return stored;
   }
-  std::size_t remaining_bytes() const { return bytes_.size(); }  ///< bytes
+  std::size_t remaining_bytes() const { return bytes_.size(); }
   bool at_end() const { return bytes_.empty(); }
 
  private:

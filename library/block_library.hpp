@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Format name in library files.
 inline constexpr const char* kLibraryFormat = "clast block library";
 
 /// Checks a block id.

@@ -20,7 +20,6 @@ inline constexpr NumberRange kMassAccuracy{1e-6, 1e-2};
 inline constexpr NumberRange kScanTolerance{1e-6, 1.0, "of L"};
 /// Allowed measuring errors of axes.
 inline constexpr NumberRange kAxisError{1e-9, 1e3, "m", "exact"};
-/// Allowed scale factors of a scan.
 inline constexpr NumberRange kScaleFactor{1e-9, 1e9};
 
 }  // namespace clast

@@ -12,7 +12,6 @@
 
 namespace clast {
 
-/// Request for one varied body.
 struct VariationRequest {
   const Block* parent = nullptr;
   Variation variation;

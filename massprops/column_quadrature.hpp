@@ -7,7 +7,6 @@
 
 namespace clast::massprops_detail {
 
-/// Overlap integral with error bounds.
 struct OverlapIntegral {
   Moments moments;            ///< of the multiply counted volume
   double volume_error = 0.0;  ///< bound on the volume error, m^3

@@ -25,7 +25,7 @@ struct CloudSummary {
   std::size_t non_finite = 0;  ///< skipped points with a non-finite coordinate
   std::size_t withheld = 0;    ///< skipped points that are withheld or classified as noise (LAS)
   std::string crs;             ///< "EPSG:25832", otherwise WKT; empty if unknown
-  std::vector<LengthUnitDeclaration> lengths = {};  ///< all declarations of length units
+  std::vector<LengthUnitDeclaration> lengths = {};
 };
 
 /// Reads a cloud in batches, in file order, so that it need not fit into memory: .xyz, .txt, .csv,

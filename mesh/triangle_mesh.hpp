@@ -40,7 +40,6 @@ double surface_area(const TriangleMesh& mesh);                                  
 double signed_volume(const TriangleMesh& mesh);
 TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from);
 TriangleMesh scaled(TriangleMesh mesh, double factor);  ///< about the origin; factor > 0
-/// Appends a mesh to another.
 TriangleMesh merged(TriangleMesh mesh, const TriangleMesh& other);
 
 }  // namespace clast

@@ -52,7 +52,6 @@ struct ConsistentOrientation {
 ConsistentOrientation find_consistent_orientation(const TriangleMesh& mesh,
                                                   const TriangleNeighbours& neighbours);
 
-/// Reverses the winding of all triangles.
 void flip_orientation(TriangleMesh& mesh);
 
 }  // namespace clast

@@ -41,7 +41,6 @@ class BatchObserver {
   virtual void on_block_refused(const std::string& /*id*/) {}
   /// Called for a scan, or a block of a scan, that is not in the library.
   virtual void on_scan_failed(const ScanFile& /*scan*/, const std::string& /*reason*/) {}
-  /// Called with notes for the user.
   virtual void on_note(const std::string& /*text*/) {}
 };
 

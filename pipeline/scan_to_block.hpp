@@ -16,7 +16,6 @@
 
 namespace clast {
 
-/// Options of all processing steps.
 struct ScanToBlockOptions {
   ScanOptions scan;
   std::string units = "m";  ///< as given by the user, for messages and the record

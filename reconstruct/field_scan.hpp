@@ -34,7 +34,6 @@ struct FieldBlock {
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };
 
-/// Scan file with its blocks.
 struct FieldScan {
   TriangleMesh raw;  ///< as read, in the file's units and axes; points only for a cloud
   std::vector<FieldBlock> blocks;

@@ -31,7 +31,6 @@ struct SurfaceMeasures {
   std::optional<Roundness> roundness;     ///< if requested
 };
 
-/// Population with its summary and inputs.
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;

@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Parameters of a synthetic rock.
 struct RockRecipe {
   std::string name = {};
   Vec3 lengths = Vec3::Ones();  ///< about L, I, S, m

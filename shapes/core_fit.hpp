@@ -5,7 +5,6 @@
 
 namespace clast {
 
-/// Stop criteria of the fit.
 struct CoreFitOptions {
   int rounds = 30;
   double good_enough = 0.0;  ///< largest distance at which the fit stops, m

@@ -33,7 +33,6 @@ struct MassBody {
   Vec3 centre = Vec3::Zero();  ///< of its bounds, map coordinates
 };
 
-/// Released mass as disjoint bodies.
 struct ReleasedMass {
   std::vector<MassBody> bodies;    ///< those chosen, the largest first
   std::vector<MassBody> excluded;  ///< excluded, the largest first

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Format name in terrain files.
 inline constexpr const char* kTerrainFormat = "clast terrain";
 
 /// Writes a terrain file.

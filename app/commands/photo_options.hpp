@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Unparsed photo options.
 struct PhotoArgs {
   std::vector<std::string> bars;
   std::filesystem::path board;  ///< file; empty if not given

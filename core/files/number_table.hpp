@@ -17,11 +17,10 @@ struct NumericRow {
   std::vector<double> values;
 };
 
-/// Required contents of a numeric table.
 struct NumericTableSpec {
   /// Names of the columns in the required order; each has one or several lower-case names.
   std::vector<std::vector<std::string>> names;
-  NumberRange range;    ///< of all numbers
+  NumberRange range;
   std::string meaning;  ///< completes "a line must be ...": "three numbers, x y z"
   /// Finds the columns in a heading; returns empty if some are missing. By default, uses `names`.
   /// @throws InputError  without the file name

@@ -33,7 +33,6 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Returns the folder to fill.
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
   /// Replaces the files of this kind in the target; other files are kept.
   /// @throws InputError  if another file would be overwritten, a rename failed, or another program

@@ -12,7 +12,6 @@ namespace clast {
 /// @param values  not empty, in any order
 Interval percentile_interval(std::vector<double> values);
 
-/// Values that are dependent within clusters.
 struct ClusteredValues {
   std::vector<double> values;
   std::vector<std::uint32_t> clusters;  ///< one per value, below the number of clusters

@@ -18,8 +18,8 @@ enum class Verdict {
                                   ///< significant
   kInsignificant,                 ///< not significant
   kGroundDependent,               ///< the sign depends on the ground draw
-  kUntested,      ///< chance cannot be estimated: a single realisation, or values without scatter
-  kTooFewValues,  ///< too few values
+  kUntested,  ///< chance cannot be estimated: a single realisation, or values without scatter
+  kTooFewValues,
 };
 
 /// Difference of one group minus another.

@@ -43,7 +43,6 @@ class GaussianProcess {
   /// @cite riedmiller1994, blum2013, fuglstad2019
   GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                   const GaussianProcessOptions& options = {});
-  /// Makes a process with given hyperparameters.
   GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                   const GaussianProcessHyperparameters& hyperparameters, Kernel kernel);
 

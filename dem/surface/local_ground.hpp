@@ -20,7 +20,6 @@ struct BoundingPlane {
     bytes(normal, offset);
   }
 };
-/// Set of ground faces.
 struct LocalFaces {
   struct Face {
     Vec3 normal;
@@ -61,8 +60,8 @@ struct LocalFaces {
 
 /// Ground features near a block, ordered by index.
 struct LocalGround : LocalFaces {
-  std::vector<std::uint32_t> edges;             ///< convex ones
-  std::vector<std::uint32_t> pointed_vertices;  ///< pointed vertices
+  std::vector<std::uint32_t> edges;  ///< convex ones
+  std::vector<std::uint32_t> pointed_vertices;
 
   template <class Bytes>
   void serialize(Bytes& bytes) {

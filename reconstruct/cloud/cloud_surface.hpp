@@ -19,7 +19,6 @@ struct CloudSurfaceOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Reconstructed surface with its uncertainty.
 struct CloudSurface {
   /// Oriented 2-manifold of one component, outward; closed if points are all around; m.
   TriangleMesh mesh;

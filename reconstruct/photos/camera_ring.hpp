@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Camera position relative to the block.
 struct CameraPosition {
   std::string name;
   double azimuth = 0.0;    ///< from x towards y, -pi to pi, rad

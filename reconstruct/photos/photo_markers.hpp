@@ -29,7 +29,6 @@ void visit_fields(const MarkerOptions& options, Visit&& visit) {
   visit("threads", ExcludedField{threads});
 }
 
-/// Marker located from several photos.
 struct LocatedMarker {
   int id = 0;
   std::array<Vec3, 4> corners{};  ///< clockwise from the top left, in the frame of the model

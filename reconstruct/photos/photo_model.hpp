@@ -44,7 +44,6 @@ struct PhotoModel {
 std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo,
                                        const Vec3& point);
 
-/// Scales a model about the origin.
 PhotoModel scaled(PhotoModel model, double factor);
 
 /// Locates the file of each photo under `folder`: by its relative path, otherwise by file name,

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Number of views of each triangle.
 struct SurfaceViews {
   std::vector<std::uint16_t> photos;  ///< compared photos that see it
   std::vector<std::uint16_t> pairs;   ///< compared pairs that both see it

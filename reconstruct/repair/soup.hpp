@@ -8,7 +8,6 @@
 
 namespace clast::reconstruct_detail {
 
-/// Change made by a repair step.
 struct RepairChange {
   std::size_t count = 0;
   double area = 0.0;             ///< removed area
@@ -36,7 +35,6 @@ RepairChange remove_fins(TriangleMesh& mesh, double largest_share);
 /// fins elsewhere. Counts triangles.
 RepairChange remove_border_fins(TriangleMesh& mesh);
 
-/// Result of orienting a surface.
 struct OrientationResult {
   std::size_t flipped = 0;  ///< number of flipped triangles
   bool orientable = true;

@@ -7,7 +7,6 @@
 
 namespace clast::report_detail {
 
-/// Outcome of one form.
 struct ShapeResponse {
   std::string name;
   Axes axes;

@@ -5,7 +5,6 @@
 
 namespace clast::report_detail {
 
-/// One sample of a chart.
 struct Series {
   std::string name;
   std::string colour;  ///< "#rrggbb"

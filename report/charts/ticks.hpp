@@ -5,7 +5,6 @@
 
 namespace clast::report_detail {
 
-/// Ticks of a linear axis.
 struct Ticks {
   double step = 1.0;
   int decimals = 0;            ///< needed to distinguish neighbouring ticks

@@ -6,7 +6,6 @@ namespace clast {
 
 /// Returns the schema of campaign files; keys have `description` and `unit`.
 nlohmann::ordered_json campaign_schema();
-/// Returns the schema of study files.
 nlohmann::ordered_json calibration_schema();
 
 }  // namespace clast

@@ -41,7 +41,6 @@ struct MarkShape {
   int qgis_angle = 0;  ///< clockwise, degrees
 };
 
-/// Mark of observed stops.
 inline constexpr MarkShape kMeasuredShape = {"cross-thin-open", "cross"};
 inline constexpr const char* kMeasuredColour = "#c0104a";
 inline constexpr const char* kBarrierColour = "#111111";
@@ -58,7 +57,6 @@ struct StopMark {
   MarkShape shape;
 };
 
-/// Marks of all blocks or classes.
 struct StopMarks {
   bool by_block = true;  ///< false: by shape class
   std::vector<StopMark> marks;

@@ -11,7 +11,6 @@
 
 namespace clast {
 
-/// Release position of single blocks.
 struct ReleasePosition {
   Vec2 place = Vec2::Zero();  ///< map coordinates, m
   std::uint32_t point = 0;    ///< index of the release point

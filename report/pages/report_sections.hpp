@@ -8,7 +8,6 @@ namespace clast::report_detail {
 
 /// Formats title, key results, key figures and warnings.
 std::string format_head_section(const Comparison& comparison, const KeyResults& answer);
-/// Formats the comparison of shape classes.
 std::string format_class_section(const Comparison& comparison);
 /// Formats the map of deposit rasters; empty without layers.
 std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters);

@@ -18,7 +18,6 @@ TextTable block_table(std::span<const Block* const> blocks);
 /// Describes which blocks are unscaled and why; empty if none is.
 std::string describe_unscaled(std::span<const Block* const> blocks);
 
-/// Ordered pairs of name and value.
 using NamedValues = std::vector<std::array<std::string, 2>>;
 
 /// Returns the details of a block that are not in the table.

@@ -14,7 +14,6 @@ struct KeyFigure {
   std::string more = {};  ///< "half stop before 44 / 31 m", or empty
 };
 
-/// Selects at most four key figures.
 std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const KeyResults& answer);
 
 }  // namespace clast

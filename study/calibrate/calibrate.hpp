@@ -9,7 +9,6 @@
 
 namespace clast {
 
-/// Execution options of a calibration.
 struct CalibrateOptions {
   unsigned threads = 0;  ///< 0: one per core; does not affect the result
   /// If true, members of an interrupted or finished calibration of the same design are reused; the

@@ -19,7 +19,6 @@ struct TrajectoryPoint {
 /// Points in ascending time order, from the release.
 using ObservedTrajectory = std::vector<TrajectoryPoint>;
 
-/// Observed trajectories of one table.
 struct ObservedTrajectorySet {
   std::string sha256;  ///< of the table
   std::vector<ObservedTrajectory> all;

@@ -8,7 +8,6 @@
 
 namespace clast {
 
-/// Cross-validated quality of a surrogate.
 struct SurrogateQuality {
   std::size_t members = 0;  ///< number of members with a value
   double error = 0.0;  ///< root mean square of the leave-one-out errors, in the statistic's unit

@@ -6,7 +6,6 @@
 
 namespace clast {
 
-/// Typical value with a plausible range.
 struct TypicalValue {
   double value = 0.0;
   double low = 0.0;

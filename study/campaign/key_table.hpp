@@ -46,7 +46,6 @@ struct TableKey {
   bool is_required() const { return !form.required.empty(); }
 };
 
-/// Declaration of one TOML table.
 struct KeyTable {
   enum class Repeat {
     kOnce,    ///< [name]

@@ -27,7 +27,6 @@ struct RunRow {
   double lateral = 0.0;  ///< lateral angle, rad; positive to the right looking downslope
 };
 
-/// Criterion by which runs are grouped.
 enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
 
 /// Group of runs: "all", one block ("block SP1A"), or one class ("class compact", "sneed-folk VE").

@@ -16,7 +16,6 @@ struct DesignFactor {
   std::size_t levels = 0;
 };
 
-/// Variance decomposition of one outcome.
 struct OutcomeEffects {
   /// Outcome: "runout", "lateral angle", "largest energy" (of the centre's motion), or "passing
   /// BARRIER".
@@ -27,7 +26,6 @@ struct OutcomeEffects {
   VarianceDecomposition shares;  ///< factors in the order of `DesignEffects::factors`
 };
 
-/// Design effects of one results file.
 struct DesignEffects {
   std::uint32_t file = 0;
   std::string refusal;  ///< reason why no effects were computed; empty otherwise

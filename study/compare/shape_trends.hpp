@@ -34,7 +34,6 @@ struct ShapeTrend {
   std::optional<double> runs_needed;
 };
 
-/// Trends of one results file.
 struct ShapeTrends {
   std::uint32_t file = 0;
   std::vector<ShapeTrend> trends;  ///< by outcome, then property; may be empty

@@ -16,7 +16,6 @@ struct ProposedLine {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
-/// Proposed release line and barrier.
 struct ProposedLines {
   /// Release line across the slope, on steep ground in the upper part of the terrain.
   ProposedLine releases;

@@ -42,7 +42,6 @@ struct BlockStiffness {
 /// @param runs  planned or done
 std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
                                                        std::span<const RunRecord> runs);
-/// Returns the ranges over all blocks.
 BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks);
 
 /// Formats the ranges: "9.52e+07", "2.1e+06 to 3.4e+06", or "-" if empty.

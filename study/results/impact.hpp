@@ -76,8 +76,8 @@ class ImpactObserver {
   const RigidBody& body_;
   std::uint32_t run_;
   bool first_ = true;
-  std::optional<Impact> open_;  ///< open impact
-  RigidState last_touch_;       ///< last contact of the open impact
+  std::optional<Impact> open_;
+  RigidState last_touch_;  ///< last contact of the open impact
   double last_touch_time_ = 0.0;
   double flight_ = 0.0;           ///< time since the last contact, s
   std::optional<Vec2> take_off_;  ///< start of the current flight

@@ -95,7 +95,6 @@ PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe)
 double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads);
 
-/// Execution options of a campaign.
 struct RunOptions {
   unsigned threads = 0;  ///< 0: one per core
   /// If true, an interrupted campaign is resumed, or started if there is none; if false, its runs

@@ -87,7 +87,6 @@ bool is_lossless_conversion(hid_t stored) {
 
 /// Concatenates texts, each padded or truncated to `width` bytes, never inside a character.
 std::string padded_strings(std::span<const std::string> texts, std::size_t width);
-/// Returns one of the padded texts.
 std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width);
 /// Returns the size of the longest text in bytes, at least 1.
 std::size_t longest_size(std::span<const std::string> texts);

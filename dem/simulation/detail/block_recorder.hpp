@@ -9,7 +9,6 @@
 namespace clast::dem_detail {
 
 struct BlockRecorder {
-  /// Adds a step to the result.
   void record_step(const MotionStep& step);
   /// Records which blocks it touches during its own release.
   void record_hits(std::span<const std::size_t> others);

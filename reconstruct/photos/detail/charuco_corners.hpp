@@ -8,7 +8,6 @@
 
 namespace clast::photos_detail {
 
-/// Detected board corner in a photo.
 struct DetectedCorner {
   int index = 0;
   Vec2 pixel = Vec2::Zero();  ///< px

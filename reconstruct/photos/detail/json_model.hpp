@@ -19,7 +19,6 @@ double parse_json_number(const nlohmann::json& value);
 /// @throws InputError  for any other number
 int parse_json_count(const nlohmann::json& value);
 
-/// Parses a vector of three numbers.
 Vec3 parse_json_vector(const nlohmann::json& value);
 
 /// Parses an id given as number or text.

@@ -10,14 +10,12 @@
 
 namespace clast::study_detail {
 
-/// Shape of a library block.
 struct SceneShape {
   ShpShape shape;        ///< index of shape and group
   std::string block;     ///< id in the library
   double density = 0.0;  ///< kg/m^3
 };
 
-/// Terrain surface of one zone.
 struct SceneZone {
   ShpShape shape;  ///< local frame of the terrain
   TriangleMesh surface;

@@ -10,7 +10,6 @@
 
 namespace clast::study_detail {
 
-/// Area and thickness of a heap.
 struct FilledArea {
   double area = 0.0;               ///< of the outline, m^2
   double mean_thickness = 0.0;     ///< height above the ground, averaged over the outline, m

@@ -32,7 +32,6 @@ class CheckpointFile {
   void write(const std::function<void(ByteWriter& to)>& save) const;
   void remove() const;
 
-  /// Removes the checkpoints of all realisations.
   static void remove_all(const std::filesystem::path& target);
 
  private:

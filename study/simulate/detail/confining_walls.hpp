@@ -8,7 +8,6 @@
 
 namespace clast::study_detail {
 
-/// Confining walls and their shapes.
 struct ConfiningWalls {
   std::vector<RigidBody> shapes;               ///< one per wall
   std::vector<ConfiningWall> confining_walls;  ///< `shape` is an index into `shapes`

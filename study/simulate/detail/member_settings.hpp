@@ -13,7 +13,6 @@ std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble);
 /// Returns the medians of all parameters as a single draw.
 PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior);
 
-/// Start conditions of a release set.
 struct ReleaseStart {
   std::optional<double> drop_height;     ///< m
   Vec3 velocity = Vec3::Zero();          ///< m/s
