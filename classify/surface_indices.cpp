@@ -69,7 +69,7 @@ double convexity(const SpheroPolyhedron& body, double volume) {
   return volume / sphero_mass_properties(hull, 1.0).volume;
 }
 
-SurfaceOrientation surface_orientation(const SpheroPolyhedron& body) {
+OrientationTensor orientation_tensor(const SpheroPolyhedron& body) {
   const double r = body.radius;
   Mat3 integral = 4.0 * kPi / 3.0 * r * r * Mat3::Identity();
   if (!body.faces.empty()) {
@@ -103,7 +103,7 @@ std::map<std::string, double> surface_indices(const SpheroPolyhedron& body, doub
       {"wadell_true_sphericity", true_sphericity(volume, area)},
       {"convexity", convexity(body, volume)}};
   try {
-    const SurfaceOrientation orientation = surface_orientation(body);
+    const OrientationTensor orientation = orientation_tensor(body);
     indices["bagi_orosz_compactness"] = orientation.compactness();
     indices["bagi_orosz_flakiness"] = orientation.flakiness();
     indices["bagi_orosz_rodness"] = orientation.rodness();

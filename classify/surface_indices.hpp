@@ -20,7 +20,7 @@ double convexity(const SpheroPolyhedron& body, double volume);
 
 /// Orientation tensor of the surface: eigenvalues f1 >= f2 >= f3 of (1/A) integral of n n^T over
 /// the rounded surface with outward normal n; their sum is 1. @cite bagi2020
-struct SurfaceOrientation {
+struct OrientationTensor {
   Vec3 eigenvalues = Vec3::Zero();
 
   double compactness() const { return eigenvalues[2] / eigenvalues[0]; }
@@ -33,7 +33,7 @@ struct SurfaceOrientation {
 /// cores.
 /// @throws GeometryError  if the core is open or inconsistently oriented (a lone vertex is a ball
 ///                        and valid)
-SurfaceOrientation surface_orientation(const SpheroPolyhedron& body);
+OrientationTensor orientation_tensor(const SpheroPolyhedron& body);
 
 struct SurfaceIndex {
   const char* name;     ///< as in tables and JSON

@@ -93,7 +93,7 @@ std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& 
   std::vector<std::string> notes;
   if (is_unscaled(block)) {
     notes.push_back("block " + block.id + " is unscaled, so its exported coordinates are not in " +
-                    "metres: " + explain_unscaled());
+                    "metres: " + explain_unscaled_block());
   }
   if (!options.includes_rounded_surface() || !options.segments) return notes;
   const std::optional<double> length = wrap_edge_length(block.body, *options.segments);

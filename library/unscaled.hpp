@@ -12,6 +12,6 @@ inline bool is_unscaled(const Block& block) { return block.source.unscaled; }
 
 /// Returns why the block is unscaled and how to scale it, as a clause: "its photographs gave no
 /// scale ...".
-std::string explain_unscaled();
+std::string explain_unscaled_block();
 
 }  // namespace clast

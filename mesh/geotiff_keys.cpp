@@ -117,7 +117,7 @@ const char* world_projection(int method) {
   return found == kMethods.end() ? "" : found->second;
 }
 
-void declare_plan(const KeyDirectory& keys, GeoTiffSystem& system) {
+void declare_plan(const KeyDirectory& keys, GeoTiffReferenceSystem& system) {
   std::vector<LengthUnitDeclaration>& lengths = system.lengths;
   const int model = keys.code(kModelType);
   if (model >= 1 && model <= 3) {
@@ -190,9 +190,9 @@ void declare_citations(const KeyDirectory& keys, std::vector<LengthUnitDeclarati
 
 }  // namespace
 
-GeoTiffSystem parse_geotiff_keys(const GeoTiffKeys& records) {
+GeoTiffReferenceSystem parse_geotiff_keys(const GeoTiffKeys& records) {
   const KeyDirectory keys(records);
-  GeoTiffSystem system;
+  GeoTiffReferenceSystem system;
   declare_plan(keys, system);
   declare_heights(keys, system.lengths);
   declare_citations(keys, system.lengths);

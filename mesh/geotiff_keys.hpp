@@ -15,7 +15,7 @@ struct GeoTiffKeys {
 };
 
 /// Reference system and units declared by GeoTIFF keys.
-struct GeoTiffSystem {
+struct GeoTiffReferenceSystem {
   std::string crs;  ///< "EPSG:25832"; empty if there is none or it is user-defined
   std::vector<LengthUnitDeclaration> lengths;
 };
@@ -23,6 +23,6 @@ struct GeoTiffSystem {
 /// Parses all declarations of length units: keys 1024 (kind of system), 2048, 3072 and 4096
 /// (codes), 2052, 3076, 3077 and 4099 (units), 3075 (projection), and citations if only they name a
 /// unit. The geographic base system of a projection does not affect its coordinates.
-GeoTiffSystem parse_geotiff_keys(const GeoTiffKeys& keys);
+GeoTiffReferenceSystem parse_geotiff_keys(const GeoTiffKeys& keys);
 
 }  // namespace clast

@@ -12,12 +12,13 @@
 namespace clast::python_detail {
 
 /// Returns a read-only view of shape (n, 3) that keeps `owner` alive.
-pybind11::array view(const std::vector<Vec3>& points, const pybind11::handle& owner);
+pybind11::array array_view(const std::vector<Vec3>& points, const pybind11::handle& owner);
 /// Returns a read-only view of shape (n, 3) that keeps `owner` alive.
-pybind11::array view(const std::vector<TriangleMesh::Triangle>& triangles,
-                     const pybind11::handle& owner);
+pybind11::array array_view(const std::vector<TriangleMesh::Triangle>& triangles,
+                           const pybind11::handle& owner);
 /// Returns a read-only view of shape (n,) that keeps `owner` alive.
-pybind11::array view(const std::vector<std::uint32_t>& indices, const pybind11::handle& owner);
+pybind11::array array_view(const std::vector<std::uint32_t>& indices,
+                           const pybind11::handle& owner);
 
 /// Returns an array that takes over the values without copying.
 template <class T>
@@ -43,11 +44,11 @@ std::vector<Vec3> parse_points(const pybind11::object& array, const char* name);
 /// Makes a mesh from vertices of shape (n, 3) and triangles of shape (m, 3), of any float and
 /// integer type and memory layout.
 /// @throws TypeError, InputError  as `parse_points`; or if an index has no vertex
-TriangleMesh mesh_from(const pybind11::object& vertices, const pybind11::object& triangles);
+TriangleMesh parse_mesh(const pybind11::object& vertices, const pybind11::object& triangles);
 /// Converts an array of three numbers.
 Vec3 parse_vector(const pybind11::object& array, const char* name);
 /// Converts a quaternion w, x, y, z of norm 1 within 1e-3, which is normalised, or a rotation
 /// matrix of shape (3, 3).
-Quat rotation_from(const pybind11::object& array, const char* name);
+Quat parse_rotation(const pybind11::object& array, const char* name);
 
 }  // namespace clast::python_detail

@@ -44,8 +44,8 @@ py::dict classes_of(const Axes& axes, double axis_error, const SchemeOptions& op
 
 SchemeOptions scheme_options(Keywords& given) {
   SchemeOptions options;
-  given.take("thirds", options.sneed_folk_thirds);
-  given.take("erdogan_limit", options.erdogan_limit);
+  given.read("thirds", options.sneed_folk_thirds);
+  given.read("erdogan_limit", options.erdogan_limit);
   return options;
 }
 
@@ -59,8 +59,8 @@ py::dict classify_block(const Block& block, const py::kwargs& keywords) {
   const SchemeOptions options = scheme_options(given);
   std::string box = "smallest";
   double axis_error = axis_error_of(block);
-  given.take("box", box);
-  given.take("axis_error", axis_error);
+  given.read("box", box);
+  given.read("axis_error", axis_error);
   given.check_all_used();
   return classes_of(axes_of(block_box(block, parse_box_convention(box))), axis_error, options);
 }
@@ -69,7 +69,7 @@ py::dict classify_axes(double l, double i, double s, const py::kwargs& keywords)
   Keywords given(keywords);
   const SchemeOptions options = scheme_options(given);
   double axis_error = kTapeError;
-  given.take("axis_error", axis_error);
+  given.read("axis_error", axis_error);
   given.check_all_used();
   return classes_of(Axes::sorted(l, i, s), axis_error, options);
 }
@@ -94,7 +94,7 @@ auto part(const Part& of) {
 
 py::tuple faces_of(const SpheroPolyhedron& core, const py::object& self) {
   py::tuple faces(core.faces.size());
-  for (std::size_t i = 0; i < core.faces.size(); ++i) faces[i] = view(core.faces[i], self);
+  for (std::size_t i = 0; i < core.faces.size(); ++i) faces[i] = array_view(core.faces[i], self);
   return faces;
 }
 
@@ -162,7 +162,7 @@ void bind_core(py::module_& module) {
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {
-            return view(py::cast<const SpheroPolyhedron&>(self).vertices, self);
+            return array_view(py::cast<const SpheroPolyhedron&>(self).vertices, self);
           },
           "Corners, m; float64 (n, 3), a view.")
       .def_property_readonly(
@@ -223,7 +223,8 @@ void bind_blocks(py::module_& module) {
           py::return_value_policy::reference_internal, "The polyhedron with its radius.")
       .def_property_readonly(
           "surface", part([](const Block& b, const py::object& self) {
-            return py::make_tuple(view(b.surface.vertices, self), view(b.surface.triangles, self));
+            return py::make_tuple(array_view(b.surface.vertices, self),
+                                  array_view(b.surface.triangles, self));
           }),
           "(vertices (n, 3) m, triangles (m, 3)): the closed scan, simplified, that the block was "
           "made from; views.")
@@ -269,7 +270,7 @@ void bind_blocks(py::module_& module) {
   module.def(
       "mass_properties",
       [](const py::object& vertices, const py::object& triangles, double density) {
-        const TriangleMesh mesh = mesh_from(vertices, triangles);
+        const TriangleMesh mesh = parse_mesh(vertices, triangles);
         const MassProperties found =
             without_gil([&] { return solid_mass_properties(mesh, density); });
         return py::dict("volume_m3"_a = found.volume, "mass_kg"_a = found.mass,

@@ -41,9 +41,9 @@ TableValues draws_of(const Calibration& calibration) {
 
 CalibrateOptions common_options(Keywords& given) {
   CalibrateOptions options;
-  given.take("threads", options.threads);
-  given.take("resume", options.resume);
-  given.take("replace", options.replace);
+  given.read("threads", options.threads);
+  given.read("resume", options.resume);
+  given.read("replace", options.replace);
   return options;
 }
 
@@ -52,7 +52,7 @@ py::tuple calibrate_study(const fs::path& study, const fs::path& output, const p
                           const py::object& progress) {
   Keywords given(keywords);
   CalibrateOptions options = common_options(given);
-  given.take("parts", options.parts);
+  given.read("parts", options.parts);
   given.check_all_used();
   const Calibration found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;

@@ -78,7 +78,7 @@ py::tuple check(const std::string& text, const fs::path& file) {
 
 std::optional<Shard> take_shard(Keywords& given) {
   std::optional<std::pair<std::uint32_t, std::uint32_t>> pair;
-  given.take("shard", pair);
+  given.read("shard", pair);
   if (!pair) return std::nullopt;
   const Shard shard{pair->first, pair->second};
   shard.check();
@@ -102,15 +102,15 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
                 const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   RunOptions options;
-  given.take("threads", options.threads);
-  given.take("resume", options.resume);
-  given.take("replace", options.replace);
-  given.take("checkpoint_interval", options.checkpoint_interval);
+  given.read("threads", options.threads);
+  given.read("resume", options.resume);
+  given.read("replace", options.replace);
+  given.read("checkpoint_interval", options.checkpoint_interval);
   const std::optional<Shard> shard = take_shard(given);
   given.check_all_used();
   options.shard = shard.value_or(Shard());
   const fs::path target = shard_file(output, shard);
-  watch(progress, [&](const ProgressCallback& step) {
+  call_with_progress(progress, [&](const ProgressCallback& step) {
     const bool keep = !options.replace && !options.resume && !fs::exists(journal_path(target));
     check_results_target(target, !keep);
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
@@ -130,9 +130,9 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
   unsigned threads = 0;
   std::optional<fs::path> map;
   std::optional<double> margin;
-  given.take("threads", threads);
-  given.take("margin", margin);
-  given.take("map", map);
+  given.read("threads", threads);
+  given.read("margin", margin);
+  given.read("map", map);
   const Shard shard = take_shard(given).value_or(Shard());
   given.check_all_used();
   const auto summary = run_with_progress(py::none(), [&](const ProgressCallback&) {
@@ -177,9 +177,9 @@ py::tuple export_scenes(const std::string& text, const fs::path& file, const fs:
   Keywords given(keywords);
   EngineSceneOptions options;
   bool replace = false;
-  given.take("to", options.engine);
-  given.take("runs", options.runs);
-  given.take("replace", replace);
+  given.read("to", options.engine);
+  given.read("runs", options.runs);
+  given.read("replace", replace);
   given.check_all_used();
   const EngineScenes scenes = run_with_progress(py::none(), [&](const ProgressCallback&) {
     options.check();
@@ -199,8 +199,8 @@ py::tuple import_results(const std::string& engine, const fs::path& scenes, cons
                          const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   EngineResultsOptions options{.engine = engine, .scenes = scenes};
-  given.take("campaign", options.campaign);
-  given.take("replace", options.replace);
+  given.read("campaign", options.campaign);
+  given.read("replace", options.replace);
   given.check_all_used();
   const EngineImportSummary found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;

@@ -101,9 +101,9 @@ std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folde
   Keywords given(keywords);
   ComparisonReportOptions extras;
   bool replace = false, pdf = false;
-  given.take("animate", extras.animated);
-  given.take("replace", replace);
-  given.take("pdf", pdf);
+  given.read("animate", extras.animated);
+  given.read("replace", replace);
+  given.read("pdf", pdf);
   given.check_all_used();
   return run_with_progress(py::none(), [&](const ProgressCallback&) {
     if (pdf) extras.browser = find_browser();

@@ -59,10 +59,10 @@ Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& ke
   std::optional<std::string> site, note;
   std::optional<double> weighed;
   std::optional<std::array<double, 3>> taped;
-  given.take("site", site);
-  given.take("note", note);
-  given.take("weighed", weighed);
-  given.take("taped", taped);
+  given.read("site", site);
+  given.read("note", note);
+  given.read("weighed", weighed);
+  given.read("taped", taped);
   given.check_all_used();
   if (!site && !note && !weighed && !taped) {
     throw InputError("nothing to set; give site, note, taped or weighed");
@@ -100,7 +100,7 @@ template <class Value>
 void take_choice(Keywords& given, const char* name, const std::map<std::string, Value>& choices,
                  Value& field) {
   std::optional<std::string> chosen;
-  given.take(name, chosen);
+  given.read(name, chosen);
   if (!chosen) return;
   const auto found = choices.find(*chosen);
   if (found == choices.end()) {
@@ -126,9 +126,9 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
   take_choice(given, "frame",
               {{"source", ExportFrame::kSource}, {"principal", ExportFrame::kPrincipal}},
               options.frame);
-  given.take("up", options.up);
-  given.take("segments", options.segments);
-  given.take("replace", options.replace);
+  given.read("up", options.up);
+  given.read("segments", options.segments);
+  given.read("replace", options.replace);
   given.check_all_used();
   if (folder.empty()) throw InputError("the folder to export to has no name");
   std::vector<std::string> notes;

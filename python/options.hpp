@@ -21,11 +21,11 @@ class Keywords {
   /// Sets the field if the argument is given.
   /// @throws TypeError  if its type is wrong; names the argument
   template <class T>
-  void take(const char* name, T& field) {
+  void read(const char* name, T& field) {
     if (has(name)) field = cast<T>(name);
   }
   template <class T>
-  void take(const char* name, std::optional<T>& field) {
+  void read(const char* name, std::optional<T>& field) {
     if (has(name)) field = cast<T>(name);
   }
   /// Returns a text or path, or a list of them, as texts.

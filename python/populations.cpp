@@ -29,18 +29,18 @@ PopulationRequest population_request(Keywords& given) {
   PopulationRequest request;
   request.first.inputs = given.texts("inputs");
   request.against.inputs = given.texts("against");
-  given.take("columns", request.first.columns);
-  given.take("units", request.first.units);
-  given.take("against_columns", request.against.columns);
-  given.take("against_units", request.against.units);
+  given.read("columns", request.first.columns);
+  given.read("units", request.first.units);
+  given.read("against_columns", request.against.columns);
+  given.read("against_units", request.against.units);
   request.reading.box_given = given.has("box");
-  given.take("box", request.reading.box);
-  given.take("axis_error", request.reading.axis_error);
-  given.take("roundness", request.reading.roundness_edge);
+  given.read("box", request.reading.box);
+  given.read("axis_error", request.reading.axis_error);
+  given.read("roundness", request.reading.roundness_edge);
   request.reading.surfaces = request.reading.roundness_edge.has_value();
-  given.take("thirds", request.options.limits.sneed_folk_thirds);
-  given.take("erdogan_limit", request.options.limits.erdogan_limit);
-  given.take("seed", request.options.seed);
+  given.read("thirds", request.options.limits.sneed_folk_thirds);
+  given.read("erdogan_limit", request.options.limits.erdogan_limit);
+  given.read("seed", request.options.seed);
   if (given.has("size")) {
     const auto size = py::cast<std::string>(given.object("size"));
     if (size != "I" && size != "mean") {

@@ -50,10 +50,10 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
     options.scale_points = {parse_vector(a, "scale_length"), parse_vector(b, "scale_length")};
     unit = measured_unit(*options.scale_points, metres);
   } else {
-    given.take("units", options.units);
+    given.read("units", options.units);
     unit = parse_length_unit(options.units);
   }
-  given.take("scale_factor", options.scale_factor);
+  given.read("scale_factor", options.scale_factor);
   if (!kScaleFactor.contains(options.scale_factor)) {
     throw InputError("scale_factor = " + format_significant(options.scale_factor, 6) + " must be " +
                      kScaleFactor.describe());
@@ -63,7 +63,7 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
 
 void take_scan(Keywords& given, ScanToBlockOptions& options) {
   options.up_given = given.has("up");
-  given.take("up", options.scan.up);
+  given.read("up", options.scan.up);
   options.scan.columns = given.texts("columns");
   if (given.has("ground")) {
     const auto ground = py::cast<std::string>(given.object("ground"));
@@ -72,24 +72,24 @@ void take_scan(Keywords& given, ScanToBlockOptions& options) {
     }
     options.find_ground = ground == "auto";
   }
-  given.take("split", options.split);
-  given.take("any_size", options.allow_any_size);
-  given.take("keep_inner_shells", options.scan.repair.keep_inner_shells);
+  given.read("split", options.split);
+  given.read("any_size", options.allow_any_size);
+  given.read("keep_inner_shells", options.scan.repair.keep_inner_shells);
 }
 
 void take_block(Keywords& given, ScanToBlockOptions& options) {
   BlockOptions& block = options.block;
   options.radius_given = given.has("radius") || given.has("radius_share");
   block.density_given = given.has("density");
-  given.take("vertices", options.vertices);
-  given.take("radius", block.radius);
-  given.take("radius_share", block.radius_share);
-  given.take("core", block.core);
-  given.take("convex", block.convex);
-  given.take("density", block.density);
-  given.take("mass", block.mass);
-  given.take("accuracy", block.accuracy);
-  given.take("tolerance", block.tolerance);
+  given.read("vertices", options.vertices);
+  given.read("radius", block.radius);
+  given.read("radius_share", block.radius_share);
+  given.read("core", block.core);
+  given.read("convex", block.convex);
+  given.read("density", block.density);
+  given.read("mass", block.mass);
+  given.read("accuracy", block.accuracy);
+  given.read("tolerance", block.tolerance);
   if (block.radius && given.has("radius_share")) {
     throw InputError("radius and radius_share both give the rounding; leave one out");
   }
@@ -97,22 +97,22 @@ void take_block(Keywords& given, ScanToBlockOptions& options) {
 
 void take_photos(Keywords& given, PhotoScanOptions& photos) {
   std::vector<std::tuple<int, int, double>> bars;
-  given.take("scale_bar", bars);
+  given.read("scale_bar", bars);
   for (const auto& [first, second, length] : bars) {
     photos.scale.bars.push_back({first, second, length});
   }
   std::optional<fs::path> board;
-  given.take("board", board);
+  given.read("board", board);
   if (board) photos.scale.board = read_scale_board(*board);
   double minutes = photos.colmap.time_limit / 60.0;
-  given.take("marker_size", photos.scale.marker_side);
-  given.take("markers", photos.markers.dictionary);
-  given.take("allow_unscaled", photos.allow_unscaled);
-  given.take("model", photos.model);
-  given.take("masks", photos.dense.masks);
-  given.take("colmap", photos.colmap.program);
-  given.take("colmap_minutes", minutes);
-  given.take("photo_cache", photos.colmap.cache);
+  given.read("marker_size", photos.scale.marker_side);
+  given.read("markers", photos.markers.dictionary);
+  given.read("allow_unscaled", photos.allow_unscaled);
+  given.read("model", photos.model);
+  given.read("masks", photos.dense.masks);
+  given.read("colmap", photos.colmap.program);
+  given.read("colmap_minutes", minutes);
+  given.read("photo_cache", photos.colmap.cache);
   photos.colmap.time_limit = 60.0 * minutes;
   photos.check();
 }
@@ -161,7 +161,7 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
   if (triangles.is_none()) {
     mesh.vertices = parse_points(vertices, "vertices");
   } else {
-    mesh = mesh_from(vertices, triangles);
+    mesh = parse_mesh(vertices, triangles);
   }
   Keywords given(keywords);
   const ScanToBlockOptions options = options_from(given);
@@ -223,10 +223,10 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   options.library = output;
   Keywords given(batch_keywords), of_scans(keywords);
   std::optional<fs::path> pages;
-  given.take("jobs", options.jobs);
-  given.take("replace", options.replace);
-  given.take("resume", options.resume);
-  given.take("report", pages);
+  given.read("jobs", options.jobs);
+  given.read("replace", options.replace);
+  given.read("resume", options.resume);
+  given.read("report", pages);
   given.check_all_used();
   options.scan = options_from(of_scans);
   std::optional<Follower> follower;

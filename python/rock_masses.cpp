@@ -21,7 +21,7 @@ namespace {
 /// Options of a cut.
 struct CutRequest {
   RockMassFile file;  ///< of a closed mesh; empty: the difference of two terrains
-  MassTerrains terrains;
+  BeforeAfterTerrains terrains;
   ReleasedMassOptions difference;
   std::optional<std::filesystem::path> scar;  ///< mesh of the difference
   RockMassOptions options;
@@ -34,26 +34,26 @@ CutRequest cut_request(Keywords& given) {
   for (const std::string& joints : given.texts("joints")) {
     request.options.joints.push_back(parse_joint_set(joints));
   }
-  given.take("mass", request.file.path);
+  given.read("mass", request.file.path);
   for (const std::string& file : given.texts("before")) request.terrains.before.emplace_back(file);
   for (const std::string& file : given.texts("after")) request.terrains.after.emplace_back(file);
-  given.take("min_thickness", request.difference.min_thickness);
-  given.take("polygon", request.difference.polygon);
-  given.take("bodies", request.difference.bodies);
-  given.take("resolution", request.difference.resolution);
-  given.take("scar", request.scar);
-  given.take("units", request.file.units);
-  given.take("up", request.file.up);
+  given.read("min_thickness", request.difference.min_thickness);
+  given.read("polygon", request.difference.polygon);
+  given.read("bodies", request.difference.bodies);
+  given.read("resolution", request.difference.resolution);
+  given.read("scar", request.scar);
+  given.read("units", request.file.units);
+  given.read("up", request.file.up);
   request.terrains.up = request.file.up;
-  given.take("output", request.output);
-  given.take("replace", request.replace);
-  given.take("prefix", request.options.prefix);
-  given.take("seed", request.options.cutting.seed);
-  given.take("least_volume", request.options.cutting.least_volume);
-  given.take("most_blocks", request.options.cutting.most_blocks);
-  given.take("density", request.options.block.density);
-  given.take("radius_share", request.options.block.radius_share);
-  given.take("threads", request.options.threads);
+  given.read("output", request.output);
+  given.read("replace", request.replace);
+  given.read("prefix", request.options.prefix);
+  given.read("seed", request.options.cutting.seed);
+  given.read("least_volume", request.options.cutting.least_volume);
+  given.read("most_blocks", request.options.cutting.most_blocks);
+  given.read("density", request.options.block.density);
+  given.read("radius_share", request.options.block.radius_share);
+  given.read("threads", request.options.threads);
   given.check_all_used();
   check_block_id(request.options.prefix + "0001");
   request.options.block.check();

@@ -38,17 +38,17 @@ std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
     for (const std::string& zone : split_list(zones)) options.zones.push_back(zone);
   }
   for (const std::string& lines : given.texts("breaklines")) options.breaklines.emplace_back(lines);
-  given.take("up", options.up);
+  given.read("up", options.up);
   options.columns = given.texts("columns");
-  given.take("resolution", options.resolution);
-  given.take("percentile", options.percentile);
-  given.take("outliers", options.outliers);
-  given.take("fill", options.fill);
-  given.take("crack", options.crack);
-  given.take("spikes", options.spike_steepness);
-  given.take("smoothing", options.smoothing);
-  given.take("tolerance", options.tolerance);
-  given.take("cut_zones", options.cut_zones);
+  given.read("resolution", options.resolution);
+  given.read("percentile", options.percentile);
+  given.read("outliers", options.outliers);
+  given.read("fill", options.fill);
+  given.read("crack", options.crack);
+  given.read("spikes", options.spike_steepness);
+  given.read("smoothing", options.smoothing);
+  given.read("tolerance", options.tolerance);
+  given.read("cut_zones", options.cut_zones);
   given.check_all_used();
   return without_gil([&] {
     options.check();
@@ -72,7 +72,7 @@ py::dict report_of(const Terrain& terrain) {
 /// Points in an array, or in a file whose axis `up` points up.
 std::vector<Vec3> take_places(Keywords& given) {
   std::string up = "z";
-  given.take("up", up);
+  given.read("up", up);
   if (up != "y" && up != "z") throw InputError("up = \"" + up + "\" must be \"y\" or \"z\"");
   if (!given.has("release")) return {};
   const py::object release = given.object("release");
@@ -91,8 +91,8 @@ std::vector<std::string> check_fit(const Terrain& terrain, const py::dict& keywo
   Keywords given(keywords);
   const std::vector<Vec3> places = take_places(given);
   std::optional<double> border_distance, block_size;
-  given.take("border_distance", border_distance);
-  given.take("block_size", block_size);
+  given.read("border_distance", border_distance);
+  given.read("block_size", block_size);
   given.check_all_used();
   std::vector<std::string> warnings;
   const auto add = [&](const std::optional<std::string>& warning) {
@@ -112,8 +112,8 @@ void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords
   for (const Vec3& place : take_places(given)) releases.push_back(place.head<2>());
   std::optional<fs::path> barriers;
   bool replace = false;
-  given.take("barriers", barriers);
-  given.take("replace", replace);
+  given.read("barriers", barriers);
+  given.read("replace", replace);
   given.check_all_used();
   without_gil([&] {
     if (lower_case_extension(path) != ".svg") {
@@ -156,11 +156,13 @@ void bind_terrains(py::module_& module) {
       module, "TerrainData", "Checked ground: triangles in zones, and their place on the map.")
       .def_property_readonly("vertices",
                              [](const py::object& self) {
-                               return view(py::cast<const Terrain&>(self).surface.vertices, self);
+                               return array_view(py::cast<const Terrain&>(self).surface.vertices,
+                                                 self);
                              })
       .def_property_readonly("triangles",
                              [](const py::object& self) {
-                               return view(py::cast<const Terrain&>(self).surface.triangles, self);
+                               return array_view(py::cast<const Terrain&>(self).surface.triangles,
+                                                 self);
                              })
       .def_property_readonly("zones",
                              [](const py::object& self) {

@@ -22,27 +22,27 @@ namespace {
 SeriesTargets steps_from(Keywords& given) {
   SeriesTargets steps;
   std::vector<std::pair<double, double>> to;
-  given.take("to", to);
+  given.read("to", to);
   for (const auto& [i_l, s_l] : to) {
     steps.ratios.push_back(check_stretch_ratios(
         i_l, s_l, "(" + format_significant(i_l, 6) + ", " + format_significant(s_l, 6) + ")"));
   }
   FormGrid grid;
   std::optional<std::pair<std::string, int>> diagram;
-  given.take("least", grid.least);
-  given.take("grid", diagram);
+  given.read("least", grid.least);
+  given.read("grid", diagram);
   if (diagram) {
     std::tie(grid.diagram, grid.steps) = *diagram;
     steps.grid = grid;
   }
-  given.take("convexity", steps.convexity);
-  given.take("rounding", steps.rounding);
-  given.take("roundness", steps.roundness);
-  given.take("roundness_edge", steps.roundness_edge);
-  given.take("vertices", steps.vertices);
-  given.take("detail", steps.detail);
-  given.take("degree", steps.degree);
-  given.take("exponent", steps.exponent);
+  given.read("convexity", steps.convexity);
+  given.read("rounding", steps.rounding);
+  given.read("roundness", steps.roundness);
+  given.read("roundness_edge", steps.roundness_edge);
+  given.read("vertices", steps.vertices);
+  given.read("detail", steps.detail);
+  given.read("degree", steps.degree);
+  given.read("exponent", steps.exponent);
   steps.reference = given.texts("reference");
   steps.inertia = given.texts("inertia");
   return steps;
@@ -51,19 +51,19 @@ SeriesTargets steps_from(Keywords& given) {
 SeriesRequest series_request(Keywords& given) {
   SeriesRequest request;
   std::string keep = "mass";
-  given.take("library", request.library);
+  given.read("library", request.library);
   request.ids = given.texts("ids");
   request.like_ids = given.texts("like");
   request.steps = steps_from(given);
-  given.take("draw", request.draw);
-  given.take("table", request.table);
-  given.take("units", request.units);
-  given.take("prefix", request.prefix);
-  given.take("seed", request.seed);
-  given.take("keep", keep);
-  given.take("threads", request.options.threads);
-  given.take("output", request.output);
-  given.take("replace", request.replace);
+  given.read("draw", request.draw);
+  given.read("table", request.table);
+  given.read("units", request.units);
+  given.read("prefix", request.prefix);
+  given.read("seed", request.seed);
+  given.read("keep", keep);
+  given.read("threads", request.options.threads);
+  given.read("output", request.output);
+  given.read("replace", request.replace);
   given.check_all_used();
   request.options.variation.keep = parse_preserved_size(keep);
   request.check();

@@ -49,8 +49,8 @@ void pass_on(const py::object& progress, const ProgressUpdate& step) {
 
 std::mutex& file_mutex() { return py::get_or_create_shared_data<std::mutex>("clast file access"); }
 
-void watch(const py::object& progress, const std::function<void(const ProgressCallback&)>& job,
-           std::mutex& busy) {
+void call_with_progress(const py::object& progress,
+                        const std::function<void(const ProgressCallback&)>& job, std::mutex& busy) {
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) {
     throw py::type_error("progress: must be something to call with a dict");
   }

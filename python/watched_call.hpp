@@ -20,15 +20,15 @@ std::mutex& file_mutex();
 /// changes. A signal, or an exception of `progress`, ends the job at its next progress step and is
 /// raised here.
 /// @param progress  None or a callable
-void watch(const pybind11::object& progress,
-           const std::function<void(const ProgressCallback&)>& job,
-           std::mutex& busy = file_mutex());
+void call_with_progress(const pybind11::object& progress,
+                        const std::function<void(const ProgressCallback&)>& job,
+                        std::mutex& busy = file_mutex());
 
 /// Runs a job that returns a value; see `watch`.
 template <class Job>
 auto run_with_progress(const pybind11::object& progress, const Job& job) {
   std::optional<decltype(job(ProgressCallback()))> result;
-  watch(progress, [&](const ProgressCallback& step) { result.emplace(job(step)); });
+  call_with_progress(progress, [&](const ProgressCallback& step) { result.emplace(job(step)); });
   return std::move(*result);
 }
 

@@ -34,7 +34,7 @@ GroundParameters ground_from(const py::handle& object, const std::string& zone) 
   Keywords given(py::reinterpret_borrow<py::dict>(object));
   GroundParameters ground;
   for (const GroundParameterField& field : ground_fields())
-    given.take(field.name, ground.*field.value);
+    given.read(field.name, ground.*field.value);
   given.check_all_used();
   ground.check(zone);
   return ground;
@@ -57,7 +57,7 @@ class Experiment {
     take_settings(given);
     take_ground(given);
     double radius = 0.0;
-    given.take("radius_m", radius);
+    given.read("radius_m", radius);
     given.check_all_used();
     WorldSettings known = settings_;
     known.stiffness = {1.0, 1.0, 1.0, 1e-3, 1e-3};  // follows from the blocks, later
@@ -89,7 +89,7 @@ class Experiment {
     state.position = local(parse_vector(position, "position"));
     Quat turn = Quat::Identity();
     if (given.has("orientation")) {
-      turn = rotation_from(given.object("orientation"), "orientation");
+      turn = parse_rotation(given.object("orientation"), "orientation");
     }
     state.orientation = (turn * block->principal.rotation).normalized();
     if (given.has("velocity_m_s")) {
@@ -100,7 +100,7 @@ class Experiment {
           parse_vector(given.object("angular_velocity_rad_s"), "angular_velocity_rad_s");
     }
     bool fixed = false;
-    given.take("fixed", fixed);
+    given.read("fixed", fixed);
     given.check_all_used();
     const std::size_t shape = learn(block);
     if (world_) {
@@ -139,7 +139,7 @@ class Experiment {
     };
     running_ = true;
     try {
-      watch(progress, job, busy_);
+      call_with_progress(progress, job, busy_);
     } catch (...) {
       running_ = false;
       throw;
@@ -212,19 +212,19 @@ class Experiment {
 
   void take_settings(Keywords& given) {
     std::optional<std::string> law, weights;
-    given.take("law", law);
-    given.take("weights", weights);
+    given.read("law", law);
+    given.read("weights", weights);
     if (law) settings_.law = parse_contact_law(*law);
     if (weights) settings_.weights = parse_contact_weighting(*weights);
-    given.take("gravity_m_s2", settings_.gravity);
-    given.take("rest_energy_j_kg", settings_.rest_energy);
-    given.take("rest_duration_s", settings_.rest_duration);
-    given.take("threads", settings_.threads);
-    given.take("stiffness_n_m", options_.normal);
-    given.take("tangential_stiffness_n_m", options_.tangential);
-    given.take("rolling_stiffness_n_m_rad", options_.rolling);
-    given.take("time_step_s", options_.time_step);
-    given.take("fastest_m_s", fastest_);
+    given.read("gravity_m_s2", settings_.gravity);
+    given.read("rest_energy_j_kg", settings_.rest_energy);
+    given.read("rest_duration_s", settings_.rest_duration);
+    given.read("threads", settings_.threads);
+    given.read("stiffness_n_m", options_.normal);
+    given.read("tangential_stiffness_n_m", options_.tangential);
+    given.read("rolling_stiffness_n_m_rad", options_.rolling);
+    given.read("time_step_s", options_.time_step);
+    given.read("fastest_m_s", fastest_);
     options_.law = settings_.law;
     if (fastest_ && !(*fastest_ > 0.0 && std::isfinite(*fastest_))) {
       throw InputError("fastest_m_s = " + format_significant(*fastest_, 6) + " must be positive");

@@ -56,8 +56,8 @@ constexpr std::size_t kMaxNamedBlocks = 5;
 /// Bodies that are listed.
 constexpr std::size_t kMaxBodies = 10;
 
-MassTerrains terrains_of(const CutArgs& args) {
-  MassTerrains terrains;
+BeforeAfterTerrains terrains_of(const CutArgs& args) {
+  BeforeAfterTerrains terrains;
   terrains.up = args.up;
   for (const std::string& file : split_list(args.before)) terrains.before.emplace_back(file);
   for (const std::string& file : split_list(args.after)) terrains.after.emplace_back(file);
@@ -117,7 +117,7 @@ OverwritePolicy scar_rules(const CutArgs& args) {
 }
 
 RockMassBlocks blocks_between(const CutArgs& args) {
-  const MassTerrains terrains = terrains_of(args);
+  const BeforeAfterTerrains terrains = terrains_of(args);
   ReleasedMassOptions difference = args.difference;
   difference.least_volume = args.options.cutting.least_volume;
   const ReleasedMass mass = read_released_mass(terrains, difference);

@@ -71,7 +71,7 @@ void add_camera_options(CLI::App& command, PhotoArgs& args) {
 
 }  // namespace
 
-PhotoScanOptions PhotoArgs::parsed() const {
+PhotoScanOptions PhotoArgs::parse() const {
   PhotoScanOptions result = options;
   for (const std::string& bar : bars) result.scale.bars.push_back(bar_from(bar));
   if (!board.empty()) {

@@ -19,7 +19,7 @@ struct PhotoArgs {
   /// Parses the options.
   /// @throws CLI::ValidationError  if a scale bar is invalid, or a marker is not on the board
   /// @throws InputError  as `read_scale_board`
-  PhotoScanOptions parsed() const;
+  PhotoScanOptions parse() const;
 };
 
 void add_photo_options(CLI::App& command, PhotoArgs& args);

@@ -74,7 +74,7 @@ MeasuredLength measured_length(const std::string& text) {
 void reconstruct(const ReconstructArgs& args) {
   BatchOptions batch = args.batch;
   ScanToBlockOptions& options = batch.scan;
-  options.photos = args.photos.parsed();
+  options.photos = args.photos.parse();
   options.scale_factor = args.scale_factor;
   double unit = 1.0;
   if (args.scale_length.empty()) {

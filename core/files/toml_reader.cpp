@@ -249,7 +249,7 @@ void TomlTable::refuse(const std::string& problem) const {
                    (title_.empty() ? "" : ": ") + problem);
 }
 
-const TomlNode& TomlTable::required(const std::string& key, const std::string& expected) const {
+const TomlNode& TomlTable::require_key(const std::string& key, const std::string& expected) const {
   const TomlNode* node = find(key);
   if (!node) refuse(key + " is missing; it must be " + expected);
   return *node;
@@ -291,7 +291,7 @@ std::optional<std::uint64_t> TomlTable::count(const std::string& key, std::uint6
   return static_cast<std::uint64_t>(node->integer);
 }
 
-std::optional<std::vector<std::string>> TomlTable::strings(const std::string& key) const {
+std::optional<std::vector<std::string>> TomlTable::text_list(const std::string& key) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (node->kind == TomlNode::Kind::kString) return std::vector<std::string>{*text(key)};

@@ -61,7 +61,7 @@ class TomlTable {
 
   /// Returns the value of a required key.
   /// @throws InputError  if it is missing
-  const TomlNode& required(const std::string& key, const std::string& expected) const;
+  const TomlNode& require_key(const std::string& key, const std::string& expected) const;
   /// Reads a text; empty if the key is absent. The same holds for the following readers.
   /// @throws InputError  if the type is wrong, a text is empty, or a number is out of range
   std::optional<std::string> text(const std::string& key) const;
@@ -70,7 +70,7 @@ class TomlTable {
   std::optional<std::uint64_t> count(const std::string& key, std::uint64_t least,
                                      std::uint64_t most) const;
   /// Reads a text or a list of texts, none of them empty.
-  std::optional<std::vector<std::string>> strings(const std::string& key) const;
+  std::optional<std::vector<std::string>> text_list(const std::string& key) const;
   /// Reads a vector.
   /// @param range  of each component
   std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;

@@ -39,7 +39,7 @@ double quantile(std::span<const double> sorted, double p) {
   return sorted[below] + fraction * (sorted[above] - sorted[below]);
 }
 
-int known_decimals(const Interval& interval, int max_decimals) {
+int justified_decimals(const Interval& interval, int max_decimals) {
   int decimals = 0;
   for (double step = 1.0; decimals < max_decimals && !(5.0 * step <= interval.high - interval.low);
        step /= 10.0) {

@@ -40,7 +40,7 @@ struct Interval {
 
 /// Returns the significant decimals of a value with an interval: the interval is at least five
 /// units of the last decimal wide.
-int known_decimals(const Interval& interval, int max_decimals);
+int justified_decimals(const Interval& interval, int max_decimals);
 
 /// Returns Wilson's 95 % interval of a probability after `hits` of `trials` independent trials; [0,
 /// 1] without trials.

@@ -156,13 +156,13 @@ void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scrat
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Contact& contact = now[i];
     const Vec3 force = contact.weight * contact.point.normal;
-    PatchWrench& action = patch_wrenches[patches_.patch_of(i)];
+    PatchWrench& action = patch_wrenches[patches_.find_patch(i)];
     action.force += force;
     action.torque += (contact.position - block.world_from_body.translation).cross(force);
     action.torque_on_other += (contact.position - other.world_from_body.translation).cross(force);
   }
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const PatchWrench& action = patch_wrenches[patches_.patch_of(i)];
+    const PatchWrench& action = patch_wrenches[patches_.find_patch(i)];
     const double mobility =
         (block.inverse_mass + other.inverse_mass) * action.force.squaredNorm() +
         action.torque.dot(block.apply_inverse_inertia(action.torque)) +
@@ -178,7 +178,7 @@ void ContactForces::initialise_new_forces(Scratch& scratch) const {
     double force = 0.0, weight = 0.0;
     for (std::size_t j = 0; j < now.size(); ++j) {
       const Contact* previous = history.previous_contact(j, contacts_);
-      if (!previous || patches_.patch_of(j) != patches_.patch_of(i)) continue;
+      if (!previous || patches_.find_patch(j) != patches_.find_patch(i)) continue;
       force += previous->weight * previous->normal;
       weight += previous->weight;
     }
@@ -388,7 +388,7 @@ double ContactForces::compute_settled_depth() {
   std::vector<double> depth(contacts_.size(), 0.0);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const ContactPoint& point = contacts_[i].point;
-    depth[patches_.patch_of(i)] +=
+    depth[patches_.find_patch(i)] +=
         contacts_[i].weight * point.overlap * std::max(0.0, point.normal.z());
   }
   return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());

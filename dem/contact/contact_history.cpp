@@ -93,7 +93,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
       more -= previous->weight;
     }
     gained_[i] = more;
-    SpringTransfer& transfer = spring_transfers_[patches.patch_of(i)];
+    SpringTransfer& transfer = spring_transfers_[patches.find_patch(i)];
     if (more > 0.0) {
       transfer.gained += more;
     } else {
@@ -105,7 +105,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
   for (std::size_t i = 0; i < now.size(); ++i) {
     const double more = gained_[i];
     if (!(more > 0.0)) continue;
-    const SpringTransfer& transfer = spring_transfers_[patches.patch_of(i)];
+    const SpringTransfer& transfer = spring_transfers_[patches.find_patch(i)];
     if (!(transfer.lost > 0.0)) continue;
     Contact& contact = now[i];
     // What more is gained than lost keeps the point's own springs.

@@ -24,7 +24,7 @@ class ContactPatches {
   /// patch have equal `patch_of`.
   std::span<const double> compute_weights(const std::vector<ContactPoint>& points,
                                           const Quat& orientation);
-  std::size_t patch_of(std::size_t point) const { return patch_[point]; }
+  std::size_t find_patch(std::size_t point) const { return patch_[point]; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(patch_, features_, links_, all_linked_, group_points_);

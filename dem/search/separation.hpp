@@ -43,10 +43,10 @@ struct SeparationBound {
 };
 
 /// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d, or their maxima over several.
-struct SeparationRates {
+struct SeparationCoefficients {
   double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
 
-  void include(const SeparationRates& other) {
+  void include(const SeparationCoefficients& other) {
     per_axial = std::max(per_axial, other.per_axial);
     per_transverse = std::max(per_transverse, other.per_transverse);
   }
@@ -66,7 +66,7 @@ class EarliestExpiry {
     expired_ = expired_ || !(remaining > 0.0);
     if (expired_) return;
     // Most of many are bounded by those before, which takes no division.
-    SeparationRates& all = separation_;
+    SeparationCoefficients& all = separation_;
     if (one.per_axial > all.per_axial * remaining) all.per_axial = one.per_axial / remaining;
     if (one.per_transverse > all.per_transverse * remaining)
       all.per_transverse = one.per_transverse / remaining;
@@ -77,7 +77,7 @@ class EarliestExpiry {
 
  private:
   const Displacement& displacement_;
-  SeparationRates separation_;
+  SeparationCoefficients separation_;
   bool expired_ = false;
 };
 

@@ -92,7 +92,7 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   const auto face_range = [&](const SurfaceFace& face) {
     Bounds box;
     for (const std::uint32_t v : face.vertices) box.include(surface.vertices[v]);
-    return std::pair(cells_over(box.low.x(), box.high.x(), box.low.y(), box.high.y()), box);
+    return std::pair(cell_range(box.low.x(), box.high.x(), box.low.y(), box.high.y()), box);
   };
   const std::size_t count = static_cast<std::size_t>(columns_) * rows_;
   offsets_.assign(count + 1, 0);
@@ -126,7 +126,7 @@ PlanGrid::PlanGrid(const SurfaceFeatures& surface) {
   }
 }
 
-PlanGrid::CellRange PlanGrid::cells_over(double x_low, double x_high, double y_low,
+PlanGrid::CellRange PlanGrid::cell_range(double x_low, double x_high, double y_low,
                                          double y_high) const {
   const auto clamp_low = [&](double value, double corner, int count) {
     const double cell = std::floor((value - corner) / size_);
@@ -172,14 +172,14 @@ std::optional<NearestPoint> IndexedSurface::nearest_point(const Vec3& query, dou
   };
   if (guess != kNoFeature) measure(guess);
   // Rings of cells around the query; a ring k cells away is at least k - 1 cells distant.
-  const PlanGrid::CellRange all = grid.cells_over(-1e300, 1e300, -1e300, 1e300);
-  const PlanGrid::CellRange home = grid.cells_over(query.x(), query.x(), query.y(), query.y());
+  const PlanGrid::CellRange all = grid.cell_range(-1e300, 1e300, -1e300, 1e300);
+  const PlanGrid::CellRange home = grid.cell_range(query.x(), query.x(), query.y(), query.y());
   const int home_column = std::clamp(home.first_column, all.first_column, all.last_column);
   const int home_row = std::clamp(home.first_row, all.first_row, all.last_row);
   const int last_ring = std::max(grid.column_count(), grid.row_count());
   for (int ring = 0; ring <= last_ring; ++ring) {
     const PlanGrid::CellRange window =
-        grid.cells_over(query.x() - limit, query.x() + limit, query.y() - limit, query.y() + limit);
+        grid.cell_range(query.x() - limit, query.x() + limit, query.y() - limit, query.y() + limit);
     const int left = home_column - ring, right = home_column + ring;
     const int front = home_row - ring, back = home_row + ring;
     if (ring > 0 && left < window.first_column && right > window.last_column &&
@@ -206,7 +206,7 @@ std::optional<NearestPoint> IndexedSurface::nearest_point(const Vec3& query, dou
 
 double IndexedSurface::height_clearance(const Vec3& query, double reach) const {
   const PlanGrid::CellRange window =
-      grid.cells_over(query.x() - reach, query.x() + reach, query.y() - reach, query.y() + reach);
+      grid.cell_range(query.x() - reach, query.x() + reach, query.y() - reach, query.y() + reach);
   double clearance = reach;
   for (int row = window.first_row; row <= window.last_row; ++row) {
     for (int column = window.first_column; column <= window.last_column; ++column) {
@@ -221,7 +221,7 @@ std::vector<std::uint32_t> IndexedSurface::find_faces_near(const Bounds& box, do
   std::vector<std::uint32_t> found;
   const Vec3 low = box.low.array() - reach;
   const Vec3 high = box.high.array() + reach;
-  const PlanGrid::CellRange window = grid.cells_over(low.x(), high.x(), low.y(), high.y());
+  const PlanGrid::CellRange window = grid.cell_range(low.x(), high.x(), low.y(), high.y());
   for (int row = window.first_row; row <= window.last_row; ++row) {
     for (int column = window.first_column; column <= window.last_column; ++column) {
       const PlanGrid::Cell cell = grid.cell(column, row);

@@ -50,10 +50,10 @@ class PlanGrid {
   struct CellRange {
     int first_column, last_column, first_row, last_row;
   };
-  CellRange cells_over(double x_low, double x_high, double y_low, double y_high) const;
+  CellRange cell_range(double x_low, double x_high, double y_low, double y_high) const;
   Cell cell(int column, int row) const;
   /// Returns the top of a cell's height range, m; -infinity without faces.
-  double cell_top(int column, int row) const {
+  double max_cell_height(int column, int row) const {
     return highs_[static_cast<std::size_t>(row) * columns_ + column];
   }
   /// Returns the horizontal distance of a point from a cell, m.

@@ -61,7 +61,7 @@ const Bounds& TerrainSurface::extent() const { return impl_->surface.extent; }
 std::optional<TerrainSurface::Impl::SurfacePoint> TerrainSurface::Impl::find_surface_point(
     double x, double y, double z_near) const {
   std::optional<SurfacePoint> best;
-  const PlanGrid::CellRange home = surface.grid.cells_over(x, x, y, y);
+  const PlanGrid::CellRange home = surface.grid.cell_range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
       for (const std::uint32_t f : surface.grid.cell(column, row).faces) {
@@ -90,7 +90,7 @@ std::optional<std::uint16_t> TerrainSurface::zone_at(double x, double y, double 
 }
 
 bool TerrainSurface::covers(double x, double y) const {
-  const PlanGrid::CellRange home = impl_->surface.grid.cells_over(x, x, y, y);
+  const PlanGrid::CellRange home = impl_->surface.grid.cell_range(x, x, y, y);
   for (int row = home.first_row; row <= home.last_row; ++row) {
     for (int column = home.first_column; column <= home.last_column; ++column) {
       for (const std::uint32_t f : impl_->surface.grid.cell(column, row).faces) {

@@ -75,7 +75,7 @@ ProjectionRecords projection_records(std::istream& stream, const LasRecordLayout
 
 void read_las_crs(std::istream& stream, const LasRecordLayout& records, CloudSummary& summary) {
   const ProjectionRecords found = projection_records(stream, records);
-  GeoTiffSystem keyed = parse_geotiff_keys(found.keys);
+  GeoTiffReferenceSystem keyed = parse_geotiff_keys(found.keys);
   summary.crs = std::move(keyed.crs);
   summary.lengths = std::move(keyed.lengths);
   if (found.wkt.find_first_not_of(" \t\r\n") == std::string::npos) return;

@@ -51,7 +51,7 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
       notes.insert(notes.begin(), "UNSCALED, and where notes say m they mean units of the model: " +
-                                      explain_unscaled());
+                                      explain_unscaled_block());
     }
   }
   return {std::move(found), std::move(scan)};

@@ -174,7 +174,7 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
 
 /// States the bounds of a block without an unseen side, if they are worth it.
 void add_bounds(FieldBlock& block, const ClosedScan& closed) {
-  const std::optional<NotedBounds> bounds = bracket_closed_scan(closed, block.scan.report);
+  const std::optional<NotedBounds> bounds = compute_closed_scan_bracket(closed, block.scan.report);
   if (!bounds) return;
   block.bounds = *bounds;
   block.scan.notes.insert(block.scan.notes.end(), bounds->notes.begin(), bounds->notes.end());
@@ -262,7 +262,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
     block.underside = moved(std::move(*side), options.unit, [&](const Vec3& p) {
       return block.block_from_file * in_metres(p, options);
     });
-    block.bounds = bracket_underside(*block.underside, report);
+    block.bounds = compute_underside_bracket(*block.underside, report);
   }
   judge_form(block, name, options, open.ground.has_value());
   return with_doubt(std::move(block));

@@ -62,7 +62,8 @@ struct RisingComponent {
 
 class Standing {
  public:
-  Standing(std::span<const Vec3> points, const Ground& ground, const GroundOptions& options)
+  Standing(std::span<const Vec3> points, const Ground& ground,
+           const GroundDetectionOptions& options)
       : points_(points), ground_(ground), options_(options) {
     for (const Vec3& p : points) box_.include(p);
     cell_ = kThinCell * box_.diagonal();
@@ -213,7 +214,7 @@ class Standing {
 
   std::span<const Vec3> points_;
   const Ground& ground_;
-  const GroundOptions& options_;
+  const GroundDetectionOptions& options_;
   Bounds box_;
   double cell_ = 0.0, roughness_ = 0.0, clear_ = 0.0;
   Quat turn_;
@@ -224,7 +225,7 @@ class Standing {
 }  // namespace
 
 BlocksOnGround find_blocks_on_ground(std::span<const Vec3> points, const Ground& ground,
-                                     const GroundOptions& options) {
+                                     const GroundDetectionOptions& options) {
   return Standing(points, ground, options).run();
 }
 

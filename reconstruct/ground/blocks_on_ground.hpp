@@ -25,6 +25,6 @@ struct BlocksOnGround {
 /// belong to a block if the straight extension of the wall above is nearer than the ground,
 /// relative to their roughnesses. Much smaller or lower clusters are not blocks.
 BlocksOnGround find_blocks_on_ground(std::span<const Vec3> points, const Ground& ground,
-                                     const GroundOptions& options = {});
+                                     const GroundDetectionOptions& options = {});
 
 }  // namespace clast

@@ -74,7 +74,7 @@ Plane turned_up(Plane plane, std::span<const Vec3> points, double tolerance) {
 
 /// Consensus of random triples; points on the smaller side count against a plane, twice.
 Plane consensus_plane(std::span<const Vec3> points, double tolerance,
-                      const GroundOptions& options) {
+                      const GroundDetectionOptions& options) {
   Random random(options.seed);
   Plane best;
   double best_score = -1e300;
@@ -206,7 +206,7 @@ Plane Ground::tangent_plane_below(const Vec3& point, double size) const {
   return {up, up.dot(foot)};
 }
 
-void GroundOptions::check() const {
+void GroundDetectionOptions::check() const {
   if (trials < 1) throw InputError("trials = " + std::to_string(trials) + ": at least 1 is needed");
   if (!(tolerance > 0.0 && tolerance <= 0.1)) {
     throw InputError("tolerance = " + format_significant(tolerance, 4) +
@@ -243,7 +243,8 @@ double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface
 
 }  // namespace
 
-std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options) {
+std::optional<Ground> find_ground(std::span<const Vec3> points,
+                                  const GroundDetectionOptions& options) {
   options.check();
   Bounds box;
   for (const Vec3& p : points) box.include(p);

@@ -11,7 +11,7 @@
 namespace clast {
 
 /// Options of ground detection; lengths are fractions of the scan's diagonal.
-struct GroundOptions {
+struct GroundDetectionOptions {
   std::uint64_t seed = 1;    ///< of the random planes
   int trials = 1000;         ///< number of random planes
   double tolerance = 0.01;   ///< of the first plane; the local surface is fitted more closely
@@ -48,6 +48,7 @@ class Ground {
 /// @param points  without outliers, m
 /// @returns empty if no plane is a ground, as for a single block
 /// @cite fischler1981
-std::optional<Ground> find_ground(std::span<const Vec3> points, const GroundOptions& options = {});
+std::optional<Ground> find_ground(std::span<const Vec3> points,
+                                  const GroundDetectionOptions& options = {});
 
 }  // namespace clast

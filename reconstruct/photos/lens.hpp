@@ -44,6 +44,6 @@ std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
 /// Returns the intrinsics of resized photos.
 /// @throws InputError  if the sides are not scaled by a common factor (within a pixel)
-CameraIntrinsics resized(const CameraIntrinsics& lens, int width, int height);
+CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int height);
 
 }  // namespace clast

@@ -26,8 +26,9 @@ using photos_detail::DetectedMarker;
 
 CameraIntrinsics lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
   const Photo& p = model.photos[photo];
-  return with_error_context("photo " + p.name,
-                            [&] { return resized(model.lenses[p.lens], image.cols, image.rows); });
+  return with_error_context("photo " + p.name, [&] {
+    return resize_image(model.lenses[p.lens], image.cols, image.rows);
+  });
 }
 
 /// The dictionary with the most markers on some photos; empty when none has enough.

@@ -78,7 +78,8 @@ bool ScannedSurface::contains(const Vec3& position) const {
   return tree_ && tree_->closest_point(position).squared_distance <= reach_ * reach_;
 }
 
-std::optional<NotedBounds> bracket_closed_scan(const ClosedScan& scan, const RepairReport& report) {
+std::optional<NotedBounds> compute_closed_scan_bracket(const ClosedScan& scan,
+                                                       const RepairReport& report) {
   const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.uncertainty == nullptr && report.duplicates.empty()) return std::nullopt;
@@ -101,7 +102,7 @@ std::optional<NotedBounds> bracket_closed_scan(const ClosedScan& scan, const Rep
   return bounds;
 }
 
-VolumeBracket bracket_underside(const Underside& side, const RepairReport& report) {
+VolumeBracket compute_underside_bracket(const Underside& side, const RepairReport& report) {
   VolumeBracket bounds = side;
   bounds.lower_volume =
       std::max(side.lower_volume - report.volume_below, kMinVolumeLeft * side.estimated_volume);

@@ -51,11 +51,12 @@ struct NotedBounds : VolumeBracket {
 /// Brackets the volume of a closed scan.
 /// @param report  of the repair, in metres
 /// @returns m, m^3; empty if the bounds are insignificantly narrow
-std::optional<NotedBounds> bracket_closed_scan(const ClosedScan& scan, const RepairReport& report);
+std::optional<NotedBounds> compute_closed_scan_bracket(const ClosedScan& scan,
+                                                       const RepairReport& report);
 
 /// Brackets the volume of a block with a closed underside.
 /// @param side  in metres
 /// @param report  of the repair, in metres: copies of the surface widen the bounds
-VolumeBracket bracket_underside(const Underside& side, const RepairReport& report);
+VolumeBracket compute_underside_bracket(const Underside& side, const RepairReport& report);
 
 }  // namespace clast::reconstruct_detail

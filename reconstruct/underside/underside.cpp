@@ -358,7 +358,7 @@ class Closing {
       return find_self_intersections(result_.best_estimate).size() <= crossings;
     };
     for (double power = start.power; power <= kMaxPointedBest; power *= 1.5) {
-      result_.best_estimate = closure.lowered(closure.shape_for_volume(added, power, deepest));
+      result_.best_estimate = closure.lower_mesh(closure.shape_for_volume(added, power, deepest));
       if (fits()) break;
     }
     double fraction = 1.0;

@@ -155,7 +155,8 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
   std::string body = "<h1>" + escape_html(title) + "</h1>\n<p class=\"lead\">" +
                      format_count(blocks.size(), "block") +
                      "; a click on a picture shows the block in 3-D, with all its numbers</p>\n";
-  if (const std::string note = describe_unscaled(blocks); !note.empty()) body += paragraph(note);
+  if (const std::string note = describe_unscaled(blocks); !note.empty())
+    body += format_paragraph(note);
   body +=
       format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";
   body +=
@@ -166,7 +167,7 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
       escape_html(version()) + "</footer>\n";
   const std::string style = std::string(assets::gallery_css) + std::string(assets::turntable_css);
   const std::filesystem::path target = folder / kPage;
-  write_text_file(target, page(title, body, {.style = style, .script = assets::gallery_js}));
+  write_text_file(target, format_page(title, body, {.style = style, .script = assets::gallery_js}));
   return target;
 }
 

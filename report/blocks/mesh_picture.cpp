@@ -193,7 +193,7 @@ void Canvas::draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour)
   }
 }
 
-bool Canvas::sees(const Vec3& point) const {
+bool Canvas::is_visible(const Vec3& point) const {
   const Vec3 there = camera_.seen(point);
   if (!(there.x() >= 0.0 && there.x() < camera_.width && there.y() >= 0.0 &&
         there.y() < camera_.height)) {

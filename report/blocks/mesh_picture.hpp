@@ -51,7 +51,7 @@ class Canvas {
   void draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour);
 
   /// True if the point is visible, with a depth tolerance of 0.5 % of the image width.
-  bool sees(const Vec3& point) const;
+  bool is_visible(const Vec3& point) const;
 
   const Camera& camera() const { return camera_; }
   std::vector<Rgb> picture() const;  ///< row-major from the top

@@ -133,11 +133,12 @@ std::string format_turntable_json(const Block& block, const TurntableLimits& lim
 }
 
 std::string format_turntable_view(const std::string& source) {
-  return fill(assets::turntable_html, {{"source", source}});
+  return fill_template(assets::turntable_html, {{"source", source}});
 }
 
 std::string turntable_script() {
-  if (!three_is_installed()) return paragraph(explain_missing_three("write the pages again"));
+  if (!three_is_installed())
+    return format_paragraph(explain_missing_three("write the pages again"));
   return format_script_element(assets::unpack_js) + three_scripts() +
          format_script_element(assets::turntable_js);
 }
@@ -145,12 +146,14 @@ std::string turntable_script() {
 std::string format_turntable_section(const Block& block) {
   const std::string title = "In 3-D";
   if (!three_is_installed()) {
-    return section(title, paragraph(explain_missing_three("write the pages again")));
+    return format_section(title, format_paragraph(explain_missing_three("write the pages again")));
   }
   const std::string id = "block-data";
-  return section(title, paragraph("Drag to turn, use the wheel to come closer, drag with the right "
-                                  "button to move.") +
-                            format_turntable_view(id)) +
+  return format_section(
+             title,
+             format_paragraph("Drag to turn, use the wheel to come closer, drag with the right "
+                              "button to move.") +
+                 format_turntable_view(id)) +
          format_packed_element(id, format_turntable_json(block)) + turntable_script();
 }
 

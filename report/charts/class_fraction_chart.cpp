@@ -33,7 +33,7 @@ BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top
     const std::string name = shorten_text(one.name, kMaxCharacters);
     const double width = 18.0 + kCharacter * static_cast<double>(name.size());
     place(width);
-    svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(top, 1) +
+    svg += "<rect x=\"" + format_fixed(x, 1) + "\" y=\"" + format_fixed(top, 1) +
            "\" width=\"12\" height=\"12\" fill=\"" + one.colour + "\" fill-opacity=\".75\"/>" +
            svg_text(x + 18, top + 10, name, kBarText);
     x += width + 16.0;
@@ -68,7 +68,7 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
     const double x = left + scale * value;
     svg += format_svg_line(x, kBarsTop, x, bottom,
                            value == 0.0 ? "stroke=\"#5b6775\"" : "stroke=\"#e2e6ea\"");
-    svg += svg_text(x, bottom + 16, fixed(value, marks.decimals) + " %",
+    svg += svg_text(x, bottom + 16, format_fixed(value, marks.decimals) + " %",
                     std::string(kBarText) + " text-anchor=\"middle\"");
   }
   for (std::size_t k = 0; k < classes.size(); ++k) {
@@ -80,9 +80,10 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
       const double y = top + kBar * static_cast<double>(i), middle = y + 0.5 * kBar;
       const double low = left + scale * 100.0 * share.low, high = left + scale * 100.0 * share.high;
       svg += "<g><title>" + escape_html(classes[k] + ", " + series[i].name + ": " + share.note) +
-             "</title><rect x=\"" + fixed(left, 1) + "\" y=\"" + fixed(y + 1, 1) + "\" width=\"" +
-             fixed(scale * 100.0 * share.value, 1) + "\" height=\"" + fixed(kBar - 2.0, 1) +
-             "\" fill=\"" + series[i].colour + "\" fill-opacity=\".75\"/>" +
+             "</title><rect x=\"" + format_fixed(left, 1) + "\" y=\"" + format_fixed(y + 1, 1) +
+             "\" width=\"" + format_fixed(scale * 100.0 * share.value, 1) + "\" height=\"" +
+             format_fixed(kBar - 2.0, 1) + "\" fill=\"" + series[i].colour +
+             "\" fill-opacity=\".75\"/>" +
              format_svg_line(low, middle, high, middle, "stroke=\"#1d2733\" stroke-width=\"1.3\"") +
              format_svg_line(low, middle - 3, low, middle + 3, "stroke=\"#1d2733\"") +
              format_svg_line(high, middle - 3, high, middle + 3, "stroke=\"#1d2733\"") +

@@ -23,7 +23,7 @@ struct Corner {
 };
 
 std::string point_text(const Vec2& place) {
-  return fixed(place.x(), 1) + " " + fixed(place.y(), 1);
+  return format_fixed(place.x(), 1) + " " + format_fixed(place.y(), 1);
 }
 
 /// The part of the triangle that is at least so high.

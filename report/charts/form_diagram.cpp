@@ -39,10 +39,10 @@ std::string fields_svg(const std::vector<Field>& fields, const std::vector<Class
     const ClassFraction& share = share_of(shares, field.name);
     std::string points;
     for (const Vec2& corner : field.corners) {
-      points += fixed(corner.x(), 1) + "," + fixed(corner.y(), 1) + " ";
+      points += format_fixed(corner.x(), 1) + "," + format_fixed(corner.y(), 1) + " ";
     }
     svg += "<polygon points=\"" + points + "\" fill=\"" + kDataColours[5] + "\" fill-opacity=\"" +
-           fixed(0.45 * share.fraction / largest, 3) + "\" stroke=\"#5b6775\"><title>" +
+           format_fixed(0.45 * share.fraction / largest, 3) + "\" stroke=\"#5b6775\"><title>" +
            escape_html(field.name + ": " + std::to_string(share.count) + " blocks, " +
                        format_percent(share.fraction) + " (95 % interval " +
                        format_percent(share.low) + " to " + format_percent(share.high) + ")") +
@@ -90,7 +90,7 @@ std::string mark_key(const Population& population, double y) {
     double x = 108.0;
     svg += svg_text(x - 8, y + 4, "few", std::string(kDiagramText) + " text-anchor=\"end\"");
     for (const char* colour : kDensityColours) {
-      svg += "<rect x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y - 6, 1) +
+      svg += "<rect x=\"" + format_fixed(x, 1) + "\" y=\"" + format_fixed(y - 6, 1) +
              "\" width=\"18\" height=\"12\" fill=\"" + colour + "\"/>";
       x += 18.0;
     }
@@ -158,11 +158,12 @@ std::string block_element_id(std::size_t number, std::size_t block) {
 
 std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options) {
   const Axes& axes = block.axes;
-  std::string title = block.name + "\nL " + significant(axes.L, 3) + ", I " +
-                      significant(axes.I, 3) + ", S " + significant(axes.S, 3) +
+  std::string title = block.name + "\nL " + format_significant_digits(axes.L, 3) + ", I " +
+                      format_significant_digits(axes.I, 3) + ", S " +
+                      format_significant_digits(axes.S, 3) +
                       (block.unscaled ? " u (model units)" : " m");
-  if (block.mass) title += ", " + significant(*block.mass, 4) + " kg";
-  title += "\ns_c " + fixed(elongation_index(block.axes_as_written), 2);
+  if (block.mass) title += ", " + format_significant_digits(*block.mass, 4) + " kg";
+  title += "\ns_c " + format_fixed(elongation_index(block.axes_as_written), 2);
   for (const std::string& scheme : options.selected_schemes()) {
     const ClassCertainty certainty =
         class_certainty(scheme, axes, block.axis_error, options.limits);
@@ -183,16 +184,16 @@ std::string draw_sneed_folk_diagram(const Population& population, std::size_t nu
                     fields_svg(fields, shares);
   for (const double q : {0.3, 0.5, 0.7}) {
     const Vec2 at = on_triangle(q, 0.0);
-    svg += svg_text(at.x() - 8, at.y() + 4, fixed(q, 1),
+    svg += svg_text(at.x() - 8, at.y() + 4, format_fixed(q, 1),
                     std::string(kDiagramText) + " text-anchor=\"end\"");
   }
   for (const double d : {limits[1], limits[2]}) {
-    svg += svg_text(on_triangle(0.0, d).x(), base + 16, fixed(d, 2),
+    svg += svg_text(on_triangle(0.0, d).x(), base + 16, format_fixed(d, 2),
                     std::string(kDiagramText) + " text-anchor=\"middle\"");
   }
   const Vec2 side = on_triangle(0.6, 0.0);
-  svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + fixed(side.x() - 42, 1) + " " +
-         fixed(side.y(), 1) + ") rotate(-60)\" text-anchor=\"middle\" " + kDiagramText +
+  svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + format_fixed(side.x() - 42, 1) + " " +
+         format_fixed(side.y(), 1) + ") rotate(-60)\" text-anchor=\"middle\" " + kDiagramText +
          ">S/L</text>";
   svg += svg_text(kDiagramLeft + 0.5 * kDiagramSide, base + 34,
                   "(L \xE2\x88\x92 I)/(L \xE2\x88\x92 S)",
@@ -234,16 +235,16 @@ std::string draw_zingg_diagram(const Population& population, std::size_t number,
     const Vec2 x = on_square(value, 0.0), y = on_square(0.0, value);
     svg += format_svg_line(x.x(), bottom, x.x(), bottom + 5, "stroke=\"#5b6775\"") +
            format_svg_line(kX - 5, y.y(), kX, y.y(), "stroke=\"#5b6775\"") +
-           svg_text(x.x(), bottom + 18, fixed(value, 1),
+           svg_text(x.x(), bottom + 18, format_fixed(value, 1),
                     std::string(kDiagramText) + " text-anchor=\"middle\"") +
-           svg_text(kX - 9, y.y() + 4, fixed(value, 1),
+           svg_text(kX - 9, y.y() + 4, format_fixed(value, 1),
                     std::string(kDiagramText) + " text-anchor=\"end\"");
   }
   svg += svg_text(kX + 0.5 * kSize, bottom + 36, "S/I (limit 2/3)",
                   std::string(kDiagramText) + " text-anchor=\"middle\"");
-  svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + fixed(kX - 42, 1) + " " +
-         fixed(kTop + 0.5 * kSize, 1) + ") rotate(-90)\" text-anchor=\"middle\" " + kDiagramText +
-         ">I/L (limit 2/3)</text>";
+  svg += "<text x=\"0\" y=\"0\" transform=\"translate(" + format_fixed(kX - 42, 1) + " " +
+         format_fixed(kTop + 0.5 * kSize, 1) + ") rotate(-90)\" text-anchor=\"middle\" " +
+         kDiagramText + ">I/L (limit 2/3)</text>";
   svg += blocks_svg(population, number, options, {kX, kTop},
                     [&](const Axes& axes) { return on_square(axes.S / axes.I, axes.I / axes.L); });
   return svg + labels_svg(fields, shares) + mark_key(population, bottom + 62) + "</svg>\n";

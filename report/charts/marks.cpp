@@ -20,10 +20,10 @@ std::string draw_shape_mark(double x, double y, const std::string& garcia, bool 
                                          class_colour(garcia) + "\"";
   const std::string tail = title.empty() ? "/>" : "><title>" + escape_html(title) + "</title>";
   if (garcia == "compact") {
-    return "<circle " + attributes + " cx=\"" + fixed(x, 1) + "\" cy=\"" + fixed(y, 1) +
-           "\" r=\"3.6\" " + paint + tail + (title.empty() ? "" : "</circle>");
+    return "<circle " + attributes + " cx=\"" + format_fixed(x, 1) + "\" cy=\"" +
+           format_fixed(y, 1) + "\" r=\"3.6\" " + paint + tail + (title.empty() ? "" : "</circle>");
   }
-  return "<path " + attributes + " d=\"M" + fixed(x, 1) + " " + fixed(y - 4.8, 1) +
+  return "<path " + attributes + " d=\"M" + format_fixed(x, 1) + " " + format_fixed(y - 4.8, 1) +
          "l4.8 4.8-4.8 4.8-4.8-4.8z\" " + paint + tail + (title.empty() ? "" : "</path>");
 }
 
@@ -42,8 +42,9 @@ std::string draw_density_squares(std::span<const Vec2> places, const Vec2& corne
     const double level = std::log(static_cast<double>(count)) /
                          std::log(static_cast<double>(most) + 1.0) *
                          static_cast<double>(kDensityColours.size());
-    svg += "<rect x=\"" + fixed(corner.x() + kCell * cell.first, 1) + "\" y=\"" +
-           fixed(corner.y() + kCell * cell.second, 1) + "\" width=\"7\" height=\"7\" fill=\"" +
+    svg += "<rect x=\"" + format_fixed(corner.x() + kCell * cell.first, 1) + "\" y=\"" +
+           format_fixed(corner.y() + kCell * cell.second, 1) +
+           "\" width=\"7\" height=\"7\" fill=\"" +
            kDensityColours[std::min(static_cast<std::size_t>(level), kDensityColours.size() - 1)] +
            "\" fill-opacity=\".85\"><title>" + std::to_string(count) + " " + escape_html(noun) +
            "</title></rect>";

@@ -244,9 +244,10 @@ std::string plotly_figure(const std::string& label, const std::string& style, st
 
 std::string charts_script() {
   if (!plotly_is_installed()) {
-    return paragraph("Charts were left out: there is no " + plotly_file().string() +
-                     ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
-                     "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
+    return format_paragraph(
+        "Charts were left out: there is no " + plotly_file().string() +
+        ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
+        "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
   }
   return format_packed_element("plotly-code", read_text_file(plotly_file())) +
          format_script_element(assets::charts_js);
@@ -308,8 +309,8 @@ std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples) {
       trace.y.push_back(static_cast<double>(counts[bin]) /
                         static_cast<double>(sample.values.size()));
       trace.notes.push_back(std::to_string(counts[bin]) + " from " +
-                            significant(bins.edge(bin), 4) + " to " +
-                            significant(bins.edge(bin) + bins.width, 4));
+                            format_significant_digits(bins.edge(bin), 4) + " to " +
+                            format_significant_digits(bins.edge(bin) + bins.width, 4));
     }
     traces.push_back(std::move(trace));
   }

@@ -78,7 +78,8 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
     series.values.push_back(block_size(block.axes, reported.summary.size.measure));
     if (by_mass) series.weights.push_back(*block.mass);
     if (!named) continue;
-    series.names.push_back(block.name + ", " + significant(series.values.back(), 3) + " m");
+    series.names.push_back(block.name + ", " + format_significant_digits(series.values.back(), 3) +
+                           " m");
     series.blocks.push_back(block_element_id(number, i));
   }
   return series;
@@ -139,7 +140,7 @@ bool has_sizes(const ReportedPopulation& reported) {
 }
 
 std::string format_block_mass(double mass) {
-  return mass < 1e4 ? significant(mass, 4) : fixed(mass, 0);
+  return mass < 1e4 ? format_significant_digits(mass, 4) : format_fixed(mass, 0);
 }
 
 std::string fractions_file_name(const PopulationReport& report, std::size_t scheme) {

@@ -140,7 +140,7 @@ std::string line_of(const ThinPlateSpline& surface, std::span<const Vec2> hull, 
       "<path d=\"" + line.path + "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"0.8\"/>";
   const std::optional<Vec2> place = places.take(line);
   if (!place) return svg;
-  return svg + svg_text(place->x() - 4.0, place->y() + 4.0, significant(level, 3),
+  return svg + svg_text(place->x() - 4.0, place->y() + 4.0, format_significant_digits(level, 3),
                         "text-anchor=\"end\" font-size=\"11\" fill=\"#1d2733\" stroke=\"#ffffff\" "
                         "stroke-width=\"2.5\" paint-order=\"stroke\"");
 }
@@ -155,7 +155,8 @@ std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec
   const ThinPlateSpline surface(places, values);
   std::string outline;
   for (const Vec2& corner : hull) {
-    outline += (outline.empty() ? "" : " ") + fixed(corner.x(), 1) + "," + fixed(corner.y(), 1);
+    outline += (outline.empty() ? "" : " ") + format_fixed(corner.x(), 1) + "," +
+               format_fixed(corner.y(), 1);
   }
   const std::vector<double> levels = range.levels();
   std::string svg = "<clipPath id=\"" + clip + "\"><polygon points=\"" + outline +
@@ -180,11 +181,12 @@ std::string legend(const ResponseRange& range, const std::string& label) {
   if (levels.empty()) return svg;
   for (std::size_t i = 0; i <= levels.size(); ++i, y -= kBox) {
     const double from = i == 0 ? range.least - 0.5 * range.step : levels[i - 1];
-    svg += "<rect x=\"" + fixed(kX, 1) + "\" y=\"" + fixed(y, 1) + "\" width=\"" + fixed(kBox, 1) +
-           "\" height=\"" + fixed(kBox, 1) + "\" fill=\"" + range.colour(from) +
-           "\" stroke=\"#8a94a0\" stroke-width=\"0.5\"/>";
+    svg += "<rect x=\"" + format_fixed(kX, 1) + "\" y=\"" + format_fixed(y, 1) + "\" width=\"" +
+           format_fixed(kBox, 1) + "\" height=\"" + format_fixed(kBox, 1) + "\" fill=\"" +
+           range.colour(from) + "\" stroke=\"#8a94a0\" stroke-width=\"0.5\"/>";
     if (i < levels.size()) {
-      svg += svg_text(kX + kBox + 6.0, y + 4.0, significant(levels[i], 3), "font-size=\"12\"");
+      svg += svg_text(kX + kBox + 6.0, y + 4.0, format_significant_digits(levels[i], 3),
+                      "font-size=\"12\"");
     }
   }
   return svg;
@@ -192,12 +194,13 @@ std::string legend(const ResponseRange& range, const std::string& label) {
 
 std::string disc_of(const ShapeResponse& form, const Vec2& place, const ResponseRange& range,
                     const std::string& label) {
-  std::string svg = "<circle cx=\"" + fixed(place.x(), 1) + "\" cy=\"" + fixed(place.y(), 1) +
-                    "\" r=\"" + fixed(form.marked ? kMarkedDisc : kDisc, 1) + "\" fill=\"" +
-                    format_colour(response_colour(range.share(form.value))) + "\" stroke=\"" +
-                    (form.marked ? "#d55e00\" stroke-width=\"2" : "#5b6670") + "\"><title>" +
-                    escape_html(form.name + ": " + significant(form.value) + ", " + label) +
-                    "</title></circle>";
+  std::string svg =
+      "<circle cx=\"" + format_fixed(place.x(), 1) + "\" cy=\"" + format_fixed(place.y(), 1) +
+      "\" r=\"" + format_fixed(form.marked ? kMarkedDisc : kDisc, 1) + "\" fill=\"" +
+      format_colour(response_colour(range.share(form.value))) + "\" stroke=\"" +
+      (form.marked ? "#d55e00\" stroke-width=\"2" : "#5b6670") + "\"><title>" +
+      escape_html(form.name + ": " + format_significant_digits(form.value) + ", " + label) +
+      "</title></circle>";
   if (form.marked) {
     svg += svg_text(place.x() + 9.0, place.y() + 4.0, form.name,
                     "font-size=\"11\" stroke=\"#ffffff\" stroke-width=\"2.5\" "

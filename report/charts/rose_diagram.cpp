@@ -19,19 +19,23 @@ Vec2 rose_point(double angle, double radius) {
   return kCentre + radius * Vec2(std::sin(angle), -std::cos(angle));
 }
 
-std::string point(const Vec2& place) { return fixed(place.x(), 1) + "," + fixed(place.y(), 1); }
+std::string point(const Vec2& place) {
+  return format_fixed(place.x(), 1) + "," + format_fixed(place.y(), 1);
+}
 
 std::string circle(double radius, const std::string& style) {
-  return "<circle cx=\"" + fixed(kCentre.x(), 1) + "\" cy=\"" + fixed(kCentre.y(), 1) + "\" r=\"" +
-         fixed(radius, 1) + "\" fill=\"none\" " + style + "/>\n";
+  return "<circle cx=\"" + format_fixed(kCentre.x(), 1) + "\" cy=\"" +
+         format_fixed(kCentre.y(), 1) + "\" r=\"" + format_fixed(radius, 1) + "\" fill=\"none\" " +
+         style + "/>\n";
 }
 
 std::string sector(double from, double to, double radius, const std::string& colour,
                    const std::string& note) {
   return "<path d=\"M" + point(kCentre) + " L" + point(rose_point(from, radius)) + " A" +
-         fixed(radius, 1) + "," + fixed(radius, 1) + " 0 0 1 " + point(rose_point(to, radius)) +
-         " Z\" fill=\"" + colour + "\" fill-opacity=\".55\" stroke=\"" + colour + "\"><title>" +
-         escape_html(note) + "</title></path>\n";
+         format_fixed(radius, 1) + "," + format_fixed(radius, 1) + " 0 0 1 " +
+         point(rose_point(to, radius)) + " Z\" fill=\"" + colour +
+         "\" fill-opacity=\".55\" stroke=\"" + colour + "\"><title>" + escape_html(note) +
+         "</title></path>\n";
 }
 
 /// Axes of each sector of half a turn, from -90 degrees on.
@@ -70,8 +74,8 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
     if (counts[i] == 0) continue;
     const double middle = width * static_cast<double>(i) - 0.5 * kPi;
     const std::string note =
-        fixed(middle * 180.0 / kPi, 0) + "\xC2\xB0: " + format_count(counts[i], "block") + ", " +
-        format_percent(static_cast<double>(counts[i]) / static_cast<double>(trends.size()));
+        format_fixed(middle * 180.0 / kPi, 0) + "\xC2\xB0: " + format_count(counts[i], "block") +
+        ", " + format_percent(static_cast<double>(counts[i]) / static_cast<double>(trends.size()));
     for (const double turn : {0.0, kPi}) {
       svg += sector(middle - 0.5 * width + turn, middle + 0.5 * width + turn,
                     radius_of(static_cast<double>(counts[i])), colour, note);

@@ -54,13 +54,14 @@ std::vector<std::pair<double, std::string>> x_ticks(const AxisRange& range) {
   std::vector<std::pair<double, std::string>> marks;
   if (range.logarithmic) {
     for (const double value : choose_log_ticks(range.low, range.high, 9)) {
-      marks.emplace_back(value, significant(value, 1));
+      marks.emplace_back(value, format_significant_digits(value, 1));
     }
     if (marks.size() >= 3) return marks;
     marks.clear();  // less than a decade: round steps read better
   }
   const Ticks found = choose_ticks(range.low, range.high, 7);
-  for (const double value : found.values) marks.emplace_back(value, fixed(value, found.decimals));
+  for (const double value : found.values)
+    marks.emplace_back(value, format_fixed(value, found.decimals));
   return marks;
 }
 
@@ -136,12 +137,13 @@ std::string step_path(const std::vector<Step>& steps, const AxisRange& range, do
                       double height) {
   const std::size_t stride = 1 + steps.size() / kMaxPrintedSteps;
   const auto y_at = [&](double share) { return top + height * (1.0 - share); };
-  std::string path = "M" + fixed(kChartLeft, 1) + " " + fixed(y_at(0.0), 1);
+  std::string path = "M" + format_fixed(kChartLeft, 1) + " " + format_fixed(y_at(0.0), 1);
   for (std::size_t i = 0; i < steps.size(); i += stride) {
     const Step& last = steps[std::min(i + stride, steps.size()) - 1];
-    path += "H" + fixed(x_at(range, last.value), 1) + "V" + fixed(y_at(last.share), 1);
+    path +=
+        "H" + format_fixed(x_at(range, last.value), 1) + "V" + format_fixed(y_at(last.share), 1);
   }
-  return path + "H" + fixed(kChartLeft + kPlotWidth, 1);
+  return path + "H" + format_fixed(kChartLeft + kPlotWidth, 1);
 }
 
 std::string named_marks(const Series& series, const std::vector<Step>& steps,
@@ -151,9 +153,9 @@ std::string named_marks(const Series& series, const std::vector<Step>& steps,
   for (const Step& step : steps) {
     const std::string& block = series.blocks.empty() ? std::string() : series.blocks[step.index];
     svg += "<circle class=\"block\"" + (block.empty() ? "" : " data-block=\"" + block + "\"") +
-           " cx=\"" + fixed(x_at(range, step.value), 1) + "\" cy=\"" +
-           fixed(top + height * (1.0 - step.share), 1) + "\" r=\"2.6\" fill=\"" + series.colour +
-           "\"><title>" +
+           " cx=\"" + format_fixed(x_at(range, step.value), 1) + "\" cy=\"" +
+           format_fixed(top + height * (1.0 - step.share), 1) + "\" r=\"2.6\" fill=\"" +
+           series.colour + "\"><title>" +
            escape_html(series.names[step.index] + "\n" + format_percent(step.share) +
                        " up to here, " + series.name) +
            "</title></circle>\n";
@@ -165,8 +167,8 @@ std::string smooth_path(const Curve& curve, const AxisRange& range, double top, 
   std::string path;
   for (const auto& [x, share] : curve.points) {
     if (x < range.low || x > range.high) continue;
-    path += (path.empty() ? "M" : "L") + fixed(x_at(range, x), 1) + " " +
-            fixed(top + height * (1.0 - share), 1);
+    path += (path.empty() ? "M" : "L") + format_fixed(x_at(range, x), 1) + " " +
+            format_fixed(top + height * (1.0 - share), 1);
   }
   return path;
 }
@@ -280,7 +282,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
     for (const double level : levels.values) {
       const double y = base - kRow * level / (100.0 * highest);
       if (level > 0.0) svg += format_svg_line(kChartLeft, y, kChartWidth - kChartRight, y, kGrid);
-      svg += svg_text(kChartLeft - 6, y + 4, fixed(level, levels.decimals) + " %",
+      svg += svg_text(kChartLeft - 6, y + 4, format_fixed(level, levels.decimals) + " %",
                       std::string(kChartText) + " text-anchor=\"end\"");
     }
     for (std::size_t k = 0; k < bins.count; ++k) {
@@ -288,10 +290,11 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
       const double low = range.low + bins.width * static_cast<double>(k);
       const double x = x_at(range, low), width = x_at(range, low + bins.width) - x;
       const double height = kRow * shares[i][k] / highest;
-      svg += "<rect x=\"" + fixed(x + 0.5, 1) + "\" y=\"" + fixed(base - height, 1) +
-             "\" width=\"" + fixed(width - 1.0, 1) + "\" height=\"" + fixed(height, 1) +
-             "\" fill=\"" + series[i].colour + "\"><title>" +
-             escape_html(significant(low, 4) + " to " + significant(low + bins.width, 4) + ": " +
+      svg += "<rect x=\"" + format_fixed(x + 0.5, 1) + "\" y=\"" + format_fixed(base - height, 1) +
+             "\" width=\"" + format_fixed(width - 1.0, 1) + "\" height=\"" +
+             format_fixed(height, 1) + "\" fill=\"" + series[i].colour + "\"><title>" +
+             escape_html(format_significant_digits(low, 4) + " to " +
+                         format_significant_digits(low + bins.width, 4) + ": " +
                          format_percent(shares[i][k]) + names_in_bin(names[i][k])) +
              "</title></rect>";
     }

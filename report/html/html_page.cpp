@@ -93,11 +93,11 @@ std::string format_link_target(std::string_view path) {
   return link;
 }
 
-std::string fixed(double value, int decimals) {
+std::string format_fixed(double value, int decimals) {
   return std::isfinite(value) ? format_decimals(value, decimals) : "-";
 }
 
-std::string significant(double value, int digits) {
+std::string format_significant_digits(double value, int digits) {
   return std::isfinite(value) ? format_rounded(value, digits) : "-";
 }
 
@@ -151,18 +151,18 @@ std::string HtmlTable::html() const {
 }
 
 std::string format_svg_line(double x1, double y1, double x2, double y2, std::string_view style) {
-  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
-         "\" y2=\"" + fixed(y2, 1) + "\" " + std::string(style) + "/>";
+  return "<line x1=\"" + format_fixed(x1, 1) + "\" y1=\"" + format_fixed(y1, 1) + "\" x2=\"" +
+         format_fixed(x2, 1) + "\" y2=\"" + format_fixed(y2, 1) + "\" " + std::string(style) + "/>";
 }
 
 std::string svg_text(double x, double y, std::string_view text, std::string_view style) {
-  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" " + std::string(style) + ">" +
-         escape_html(text) + "</text>";
+  return "<text x=\"" + format_fixed(x, 1) + "\" y=\"" + format_fixed(y, 1) + "\" " +
+         std::string(style) + ">" + escape_html(text) + "</text>";
 }
 
 std::string open_svg(double width, double height, std::string_view label) {
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(width, 0) + " " +
-         fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escape_html(label) + "\">";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + format_fixed(width, 0) + " " +
+         format_fixed(height, 0) + "\" role=\"img\" aria-label=\"" + escape_html(label) + "\">";
 }
 
 std::string make_svg_file(const std::string& svg) {
@@ -178,7 +178,8 @@ std::string make_svg_file(const std::string& svg) {
          svg.substr(end);
 }
 
-std::string fill(std::string_view skeleton, const std::map<std::string, std::string>& values) {
+std::string fill_template(std::string_view skeleton,
+                          const std::map<std::string, std::string>& values) {
   std::string filled;
   for (std::size_t at = 0;;) {
     const std::size_t open = skeleton.find("{{", at);
@@ -190,7 +191,7 @@ std::string fill(std::string_view skeleton, const std::map<std::string, std::str
   }
 }
 
-std::string section(std::string_view title, std::string_view body) {
+std::string format_section(std::string_view title, std::string_view body) {
   return "<section id=\"" + anchor(title) + "\">\n<h2>" + escape_html(title) + "</h2>\n" +
          std::string(body) + "</section>\n";
 }
@@ -202,9 +203,9 @@ std::string format_folded_section(std::string_view line, std::string_view body,
          std::string(body) + "</details>\n";
 }
 
-std::string paragraph(std::string_view text) { return "<p>" + with_code(text) + "</p>\n"; }
+std::string format_paragraph(std::string_view text) { return "<p>" + with_code(text) + "</p>\n"; }
 
-std::string figure(std::string_view svg, std::string_view caption) {
+std::string format_figure(std::string_view svg, std::string_view caption) {
   std::string html = "<figure>" + std::string(svg);
   if (!caption.empty()) html += "<figcaption>" + escape_html(caption) + "</figcaption>";
   return html + "</figure>\n";
@@ -221,12 +222,12 @@ std::string format_note_box(std::string_view title, const std::vector<std::strin
   return html + "</ul></div>\n";
 }
 
-std::string page(std::string_view title, std::string_view body, const PageExtras& extras) {
-  return fill(assets::page_html,
-              {{"title", escape_html(title)},
-               {"style", std::string(assets::page_css) + std::string(extras.style)},
-               {"body", std::string(body)},
-               {"script", std::string(assets::page_js) + std::string(extras.script)}});
+std::string format_page(std::string_view title, std::string_view body, const PageExtras& extras) {
+  return fill_template(assets::page_html,
+                       {{"title", escape_html(title)},
+                        {"style", std::string(assets::page_css) + std::string(extras.style)},
+                        {"body", std::string(body)},
+                        {"script", std::string(assets::page_js) + std::string(extras.script)}});
 }
 
 }  // namespace clast::report_detail

@@ -19,9 +19,9 @@ std::string shorten_text(std::string_view text, std::size_t most);
 std::string format_link_target(std::string_view path);
 
 /// Formats a number with fixed decimals; "-" if it is not finite.
-std::string fixed(double value, int decimals);
+std::string format_fixed(double value, int decimals);
 /// Formats a number with significant digits, with an exponent only if very large or small.
-std::string significant(double value, int digits = 3);
+std::string format_significant_digits(double value, int digits = 3);
 
 /// Sortable HTML table; all columns but the first `text_columns` are numeric.
 class HtmlTable {
@@ -54,18 +54,19 @@ std::string open_svg(double width, double height, std::string_view label);
 std::string make_svg_file(const std::string& svg);
 
 /// Replaces each {{name}} in an HTML template by its value (HTML).
-std::string fill(std::string_view skeleton, const std::map<std::string, std::string>& values);
+std::string fill_template(std::string_view skeleton,
+                          const std::map<std::string, std::string>& values);
 
 /// Formats a section with heading; its id is the title in lower case with dashes.
-std::string section(std::string_view title, std::string_view body);
+std::string format_section(std::string_view title, std::string_view body);
 /// State of a collapsible section in print.
 enum class PrintedState { kLeftOut, kOpen };
 /// Formats a collapsible section: a plain-text line, and HTML shown after a click.
 std::string format_folded_section(std::string_view line, std::string_view body,
                                   PrintedState on_paper = PrintedState::kLeftOut);
 /// Formats a paragraph of plain text; text in backticks becomes code.
-std::string paragraph(std::string_view text);
-std::string figure(std::string_view svg, std::string_view caption = {});
+std::string format_paragraph(std::string_view text);
+std::string format_figure(std::string_view svg, std::string_view caption = {});
 /// Formats one entry of a "<dl class=facts>" list.
 std::string format_fact(std::string_view name, std::string_view value);
 /// Formats a highlighted box with a list of warnings.
@@ -78,6 +79,7 @@ struct PageExtras {
 };
 
 /// Formats a complete page with its style and the script that sorts tables.
-std::string page(std::string_view title, std::string_view body, const PageExtras& extras = {});
+std::string format_page(std::string_view title, std::string_view body,
+                        const PageExtras& extras = {});
 
 }  // namespace clast::report_detail

@@ -107,8 +107,9 @@ std::string explained(const std::set<std::string_view>& used) {
     list += "<dt>" + std::string(term.word) + "</dt><dd id=\"term-" + std::string(term.id) + "\">" +
             escape_html(term.meaning) + "</dd>\n";
   }
-  return section("Glossary", format_folded_section("What the underlined words mean",
-                                                   "<dl class=\"words\">\n" + list + "</dl>\n"));
+  return format_section("Glossary",
+                        format_folded_section("What the underlined words mean",
+                                              "<dl class=\"words\">\n" + list + "</dl>\n"));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ Json block_json(const Block& block) {
   Json json;
   json["id"] = block.id;
   json["source"] = block.source.file;
-  if (is_unscaled(block)) json["unscaled"] = explain_unscaled();
+  if (is_unscaled(block)) json["unscaled"] = explain_unscaled_block();
   json["provenance"] = {{"sha256", block.source.sha256},
                         {"options", block.source.options},
                         {"program_version", block.source.program_version}};

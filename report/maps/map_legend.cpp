@@ -26,7 +26,7 @@ class LegendRows {
     y_ += 19.0;
   }
   void swatch(const std::string& colour, const std::string& text) {
-    row("<rect x=\"" + fixed(x_, 1) + "\" y=\"" + fixed(y_ - 10, 1) +
+    row("<rect x=\"" + format_fixed(x_, 1) + "\" y=\"" + format_fixed(y_ - 10, 1) +
             "\" width=\"16\" height=\"12\" fill=\"" + colour + "\" stroke=\"#8a949e\"/>",
         text);
   }
@@ -56,8 +56,8 @@ MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   std::set<std::string> named;
   for (const ReleaseOutline& outline : site.outlines) {
     if (!named.insert(outline.name).second) continue;
-    legend.row(draw_release_outline("M" + fixed(legend.mark_x() - 8, 1) + " " +
-                                        fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
+    legend.row(draw_release_outline("M" + format_fixed(legend.mark_x() - 8, 1) + " " +
+                                        format_fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
                                     ""),
                outline.name);
   }
@@ -70,7 +70,7 @@ MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
   }
   if (has_contours) {
     legend.row(line("stroke=\"" + format_colour(kContourColour) + "\" stroke-width=\"1.2\""),
-               "contours every " + significant(site.contour_interval(), 2) + " m");
+               "contours every " + format_significant_digits(site.contour_interval(), 2) + " m");
   }
   const std::vector<std::string>& zones = site.terrain->zone_names;
   if (!zones.empty()) legend.head("Ground zones");

@@ -7,7 +7,7 @@
 namespace clast::report_detail {
 
 std::string draw_release_mark(double x, double y, const std::string& title) {
-  const std::string at = fixed(x, 1) + " " + fixed(y, 1);
+  const std::string at = format_fixed(x, 1) + " " + format_fixed(y, 1);
   return "<path fill=\"none\" stroke=\"#fff\" stroke-width=\"5\" d=\"M" + at +
          "m-6-6l12 12m0-12l-12 12\"/><path fill=\"none\" stroke=\"#111\" stroke-width=\"2.4\" "
          "d=\"M" +

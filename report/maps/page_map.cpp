@@ -103,7 +103,7 @@ std::string format_page_map(const Comparison& comparison, const PageMapContents&
   const Json figure = {{"data", traces},
                        {"layout", layout_of(site, contents.height, notes)},
                        {"config", {{"scrollZoom", true}}}};
-  return fill(
+  return fill_template(
       assets::map_html,
       {{"id", contents.id},
        {"choices", options},

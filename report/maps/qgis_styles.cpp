@@ -35,7 +35,7 @@ std::string symbol(const std::string& type, std::size_t number, double opacity,
       "symbol",
       {{"type", type},
        {"name", std::to_string(number)},
-       {"alpha", fixed(opacity, 2)},
+       {"alpha", format_fixed(opacity, 2)},
        {"clip_to_extent", "1"},
        {"force_rhr", "0"}},
       element("layer", {{"class", layer_class}, {"enabled", "1"}, {"pass", "0"}, {"locked", "0"}},
@@ -49,7 +49,7 @@ std::string marker(std::size_t number, const MarkShape& shape, const std::string
                  {"angle", std::to_string(shape.qgis_angle)},
                  {"color", fill},
                  {"outline_color", outline},
-                 {"outline_width", fixed(outline_mm, 2)},
+                 {"outline_width", format_fixed(outline_mm, 2)},
                  {"outline_width_unit", "MM"},
                  {"size", "2.4"},
                  {"size_unit", "MM"}});
@@ -58,7 +58,7 @@ std::string marker(std::size_t number, const MarkShape& shape, const std::string
 std::string line(std::size_t number, const std::string& colour, double width_mm, double opacity) {
   return symbol("line", number, opacity, "SimpleLine",
                 {{"line_color", colour},
-                 {"line_width", fixed(width_mm, 2)},
+                 {"line_width", format_fixed(width_mm, 2)},
                  {"line_width_unit", "MM"},
                  {"capstyle", "round"},
                  {"joinstyle", "round"}});
@@ -185,7 +185,7 @@ std::string format_raster_qml(const ValueStyle& style) {
   Attributes renderer = {{"type", "singlebandpseudocolor"},
                          {"band", "1"},
                          {"alphaBand", "-1"},
-                         {"opacity", fixed(kLayerOpacity, 2)}};
+                         {"opacity", format_fixed(kLayerOpacity, 2)}};
   renderer.insert(renderer.end(), range.begin(), range.end());
   return kHead +
          element("qgis", {{"version", "3.22.0"}, {"styleCategories", "Symbology"}},

@@ -30,7 +30,7 @@ std::string axes(const Sheet& sheet) {
     const double x = sheet.x(value);
     svg += format_svg_line(x, kMapTop, x, bottom, "stroke=\"#fff\" stroke-opacity=\".45\"");
     svg += format_svg_line(x, bottom, x, bottom + 5, "stroke=\"#33404d\"");
-    svg += svg_text(x, bottom + 18, fixed(value, xs.decimals),
+    svg += svg_text(x, bottom + 18, format_fixed(value, xs.decimals),
                     std::string(kMapText) + " text-anchor=\"middle\"");
   }
   const Ticks ys = choose_ticks(sheet.window.low.y(), sheet.window.high.y(),
@@ -39,19 +39,19 @@ std::string axes(const Sheet& sheet) {
     const double y = sheet.y(value);
     svg += format_svg_line(kMapLeft, y, right, y, "stroke=\"#fff\" stroke-opacity=\".45\"");
     svg += format_svg_line(kMapLeft - 5, y, kMapLeft, y, "stroke=\"#33404d\"");
-    svg += svg_text(kMapLeft - 8, y + 4, fixed(value, ys.decimals),
+    svg += svg_text(kMapLeft - 8, y + 4, format_fixed(value, ys.decimals),
                     std::string(kMapText) + " text-anchor=\"end\"");
   }
-  svg += "<rect x=\"" + fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" +
-         fixed(sheet.width(), 1) + "\" height=\"" + fixed(sheet.height(), 1) +
-         "\" fill=\"none\" stroke=\"#33404d\"/>";
+  svg += "<rect x=\"" + format_fixed(kMapLeft, 1) + "\" y=\"" + format_fixed(kMapTop, 1) +
+         "\" width=\"" + format_fixed(sheet.width(), 1) + "\" height=\"" +
+         format_fixed(sheet.height(), 1) + "\" fill=\"none\" stroke=\"#33404d\"/>";
   svg += svg_text(kMapLeft + sheet.width() / 2, bottom + 37, "x (m)",
                   std::string(kMapText) + " text-anchor=\"middle\"");
   const double middle = kMapTop + sheet.height() / 2;
   return svg +
          svg_text(14, middle, "y (m)",
                   std::string(kMapText) + " text-anchor=\"middle\" transform=\"rotate(-90 14 " +
-                      fixed(middle, 1) + ")\"");
+                      format_fixed(middle, 1) + ")\"");
 }
 
 std::string barriers(const SiteMap& site, const Sheet& sheet) {
@@ -62,7 +62,7 @@ std::string barriers(const SiteMap& site, const Sheet& sheet) {
     Vec2 end(0.0, exits ? -INFINITY : INFINITY);  // its upper end; of exits the lower one
     for (const Vec2& point : line.through) {
       const Vec2 at(sheet.x(point.x()), sheet.y(point.y()));
-      path += (path.empty() ? "M" : "L") + fixed(at.x(), 1) + " " + fixed(at.y(), 1);
+      path += (path.empty() ? "M" : "L") + format_fixed(at.x(), 1) + " " + format_fixed(at.y(), 1);
       if (exits ? at.y() > end.y() : at.y() < end.y()) end = at;
     }
     for (const char* style :
@@ -78,9 +78,10 @@ std::string barriers(const SiteMap& site, const Sheet& sheet) {
       const Vec2 way(sign * arrow.way.x(), -sign * arrow.way.y());  // on the picture y points down
       const Vec2 across(-way.y(), way.x());
       const Vec2 tip = root + 11.0 * way, a = root + 5.0 * across, b = root - 5.0 * across;
-      svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + fixed(a.x(), 1) + " " + fixed(a.y(), 1) +
-             "L" + fixed(tip.x(), 1) + " " + fixed(tip.y(), 1) + "L" + fixed(b.x(), 1) + " " +
-             fixed(b.y(), 1) + "Z\"><title>counted through " + escape_html(line.name) +
+      svg += "<path fill=\"#111\" stroke=\"#fff\" d=\"M" + format_fixed(a.x(), 1) + " " +
+             format_fixed(a.y(), 1) + "L" + format_fixed(tip.x(), 1) + " " +
+             format_fixed(tip.y(), 1) + "L" + format_fixed(b.x(), 1) + " " +
+             format_fixed(b.y(), 1) + "Z\"><title>counted through " + escape_html(line.name) +
              "</title></path>";
     }
     // Named at that end, inside the frame.
@@ -95,8 +96,8 @@ std::string releases(const SiteMap& site, const Sheet& sheet) {
   for (const ReleaseOutline& outline : site.outlines) {
     std::string path;
     for (const Vec2& corner : outline.corners) {
-      path += (path.empty() ? "M" : "L") + fixed(sheet.x(corner.x()), 1) + " " +
-              fixed(sheet.y(corner.y()), 1);
+      path += (path.empty() ? "M" : "L") + format_fixed(sheet.x(corner.x()), 1) + " " +
+              format_fixed(sheet.y(corner.y()), 1);
     }
     svg += draw_release_outline(path + "Z", outline.name);
   }
@@ -114,22 +115,22 @@ std::string scale_bar(const Sheet& sheet) {
   const double length = metres * sheet.scale, x = kMapLeft + 14.0;
   const double y = kMapTop + sheet.height() - 18.0;
   const auto rect = [](double left, double top, double width, double height, const char* style) {
-    return "<rect x=\"" + fixed(left, 1) + "\" y=\"" + fixed(top, 1) + "\" width=\"" +
-           fixed(width, 1) + "\" height=\"" + fixed(height, 1) + "\" " + style + "/>";
+    return "<rect x=\"" + format_fixed(left, 1) + "\" y=\"" + format_fixed(top, 1) + "\" width=\"" +
+           format_fixed(width, 1) + "\" height=\"" + format_fixed(height, 1) + "\" " + style + "/>";
   };
   return rect(x - 7, y - 20, length + 14, 32, "fill=\"#fff\" fill-opacity=\".8\"") +
          rect(x, y, length / 2, 5, "fill=\"#111\" stroke=\"#111\"") +
          rect(x + length / 2, y, length / 2, 5, "fill=\"#fff\" stroke=\"#111\"") +
-         svg_text(x + length / 2, y - 6, significant(metres, 2) + " m",
+         svg_text(x + length / 2, y - 6, format_significant_digits(metres, 2) + " m",
                   std::string(kMapText) + " text-anchor=\"middle\"");
 }
 
 std::string north_arrow(const Sheet& sheet) {
   const double x = kMapLeft + sheet.width() - 24.0, y = kMapTop + 16.0;
-  return "<g><title>grid north: +y of the map</title><circle cx=\"" + fixed(x, 1) + "\" cy=\"" +
-         fixed(y + 15, 1) +
-         "\" r=\"21\" fill=\"#fff\" fill-opacity=\".8\"/><path fill=\"#111\" d=\"M" + fixed(x, 1) +
-         " " + fixed(y - 2, 1) + "l7 19-7-5-7 5z\"/>" +
+  return "<g><title>grid north: +y of the map</title><circle cx=\"" + format_fixed(x, 1) +
+         "\" cy=\"" + format_fixed(y + 15, 1) +
+         "\" r=\"21\" fill=\"#fff\" fill-opacity=\".8\"/><path fill=\"#111\" d=\"M" +
+         format_fixed(x, 1) + " " + format_fixed(y - 2, 1) + "l7 19-7-5-7 5z\"/>" +
          svg_text(x, y + 31, "N",
                   "font-size=\"13\" font-weight=\"700\" text-anchor=\"middle\" fill=\"#111\"") +
          "</g>";
@@ -148,8 +149,9 @@ std::string draw_svg_map(const SiteMap& site) {
   const double height = std::max(kMapTop + sheet.height() + kBelow, keys.bottom);
   return make_svg_file(
       open_svg(width, height, "map of release points and barriers") + "<image x=\"" +
-      fixed(kMapLeft, 1) + "\" y=\"" + fixed(kMapTop, 1) + "\" width=\"" + fixed(sheet.width(), 1) +
-      "\" height=\"" + fixed(sheet.height(), 1) + "\" preserveAspectRatio=\"none\" href=\"" +
+      format_fixed(kMapLeft, 1) + "\" y=\"" + format_fixed(kMapTop, 1) + "\" width=\"" +
+      format_fixed(sheet.width(), 1) + "\" height=\"" + format_fixed(sheet.height(), 1) +
+      "\" preserveAspectRatio=\"none\" href=\"" +
       draw_relief_image(site, static_cast<std::uint32_t>(std::lround(sheet.width()))) + "\"/>" +
       axes(sheet) + barriers(site, sheet) + releases(site, sheet) + scale_bar(sheet) +
       north_arrow(sheet) + keys.svg + "</svg>\n");

@@ -49,7 +49,8 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
     std::vector<std::string> cells = {
         short_group_name(comparison.groups[group->group_index]), std::to_string(group->started),
         std::to_string(group->crossed), format_percent(group->probability),
-        interval ? fixed(100.0 * interval->low, 1) + kDash + fixed(100.0 * interval->high, 1) + " %"
+        interval ? format_fixed(100.0 * interval->low, 1) + kDash +
+                       format_fixed(100.0 * interval->high, 1) + " %"
                  : "-"};
     append_summary(cells, group->height, 2);
     for (const double top : {group->top.p95, group->top.max}) {
@@ -74,13 +75,13 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
     std::vector<std::string> cells = {short_group_name(comparison.groups[group->group_index])};
     append_summary(cells, group->speed, 1);
     for (const double energy : {group->total.mean, group->total.p95, group->total.max}) {
-      cells.push_back(significant(energy / 1000.0));
+      cells.push_back(format_significant_digits(energy / 1000.0));
     }
     cells.push_back(
         group->total.mean > 0.0 ? format_percent(group->rotational.mean / group->total.mean) : "-");
     const Summary& rate = group->rotation_rate;
     for (const double value : {rate.mean, rate.p95, rate.max}) {
-      cells.push_back(fixed(value / kTurn, 2));
+      cells.push_back(format_fixed(value / kTurn, 2));
     }
     table.row(std::move(cells));
   }
@@ -115,8 +116,8 @@ std::string directions_of(const Comparison& comparison, std::size_t line) {
 std::string barrier_ends(const BarrierLine& barrier) {
   std::string points;
   for (const Vec2& point : barrier.through) {
-    points += (points.empty() ? "From (" : " to (") + fixed(point.x(), 2) + ", " +
-              fixed(point.y(), 2) + ")";
+    points += (points.empty() ? "From (" : " to (") + format_fixed(point.x(), 2) + ", " +
+              format_fixed(point.y(), 2) + ")";
   }
   return points + " m";
 }
@@ -158,16 +159,17 @@ std::size_t draws_of_ground(const Comparison& comparison) {
 std::string format_barrier_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   if (comparison.lines.empty()) return {};
-  std::string html = paragraph(
+  std::string html = format_paragraph(
       "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
       "the "
       "top is where the block's farthest corner would be if it pointed upwards. Energy is "
       "translational plus rotational.");
   const std::size_t draws = draws_of_ground(comparison);
   if (draws > 0) {
-    html += paragraph("Figures combine the runs on all " + std::to_string(draws) +
-                      " draws of the ground; their intervals come from release points "
-                      "alone. The ranges at the top of the report show the effect of the ground.");
+    html += format_paragraph(
+        "Figures combine the runs on all " + std::to_string(draws) +
+        " draws of the ground; their intervals come from release points "
+        "alone. The ranges at the top of the report show the effect of the ground.");
   }
   const std::vector<RealisationCrossings>& passages = analyses.passages();
   std::string charts, figures;
@@ -179,7 +181,7 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
     if (any)
       charts += barrier_charts(comparison, line) + draw_crossing_charts(comparison, passages, line);
     else
-      figures += paragraph("No run crossed " + barrier.name + ".");
+      figures += format_paragraph("No run crossed " + barrier.name + ".");
     figures += format_folded_section(
         "Figures at " + barrier.name,
         "<p class=\"note\">" + escape_html(barrier_ends(barrier)) + "; " +
@@ -189,7 +191,7 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
   }
   if (!charts.empty()) html += "<div class=\"charts by-three\">\n" + charts + "</div>\n";
   html += figures;
-  return section("Barriers", html);
+  return format_section("Barriers", html);
 }
 
 }  // namespace clast::report_detail

@@ -38,7 +38,7 @@ std::string calibration_head(const Calibration& calibration) {
           "</p>\n<p class=\"answer\">" + escape_html(describe_calibration_result(calibration)) +
           "</p>\n";
   for (const std::string& finding : describe_calibration_findings(calibration))
-    html += paragraph(finding);
+    html += format_paragraph(finding);
   return html + "</header>\n";
 }
 
@@ -78,25 +78,25 @@ std::string unknowns_section(const Calibration& calibration) {
     const Unknown& unknown = calibration.study.unknowns[i];
     const Marginal& marginal = posterior.marginals[i];
     std::vector<std::string> row = {label_of(unknown),
-                                    significant(unknown.low),
-                                    significant(unknown.high),
-                                    significant(marginal.median),
-                                    significant(marginal.low),
-                                    significant(marginal.high),
+                                    format_significant_digits(unknown.low),
+                                    format_significant_digits(unknown.high),
+                                    format_significant_digits(marginal.median),
+                                    format_significant_digits(marginal.low),
+                                    format_significant_digits(marginal.high),
                                     format_percent(std::min(1.0, marginal.width), 0)};
     if (i < posterior.nearest.unknowns.size()) {
-      row.push_back(significant(posterior.nearest.unknowns[i].low));
-      row.push_back(significant(posterior.nearest.unknowns[i].high));
+      row.push_back(format_significant_digits(posterior.nearest.unknowns[i].low));
+      row.push_back(format_significant_digits(posterior.nearest.unknowns[i].high));
     } else {
       row.insert(row.end(), 2, "-");
     }
     table.row(row);
     charts += marginal_chart(calibration, i);
   }
-  return section(
+  return format_section(
       "Parameters",
       table.html() +
-          paragraph(
+          format_paragraph(
               "Before, all values of a range were as likely. Width left is that of the 95 % "
               "interval against that of the range: above 80 % the observations do not determine "
               "the parameter. The nearest members are those simulated sets whose own figures "
@@ -139,7 +139,7 @@ std::string pair_chart(const Calibration& calibration, Index a, Index b) {
         {"yaxis", axis(second)}}}};
   const std::string title = describe_unknown(first.parameter) + " and " +
                             describe_unknown(second.parameter) + " (rank correlation " +
-                            fixed(calibration.posterior.correlation(a, b), 2) + ")";
+                            format_fixed(calibration.posterior.correlation(a, b), 2) + ")";
   return plotly_figure(title, "pairs", figure.dump(), title);
 }
 
@@ -159,11 +159,11 @@ std::string ridges_section(const Calibration& calibration) {
   for (std::size_t i = 0; i < std::min(kMostPairs, pairs.size()); ++i) {
     charts += pair_chart(calibration, pairs[i].second.first, pairs[i].second.second);
   }
-  return section(
+  return format_section(
       "Pairs of parameters",
-      paragraph("Draws from the posterior over the pairs that go together most. A narrow "
-                "band means that the observations determine a combination better than "
-                "either of the two.") +
+      format_paragraph("Draws from the posterior over the pairs that go together most. A narrow "
+                       "band means that the observations determine a combination better than "
+                       "either of the two.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }
 
@@ -176,9 +176,10 @@ std::string prediction_section(const Calibration& calibration) {
     const Observation& observation = calibration.study.observations[one.observation];
     const SummaryStatistic& figure = observation.figures[one.figure];
     table.row({observation.name, observation.fitted ? "fit" : "keep", figure.name,
-               significant(figure.observed, 4), significant(one.median, 4), significant(one.low, 4),
-               significant(one.high, 4), significant(one.prior.low, 4),
-               significant(one.prior.high, 4)});
+               format_significant_digits(figure.observed, 4),
+               format_significant_digits(one.median, 4), format_significant_digits(one.low, 4),
+               format_significant_digits(one.high, 4), format_significant_digits(one.prior.low, 4),
+               format_significant_digits(one.prior.high, 4)});
     const double half = std::max(0.5 * (one.high - one.low), 1e-300);
     constexpr double kFarthest = 5.0;  // of what would push the others together
     const auto scaled = [&](double value) {
@@ -188,15 +189,16 @@ std::string prediction_section(const Calibration& calibration) {
     marks.push_back({name, scaled(one.median), scaled(one.low), scaled(one.high),
                      !one.covers(figure.observed),
                      name + (observation.fitted ? " (fitted)" : " (kept)") + ": observed " +
-                         significant(figure.observed, 4) + ", predicted " +
-                         significant(one.low, 4) + " to " + significant(one.high, 4)});
+                         format_significant_digits(figure.observed, 4) + ", predicted " +
+                         format_significant_digits(one.low, 4) + " to " +
+                         format_significant_digits(one.high, 4)});
   }
-  return section(
+  return format_section(
       "Observed against predicted",
       draw_interval_chart("Predicted less observed",
                           "predicted less observed, in half widths of the 95 % interval", marks) +
           table.html() +
-          paragraph(
+          format_paragraph(
               "Intervals are of what would be observed: they hold the uncertainty of the "
               "parameters, the chance of as many releases as there were in the field, and "
               "the error of the surrogate. Those of the prior are of parameters anywhere in their "
@@ -234,29 +236,31 @@ std::string surrogate_table(const Calibration& calibration) {
         table.row({name, "too few", "-", "-", "-", "-"});
         continue;
       }
-      table.row({name, std::to_string(quality->members), significant(quality->error),
-                 format_percent(std::max(0.0, quality->explained), 0), fixed(quality->inflation, 2),
-                 significant(quality->roughness)});
+      table.row({name, std::to_string(quality->members), format_significant_digits(quality->error),
+                 format_percent(std::max(0.0, quality->explained), 0),
+                 format_fixed(quality->inflation, 2),
+                 format_significant_digits(quality->roughness)});
     }
   }
   return table.html();
 }
 
 std::string influence_section(const Calibration& calibration) {
-  return section(
+  return format_section(
       "What the figures depend on",
       sensitivity_table(calibration, &SobolIndices::total) +
-          paragraph("Share of the variance of each figure over the ranges that goes with a "
-                    "parameter, alone or together with others (Sobol's total index).") +
+          format_paragraph("Share of the variance of each figure over the ranges that goes with a "
+                           "parameter, alone or together with others (Sobol's total index).") +
           format_folded_section("With a parameter alone",
                                 sensitivity_table(calibration, &SobolIndices::first_order)) +
           format_folded_section(
               "How well the surrogates say members that they have not seen",
               surrogate_table(calibration) +
-                  paragraph("Error is the root mean square of leave-one-out errors, in the unit "
-                            "of the figure; explained is what is left of the variance without "
-                            "it. Their variances are multiplied by the inflation, and "
-                            "roughness, what is neither smooth nor chance, is added.")));
+                  format_paragraph(
+                      "Error is the root mean square of leave-one-out errors, in the unit "
+                      "of the figure; explained is what is left of the variance without "
+                      "it. Their variances are multiplied by the inflation, and "
+                      "roughness, what is neither smooth nor chance, is added.")));
 }
 
 std::string format_provenance_section(const Calibration& calibration) {
@@ -271,14 +275,15 @@ std::string format_provenance_section(const Calibration& calibration) {
                                format_percent(calibration.posterior.accepted, 0) +
                                " of the last moves accepted");
   std::string inputs;
-  for (const std::string& input : calibration.stored.inputs) inputs += paragraph(input);
-  return section("For campaigns",
-                 "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +
-         section("Provenance",
-                 "<dl class=\"facts\">\n" + facts + "</dl>\n" +
-                     format_folded_section("Input files and their SHA-256", inputs) +
-                     format_folded_section(
-                         "Study file", "<pre>" + escape_html(calibration.study.text) + "</pre>\n"));
+  for (const std::string& input : calibration.stored.inputs) inputs += format_paragraph(input);
+  return format_section("For campaigns",
+                        "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +
+         format_section(
+             "Provenance",
+             "<dl class=\"facts\">\n" + facts + "</dl>\n" +
+                 format_folded_section("Input files and their SHA-256", inputs) +
+                 format_folded_section("Study file",
+                                       "<pre>" + escape_html(calibration.study.text) + "</pre>\n"));
 }
 
 }  // namespace

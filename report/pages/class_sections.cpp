@@ -40,7 +40,7 @@ std::string format_class_section(const Comparison& comparison) {
         std::to_string(blocks.size()),
         std::to_string(deposit.started),
         std::to_string(deposit.stops.rest),
-        significant(mass / static_cast<double>(group.rows.size()), 4),
+        format_significant_digits(mass / static_cast<double>(group.rows.size()), 4),
         format_mean_and_deviation(deposit.runout, 1),
         format_measured(deposit.runout.median, deposit.runout, 1),
         format_measured(deposit.runout.p95, deposit.runout, 1),
@@ -56,10 +56,10 @@ std::string format_class_section(const Comparison& comparison) {
     }
     table.row(std::move(cells));
   }
-  return section(
+  return format_section(
       "Shape classes side by side",
-      paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
-                "shares past barriers of all runs.") +
+      format_paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
+                       "shares past barriers of all runs.") +
           table.html());
 }
 
@@ -80,17 +80,17 @@ std::string format_block_section(const Comparison& comparison) {
       fastest = std::max(fastest, comparison.rows[row].record->result.max_speed);
     }
     shapes.row({short_group_name(group), block.garcia, block.sneed_folk, block.zingg,
-                significant(block.mass, 4), significant(block.axes.L), significant(block.axes.I),
-                significant(block.axes.S)});
+                format_significant_digits(block.mass, 4), format_significant_digits(block.axes.L),
+                format_significant_digits(block.axes.I), format_significant_digits(block.axes.S)});
     stops.row({short_group_name(group), std::to_string(deposit.started),
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
                format_mean_and_deviation(deposit.runout, 1),
                format_measured(deposit.runout.p95, deposit.runout, 1),
                format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian),
-               fixed(fastest, 1)});
+               format_fixed(fastest, 1)});
   }
-  return section(
+  return format_section(
       "Blocks",
       format_folded_section("Shapes: L, I, S are the sides of the smallest box", shapes.html(),
                             PrintedState::kOpen) +
@@ -125,8 +125,9 @@ std::string format_runout_section(const Comparison& comparison) {
         {"Share of runs that stop before, by block", "runout, m", "share", true},
         make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));
   }
-  return section("Runout", paragraph("Runout of the runs at rest, their number in brackets.") +
-                               charts + "</div>\n");
+  return format_section(
+      "Runout", format_paragraph("Runout of the runs at rest, their number in brackets.") + charts +
+                    "</div>\n");
 }
 
 }  // namespace clast::report_detail

@@ -19,7 +19,9 @@ std::string with_unit(const DepositQuantity& figure) {
 }
 
 std::string interval_text(const std::optional<Interval>& interval, int decimals) {
-  return interval ? fixed(interval->low, decimals) + " to " + fixed(interval->high, decimals) : "-";
+  return interval ? format_fixed(interval->low, decimals) + " to " +
+                        format_fixed(interval->high, decimals)
+                  : "-";
 }
 
 /// Mean, interval, least and most of every figure, for each file.
@@ -73,12 +75,12 @@ std::string describe_pair(const Comparison& comparison,
   const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) +
                             " against " + file_name(comparison, pair.front()->second.file);
   if (tests == 0) {
-    return paragraph(names + ": no interval of a difference can be given, " +
-                     (fewest < 2 ? "which takes two realisations of each file."
-                                 : "since realisations do not differ."));
+    return format_paragraph(names + ": no interval of a difference can be given, " +
+                            (fewest < 2 ? "which takes two realisations of each file."
+                                        : "since realisations do not differ."));
   }
   const std::string& clear = lists[Verdict::kSignificant];
-  return (clear.empty() ? paragraph(names + ": no figure differs more than by chance.")
+  return (clear.empty() ? format_paragraph(names + ": no figure differs more than by chance.")
                         : format_headed_list(names + ", more than chance:", clear)) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +
                                 " differences tested can be as large by chance:",
@@ -100,9 +102,10 @@ std::string differences_table(const Comparison& comparison,
                file_name(comparison, one.second.file),
                std::to_string(one.first.summary.count) + " and " +
                    std::to_string(one.second.summary.count),
-               fixed(one.first.summary.mean, figure.decimals),
-               fixed(one.second.summary.mean, figure.decimals),
-               fixed(one.estimate, figure.decimals), interval_text(one.interval, figure.decimals),
+               format_fixed(one.first.summary.mean, figure.decimals),
+               format_fixed(one.second.summary.mean, figure.decimals),
+               format_fixed(one.estimate, figure.decimals),
+               interval_text(one.interval, figure.decimals),
                one.p_value ? format_significant(*one.p_value, 2) : "-",
                one.p_holm ? format_significant(*one.p_holm, 2) : "-",
                !one.p_holm                              ? "-"
@@ -119,9 +122,9 @@ std::string differences_of_files(const Comparison& comparison,
     std::size_t files = 0;
     for (const DepositQuantitySummary& one : figures.files) files += one.figure == 0;
     return files < 2 ? ""
-                     : paragraph(std::to_string(files) + " files are more than the " +
-                                 std::to_string(kMaxGroups) +
-                                 " that are compared pair by pair. Compare a selection.");
+                     : format_paragraph(std::to_string(files) + " files are more than the " +
+                                        std::to_string(kMaxGroups) +
+                                        " that are compared pair by pair. Compare a selection.");
   }
   std::vector<std::vector<const DepositQuantityDifference*>> pairs;
   for (const DepositQuantityDifference& one : figures.differences) {
@@ -136,14 +139,14 @@ std::string differences_of_files(const Comparison& comparison,
     const bool with_first = pair.front()->first.file == figures.differences.front().first.file;
     if (pairs.size() <= kMostPairs || with_first) html += describe_pair(comparison, pair);
   }
-  return html +
-         format_folded_section(
-             "Differences between the files",
-             paragraph("Realisations are independent of each other. Intervals are Welch's, for "
-                       "groups whose spreads differ. A difference is distinguished where p is "
-                       "below 0.05 after Holm's correction for all in the table, which is also "
-                       "realisation_differences.csv.") +
-                 differences_table(comparison, figures));
+  return html + format_folded_section(
+                    "Differences between the files",
+                    format_paragraph(
+                        "Realisations are independent of each other. Intervals are Welch's, for "
+                        "groups whose spreads differ. A difference is distinguished where p is "
+                        "below 0.05 after Holm's correction for all in the table, which is also "
+                        "realisation_differences.csv.") +
+                        differences_table(comparison, figures));
 }
 
 /// The blocks together against the same alone; empty where no single runs are compared.
@@ -156,25 +159,27 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
       3);
   for (const DepositMobility& one : all) {
     if (one.group == "all") {
-      html += paragraph(
+      html += format_paragraph(
           "Runout of " + file_name(comparison, one.file) + " against single blocks of " +
           file_name(comparison, one.alone) + ", " + describe_effect(one) +
-          ". The farthest block of a realisation goes " + fixed(one.together_toe.mean, 1) +
-          " m on average; of as many single runs it would be " + fixed(one.alone_toe, 1) + " m.");
+          ". The farthest block of a realisation goes " + format_fixed(one.together_toe.mean, 1) +
+          " m on average; of as many single runs it would be " + format_fixed(one.alone_toe, 1) +
+          " m.");
     }
     table.row({one.group, file_name(comparison, one.file), file_name(comparison, one.alone),
                std::to_string(one.together_runout.count), std::to_string(one.runs),
-               fixed(one.together_runout.mean, 2), fixed(one.alone_runout.mean, 2),
-               fixed(one.difference.estimate, 2), interval_text(one.difference.interval, 2),
+               format_fixed(one.together_runout.mean, 2), format_fixed(one.alone_runout.mean, 2),
+               format_fixed(one.difference.estimate, 2), interval_text(one.difference.interval, 2),
                one.difference.p_value ? format_significant(*one.difference.p_value, 2) : "-",
-               fixed(one.together_toe.mean, 2), fixed(one.alone_toe, 2)});
+               format_fixed(one.together_toe.mean, 2), format_fixed(one.alone_toe, 2)});
   }
-  return html + format_folded_section(
-                    "Together and alone",
-                    paragraph("Runouts of blocks that came to rest. Toe together is the largest "
+  return html +
+         format_folded_section(
+             "Together and alone",
+             format_paragraph("Runouts of blocks that came to rest. Toe together is the largest "
                               "of a realisation, toe alone the expected largest of as many "
                               "single runs.") +
-                        table.html());
+                 table.html());
 }
 
 }  // namespace
@@ -183,18 +188,19 @@ std::string format_deposit_section(const ComparisonAnalyses& analyses) {
   if (analyses.deposits().realisations.empty()) return "";
   const Comparison& comparison = analyses.comparison();
   const DepositQuantityComparison& figures = analyses.figures();
-  return section(
+  return format_section(
       "The deposit",
-      paragraph("Mean thickness of the deposit over the realisations" +
-                std::string(has_several_files(comparison) ? " of all files" : "") + ", m.") +
+      format_paragraph("Mean thickness of the deposit over the realisations" +
+                       std::string(has_several_files(comparison) ? " of all files" : "") + ", m.") +
           format_deposit_map(comparison, analyses.deposits().rasters) +
           differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
           format_folded_section(
               "Figures of the deposit",
-              paragraph("Blocks that came to rest and were not removed. The crest is the highest "
-                        "start, the toe the stop farthest from it; H / L between them is the "
-                        "tangent of the travel angle. The bulk volume holds the gaps between "
-                        "blocks. Each realisation is a row of realisations.csv.") +
+              format_paragraph(
+                  "Blocks that came to rest and were not removed. The crest is the highest "
+                  "start, the toe the stop farthest from it; H / L between them is the "
+                  "tangent of the travel angle. The bulk volume holds the gaps between "
+                  "blocks. Each realisation is a row of realisations.csv.") +
                   figures_table(comparison, figures)));
 }
 

@@ -24,10 +24,10 @@ std::string too_many_groups(const Comparison& comparison) {
   std::string html;
   for (const auto& [kind, number_of] : count) {
     if (number_of <= kMaxGroups) continue;
-    html +=
-        paragraph(std::to_string(number_of) + " " + kind + " are more than the " +
-                  std::to_string(kMaxGroups) +
-                  " that are compared pair by pair. Compare a selection, or group by a column.");
+    html += format_paragraph(
+        std::to_string(number_of) + " " + kind + " are more than the " +
+        std::to_string(kMaxGroups) +
+        " that are compared pair by pair. Compare a selection, or group by a column.");
   }
   return html;
 }
@@ -129,7 +129,7 @@ std::string method_of(const Comparison& comparison) {
   const bool tested = std::any_of(comparison.differences.begin(), comparison.differences.end(),
                                   [](const Difference& one) { return one.p_holm.has_value(); });
   if (!tested) {
-    return paragraph(
+    return format_paragraph(
         "One realisation does not show whether this is chance, so there are neither intervals "
         "nor tests. Pairs of blocks are in differences.csv.");
   }
@@ -144,11 +144,12 @@ std::string method_of(const Comparison& comparison) {
           : "Intervals are from drawing whole " +
                 std::string(stay ? "realisations" : "release points") +
                 " again and again, since runs of one depend on each other. ";
-  return paragraph(drawn +
-                   "A difference counts "
-                   "as found where shuffling the runs gives as large a KS distance in less than "
-                   "5 % of the cases, after Holm's correction for all tests of the same kind. "
-                   "Pairs of blocks are in differences.csv.");
+  return format_paragraph(
+      drawn +
+      "A difference counts "
+      "as found where shuffling the runs gives as large a KS distance in less than "
+      "5 % of the cases, after Holm's correction for all tests of the same kind. "
+      "Pairs of blocks are in differences.csv.");
 }
 
 }  // namespace
@@ -163,7 +164,7 @@ std::string format_differences_section(const Comparison& comparison) {
     html += format_folded_section("Tests and corrections",
                                   method_of(comparison) + make_table(comparison));
   }
-  return html.empty() ? html : section("Differences", html);
+  return html.empty() ? html : format_section("Differences", html);
 }
 
 }  // namespace clast::report_detail

@@ -17,7 +17,7 @@ std::string triangles(const ComparisonAnalyses& analyses) {
   if (pictures.empty()) return "";
   std::string html, links;
   for (const ResponseFigure& picture : pictures) {
-    html += figure(picture.svg, picture.caption);
+    html += format_figure(picture.svg, picture.caption);
     links += (links.empty() ? "" : ", ") + ("<a href=\"" + format_link_target(picture.file) +
                                             "\" download>" + escape_html(picture.file) + "</a>");
   }
@@ -29,7 +29,7 @@ std::string trends(const ComparisonAnalyses& analyses) {
   std::string html;
   for (const std::string& sentence :
        describe_trends(analyses.trends(), analyses.comparison().margin)) {
-    html += paragraph(sentence);
+    html += format_paragraph(sentence);
   }
   return html;
 }
@@ -56,16 +56,17 @@ std::string format_effects_section(const ComparisonAnalyses& analyses) {
   }
   if (!any) return "";
   std::string shares;
-  for (const std::string& sentence : describe_effects(effects)) shares += paragraph(sentence);
-  shares += paragraph(
+  for (const std::string& sentence : describe_effects(effects))
+    shares += format_paragraph(sentence);
+  shares += format_paragraph(
       "Shares are estimates for blocks, orientations and points like these, with 95 % intervals.");
   if (few_blocks(effects)) {
-    shares = paragraph(
+    shares = format_paragraph(
                  "There are too few blocks to say how much of what differs between runs goes with "
                  "the block, and how much with the attitude in which it is released.") +
              format_folded_section("Shares of the variance", shares);
   }
-  return section("Sources of variability", shares + triangles(analyses) + trends(analyses));
+  return format_section("Sources of variability", shares + triangles(analyses) + trends(analyses));
 }
 
 }  // namespace clast::report_detail

@@ -136,7 +136,7 @@ std::string shares_table(const Comparison& comparison,
         shares.push_back(share(compute_energy_fractions(one->samples)));
       }
       const Summary summary = summarise(shares);
-      cells.push_back(significant(summarise(energies).mean));
+      cells.push_back(format_significant_digits(summarise(energies).mean));
       cells.push_back(format_percent(summary.mean));
       cells.push_back(format_percent(*std::min_element(shares.begin(), shares.end())));
       cells.push_back(format_percent(summary.max));
@@ -175,12 +175,12 @@ std::string describe_dissipation(const Comparison& comparison,
   const std::string of = has_several_files(comparison)
                              ? " of " + file_name(comparison, realisations.front()->file)
                              : "";
-  return paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
-                   format_percentage(by(&Dissipation::friction)) + ", normal forces " +
-                   format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
-                   format_percentage(by(&Dissipation::rolling)) + "; " +
-                   format_percentage(between) +
-                   " was dissipated between blocks, the rest on the ground.");
+  return format_paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
+                          format_percentage(by(&Dissipation::friction)) + ", normal forces " +
+                          format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
+                          format_percentage(by(&Dissipation::rolling)) + "; " +
+                          format_percentage(between) +
+                          " was dissipated between blocks, the rest on the ground.");
 }
 
 }  // namespace
@@ -200,12 +200,12 @@ std::string format_energy_section(const ComparisonAnalyses& analyses) {
   if (!masses.empty()) body += kinetic_chart(comparison, masses);
   for (const EnergyRealisations& realisations : masses)
     body += uses_chart(comparison, realisations);
-  return section(
+  return format_section(
       "Where the energy goes",
       body +
           format_folded_section(
               "How the energy was dissipated",
-              paragraph(
+              format_paragraph(
                   "Totals at the end of each realisation; means, smallest and largest shares over "
                   "realisations. Shares are of the energy dissipated in contacts. Energies against "
                   "time are in "

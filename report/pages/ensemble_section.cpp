@@ -17,7 +17,7 @@ constexpr double kSignificanceLevel = 0.05;
 bool is_share(const ParameterEffect& effect) { return effect.outcome != "mean runout"; }
 
 std::string effect_number(const ParameterEffect& effect, double value) {
-  return is_share(effect) ? fixed(100.0 * value, 1) : significant(value);
+  return is_share(effect) ? format_fixed(100.0 * value, 1) : format_significant_digits(value);
 }
 
 std::string runs_of(const Comparison& comparison, const ParameterEffect& effect) {
@@ -58,7 +58,7 @@ std::string effect_sentence(const Comparison& comparison,
   } else {
     text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +
             " most clearly with the " + describe_parameter(most->parameter) + " of " + most->zone +
-            " (rank correlation " + fixed(most->correlation->statistic, 2) + ")";
+            " (rank correlation " + format_fixed(most->correlation->statistic, 2) + ")";
   }
   return capitalized(text) + ".";
 }
@@ -84,20 +84,21 @@ std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
       same.push_back(effect);
       const std::optional<TestResult>& correlation = effect.correlation;
       table.row({runs_of(comparison, effect) + effect.outcome, effect.zone,
-                 describe_parameter(effect.parameter), significant(effect.low),
-                 significant(effect.high), correlation ? fixed(correlation->statistic, 2) : "-",
-                 correlation ? significant(correlation->p_value, 2) : "-",
+                 describe_parameter(effect.parameter), format_significant_digits(effect.low),
+                 format_significant_digits(effect.high),
+                 correlation ? format_fixed(correlation->statistic, 2) : "-",
+                 correlation ? format_significant_digits(correlation->p_value, 2) : "-",
                  effect.first_order ? format_percent(*effect.first_order) : "-"});
     }
-    sentences += paragraph(effect_sentence(comparison, same));
+    sentences += format_paragraph(effect_sentence(comparison, same));
   }
-  return section(
+  return format_section(
       "Uncertain ground",
-      sentences +
-          format_folded_section(
-              "Every parameter",
-              table.html() + paragraph("Every run was simulated on each draw of the ground. The "
-                                       "share of variance is given from 40 draws on.")));
+      sentences + format_folded_section(
+                      "Every parameter",
+                      table.html() + format_paragraph(
+                                         "Every run was simulated on each draw of the ground. The "
+                                         "share of variance is given from 40 draws on.")));
 }
 
 }  // namespace clast::report_detail

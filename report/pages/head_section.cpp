@@ -40,7 +40,7 @@ std::string figures_of(const Comparison& comparison, const KeyResults& answer) {
 /// A line that unfolds to the warnings in full.
 std::string caution_line(const ComparisonWarning& caution) {
   std::string texts;
-  for (const std::string& text : caution.texts) texts += paragraph(text);
+  for (const std::string& text : caution.texts) texts += format_paragraph(text);
   return format_folded_section(caution.brief, texts);
 }
 

@@ -30,13 +30,14 @@ std::string format_map_section(const Comparison& comparison, const MapRasterSet&
       "Centres of mass at the end of each run, in map coordinates. The wheel zooms, dragging moves "
       "the map. " +
       stops + rasters + "Relief lit from the north-west, contours every " +
-      significant(make_site_map(comparison).contour_interval(), 2) + " m" +
+      format_significant_digits(make_site_map(comparison).contour_interval(), 2) + " m" +
       (has_several_files(comparison) ? "; the surface is that of file 1." : ".");
-  return section("Where the blocks stop",
-                 format_page_map(comparison, {.id = "map",
-                                              .label = "map of stops, release points and barriers",
-                                              .rasters = {&paths, &deposits}}) +
-                     format_folded_section("How to read and use the map", paragraph(reading)));
+  return format_section(
+      "Where the blocks stop",
+      format_page_map(comparison, {.id = "map",
+                                   .label = "map of stops, release points and barriers",
+                                   .rasters = {&paths, &deposits}}) +
+          format_folded_section("How to read and use the map", format_paragraph(reading)));
 }
 
 }  // namespace clast::report_detail

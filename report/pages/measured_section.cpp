@@ -41,10 +41,12 @@ std::string measured_table(const Comparison& comparison) {
   for (const MeasuredGroup& group : comparison.measured->groups) {
     const std::optional<Interval>& interval = group.medians.interval;
     table.row({comparison.groups[group.group].name, std::to_string(group.measured),
-               std::to_string(group.simulated), fixed(group.runout.mean, 1),
-               fixed(group.simulated_runout, 1), fixed(group.quartiles.median, 1),
-               fixed(group.simulated_quartiles.median, 1), fixed(group.medians.estimate, 1),
-               interval ? fixed(interval->low, 1) : "-", interval ? fixed(interval->high, 1) : "-",
+               std::to_string(group.simulated), format_fixed(group.runout.mean, 1),
+               format_fixed(group.simulated_runout, 1), format_fixed(group.quartiles.median, 1),
+               format_fixed(group.simulated_quartiles.median, 1),
+               format_fixed(group.medians.estimate, 1),
+               interval ? format_fixed(interval->low, 1) : "-",
+               interval ? format_fixed(interval->high, 1) : "-",
                format_significant(group.cliffs_delta, 3), format_significant(group.ks_distance, 3),
                group.medians.p_holm ? format_significant(*group.medians.p_holm, 2) : "-"});
   }
@@ -57,8 +59,9 @@ std::string format_measured_section(const Comparison& comparison) {
   if (!comparison.measured) return "";
   const std::string title = "Measured against simulated";
   if (comparison.measured->groups.empty()) {
-    return section(title, paragraph("No simulated run came to rest to compare the measured stops "
-                                    "with."));
+    return format_section(
+        title, format_paragraph("No simulated run came to rest to compare the measured stops "
+                                "with."));
   }
   std::string html;
   for (const std::string& sentence : describe_measured_stops(comparison)) {
@@ -76,9 +79,9 @@ std::string format_measured_section(const Comparison& comparison) {
          "share of stops", true},
         traces);
   }
-  html += "</div>\n" + paragraph("Bands are 95 % intervals of each curve.");
-  return section(title,
-                 html + format_folded_section("Figures and tests", measured_table(comparison)));
+  html += "</div>\n" + format_paragraph("Bands are 95 % intervals of each curve.");
+  return format_section(
+      title, html + format_folded_section("Figures and tests", measured_table(comparison)));
 }
 
 }  // namespace clast::report_detail

@@ -114,7 +114,7 @@ std::string describe_crossings(const Comparison& comparison,
     if (blocks == 0.0) continue;
     const std::uint32_t file = realisations.front()->file;
     const bool at_once = comparison.results[file].stay->at_once;
-    html += paragraph(
+    html += format_paragraph(
         comparison.lines[line].name +
         (has_several_files(comparison) ? ", " + file_name(comparison, file) : "") +
         ": within 1 s at most " + format_count(static_cast<std::size_t>(blocks), "block") +
@@ -149,14 +149,15 @@ std::string format_crossing_table(const Comparison& comparison,
       }
       const Summary summary = summarise(values);
       const bool any = !values.empty();
-      cells.push_back(any ? significant(summary.mean) : "-");
-      cells.push_back(values.size() > 1 ? significant(summary.std) : "-");
-      cells.push_back(any ? significant(*std::min_element(values.begin(), values.end())) : "-");
-      cells.push_back(any ? significant(summary.max) : "-");
+      cells.push_back(any ? format_significant_digits(summary.mean) : "-");
+      cells.push_back(values.size() > 1 ? format_significant_digits(summary.std) : "-");
+      cells.push_back(
+          any ? format_significant_digits(*std::min_element(values.begin(), values.end())) : "-");
+      cells.push_back(any ? format_significant_digits(summary.max) : "-");
     }
     table.row(std::move(cells));
   }
-  return paragraph(
+  return format_paragraph(
              "Over realisations. Each block counts once; what passes within 1 s counts as "
              "together. Each realisation is a row of passages.csv, each passage of "
              "passage_curves.csv.") +

@@ -50,7 +50,7 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
   const Summary summary = summarise(moved);
   return {std::to_string(runs),
           known ? count_and_share(hitting, runs) : "not known",
-          known ? fixed(hit / static_cast<double>(runs), 2) : "not known",
+          known ? format_fixed(hit / static_cast<double>(runs), 2) : "not known",
           count_and_share(moved.size(), runs),
           format_measured(summary.median, summary, 2),
           format_measured(summary.max, summary, 2),
@@ -75,10 +75,11 @@ std::string format_persistent_blocks_section(const Comparison& comparison) {
     }
   }
   if (!any) return "";
-  return section(
+  return format_section(
       "Blocks in each other's way",
-      paragraph("How many others a block hit, and how far later blocks moved it on, from a tenth "
-                "of its S. Stops are those at the end.") +
+      format_paragraph(
+          "How many others a block hit, and how far later blocks moved it on, from a tenth "
+          "of its S. Stops are those at the end.") +
           table.html());
 }
 

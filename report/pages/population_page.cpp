@@ -19,7 +19,7 @@ constexpr std::size_t kMaxNotes = 20;
 
 /// "22.8-41.7 %", with a dash that is no minus
 std::string range_text(double low, double high) {
-  return fixed(100.0 * low, 1) + "\xE2\x80\x93" + format_percent(high);
+  return format_fixed(100.0 * low, 1) + "\xE2\x80\x93" + format_percent(high);
 }
 
 std::string population_head(const PopulationReport& report) {
@@ -68,12 +68,13 @@ std::string comparison_section(const PopulationReport& report) {
     html += "<li>" + escape_html(one.description) + "</li>\n";
   }
   const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
-  html += "</ul>\n" +
-          paragraph("These are " + std::to_string(tests) +
-                    " looks at the same blocks: of twenty looks at equal deposits one shows a "
-                    "chance below 0.05. Where no difference can be shown, the samples may be too "
-                    "small to show it.");
-  return section(comparison.name_a + " against " + comparison.name_b, html);
+  html +=
+      "</ul>\n" + format_paragraph(
+                      "These are " + std::to_string(tests) +
+                      " looks at the same blocks: of twenty looks at equal deposits one shows a "
+                      "chance below 0.05. Where no difference can be shown, the samples may be too "
+                      "small to show it.");
+  return format_section(comparison.name_a + " against " + comparison.name_b, html);
 }
 
 std::string classes_section(const PopulationReport& report, const Diagrams& diagrams) {
@@ -81,15 +82,15 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escape_html(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
-    html += "<div class=\"beside\">" + figure(diagrams.at(fractions_file_name(report, scheme))) +
-            "<div>";
+    html += "<div class=\"beside\">" +
+            format_figure(diagrams.at(fractions_file_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.with_mass > 0;
       std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
       if (weighed) {
         for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
       }
-      if (report.populations.size() > 1) html += paragraph(reported.population.name);
+      if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
       HtmlTable table(heads, 1);
       for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
@@ -106,24 +107,25 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
     }
     html += "</div></div>\n";
   }
-  return section(
+  return format_section(
       "Classes",
-      paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
-                "size does not contradict. Shares by mass count a few heavy blocks as "
-                "much as many light ones, so their intervals are wider.") +
+      format_paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
+                       "size does not contradict. Shares by mass count a few heavy blocks as "
+                       "much as many light ones, so their intervals are wider.") +
           html);
 }
 
 std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
   std::string html = "<div class=\"charts\">\n";
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
-    html += figure(diagrams.at("sneed_folk" + population_file_suffix(report, i)));
-    html += figure(diagrams.at("zingg" + population_file_suffix(report, i)));
+    html += format_figure(diagrams.at("sneed_folk" + population_file_suffix(report, i)));
+    html += format_figure(diagrams.at("zingg" + population_file_suffix(report, i)));
   }
-  html += figure(diagrams.at("s_c"));
-  return section("Forms", paragraph("The pointer on a mark names its block and lights it up in all "
-                                    "diagrams; the darker a field, the more blocks are in it.") +
-                              html + "</div>\n");
+  html += format_figure(diagrams.at("s_c"));
+  return format_section(
+      "Forms", format_paragraph("The pointer on a mark names its block and lights it up in all "
+                                "diagrams; the darker a field, the more blocks are in it.") +
+                   html + "</div>\n");
 }
 
 /// What the choice of box decides; nothing for axes taken by tape.
@@ -137,7 +139,7 @@ std::string boxes_section(const PopulationReport& report) {
       words += "<li>" + escape_html(describe_box_effect(effect)) + "</li>\n";
     }
     if (words.empty()) continue;
-    if (report.populations.size() > 1) html += paragraph(reported.population.name);
+    if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMaxRows) continue;
     std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
@@ -147,17 +149,19 @@ std::string boxes_section(const PopulationReport& report) {
     for (const MeasuredBlock& block : blocks) {
       if (block.axes_by_box.empty()) continue;
       std::vector<std::string> cells = {block.name};
-      for (const Axes& axes : block.axes_by_box) cells.push_back(fixed(elongation_index(axes), 3));
-      for (const Axes& axes : block.axes_by_box) cells.push_back(fixed(axes.S / axes.L, 3));
+      for (const Axes& axes : block.axes_by_box)
+        cells.push_back(format_fixed(elongation_index(axes), 3));
+      for (const Axes& axes : block.axes_by_box) cells.push_back(format_fixed(axes.S / axes.L, 3));
       table.row(std::move(cells));
     }
     html += table.html();
   }
   if (html.empty()) return {};
-  return section("Boxes", paragraph("L, I and S are sides of a box, and the convention for the box "
-                                    "decides the class of blocks near a limit. Compare only what "
-                                    "was measured on the same box.") +
-                              html);
+  return format_section(
+      "Boxes", format_paragraph("L, I and S are sides of a box, and the convention for the box "
+                                "decides the class of blocks near a limit. Compare only what "
+                                "was measured on the same box.") +
+                   html);
 }
 
 std::string blocks_section(const PopulationReport& report) {
@@ -165,8 +169,9 @@ std::string blocks_section(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     const std::vector<MeasuredBlock>& blocks = reported.population.blocks;
     if (blocks.size() > kMaxRows) {
-      html += paragraph(reported.population.name + ": " + format_count(blocks.size(), "block") +
-                        ", all of them in classes.csv.");
+      html +=
+          format_paragraph(reported.population.name + ": " + format_count(blocks.size(), "block") +
+                           ", all of them in classes.csv.");
       continue;
     }
     std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
@@ -186,16 +191,16 @@ std::string blocks_section(const PopulationReport& report) {
           class_certainty(first, block.axes, block.axis_error, report.options.limits);
       cells.push_back(certainty.near_limit ? describe_certainty(certainty) : "clear of limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
-        cells.push_back(significant(axis, 3) + (block.unscaled ? " u" : ""));
+        cells.push_back(format_significant_digits(axis, 3) + (block.unscaled ? " u" : ""));
       }
-      cells.push_back(block.mass ? significant(*block.mass, 4) : "-");
-      cells.push_back(fixed(elongation_index(block.axes_as_written), 2));
-      cells.push_back(fixed(block.axes_as_written.S / block.axes_as_written.L, 2));
+      cells.push_back(block.mass ? format_significant_digits(*block.mass, 4) : "-");
+      cells.push_back(format_fixed(elongation_index(block.axes_as_written), 2));
+      cells.push_back(format_fixed(block.axes_as_written.S / block.axes_as_written.L, 2));
       table.row(std::move(cells));
     }
     html += table.html();
   }
-  return section("Blocks", html);
+  return format_section("Blocks", html);
 }
 
 std::string sources_section(const PopulationReport& report) {
@@ -205,8 +210,9 @@ std::string sources_section(const PopulationReport& report) {
       html += "<li><code>" + escape_html(input.file + " " + input.sha256) + "</code></li>\n";
     }
   }
-  return section("Inputs", html + "</ul>\n") + "<footer>Made by clast " + escape_html(version()) +
-         ", random samples from seed " + std::to_string(report.options.seed) +
+  return format_section("Inputs", html + "</ul>\n") + "<footer>Made by clast " +
+         escape_html(version()) + ", random samples from seed " +
+         std::to_string(report.options.seed) +
          ". Every figure here is in classes.csv, shares.csv, sizes.csv and tests.csv beside this "
          "page; every diagram is there as .svg.</footer>\n";
 }

@@ -6,7 +6,7 @@ namespace clast::report_detail {
 namespace {
 
 std::string with_error(double value, double error) {
-  return significant(value, 3) + " \xC2\xB1 " + significant(error, 2);
+  return format_significant_digits(value, 3) + " \xC2\xB1 " + format_significant_digits(error, 2);
 }
 
 void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& curve) {
@@ -16,7 +16,7 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
         {name_of(law.kind) + " " + weighting,
          (normal ? "median " : "d63 ") + with_error(law.location, law.location_error),
          (normal ? "\xCF\x83 of ln " : "exponent ") + with_error(law.spread, law.spread_error),
-         fixed(law.distance, 3), law.p_value ? format_p_value(*law.p_value) : "-"});
+         format_fixed(law.distance, 3), law.p_value ? format_p_value(*law.p_value) : "-"});
   }
 }
 
@@ -28,26 +28,28 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
     std::string medians;
     for (const ReportedPopulation& reported : report.populations) {
       if (!has_sizes(reported)) continue;
-      medians += paragraph("Half of the blocks of " + reported.population.name + " are below " +
-                           significant(reported.summary.size.by_number.d50, 3) + " m.");
+      medians += format_paragraph(
+          "Half of the blocks of " + reported.population.name + " are below " +
+          format_significant_digits(reported.summary.size.by_number.d50, 3) + " m.");
     }
-    html += "<div class=\"charts\">" + figure(diagrams.at("sizes")) + "<div>" + medians +
+    html += "<div class=\"charts\">" + format_figure(diagrams.at("sizes")) + "<div>" + medians +
             "</div></div>\n";
   }
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
     if (!has_sizes(reported)) {
-      html +=
-          paragraph(reported.population.name + ": every block is unscaled; there are no sizes.");
+      html += format_paragraph(reported.population.name +
+                               ": every block is unscaled; there are no sizes.");
       continue;
     }
     HtmlTable percentiles(
         {shorten_text(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
         1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
-      percentiles.row({name, std::to_string(curve.blocks), significant(curve.d10, 3),
-                       significant(curve.d50, 3), significant(curve.d90, 3)});
+      percentiles.row({name, std::to_string(curve.blocks), format_significant_digits(curve.d10, 3),
+                       format_significant_digits(curve.d50, 3),
+                       format_significant_digits(curve.d90, 3)});
     };
     add("by number", size.by_number);
     if (size.by_mass) add("by mass", *size.by_mass);
@@ -55,13 +57,15 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
     law_rows(laws, "by number", size.by_number);
     if (size.by_mass) law_rows(laws, "by mass", *size.by_mass);
     html += "<div class=\"charts\">" +
-            figure(diagrams.at("size" + population_file_suffix(report, i))) + "<div>" +
+            format_figure(diagrams.at("size" + population_file_suffix(report, i))) + "<div>" +
             percentiles.html() + "</div></div>\n";
-    html += size.by_number.laws.empty() ? paragraph("All blocks are of one size: no law is fitted.")
-                                        : laws.html();
+    html += size.by_number.laws.empty()
+                ? format_paragraph("All blocks are of one size: no law is fitted.")
+                : laws.html();
     if (size.step > 0.0) {
-      html += paragraph("Sizes were read in steps of " + significant(size.step, 2) +
-                        " m; fits are judged with samples read in the same steps.");
+      html += format_paragraph("Sizes were read in steps of " +
+                               format_significant_digits(size.step, 2) +
+                               " m; fits are judged with samples read in the same steps.");
     }
     html += "<ul>\n";
     for (const SizeShapeCorrelation& one : reported.summary.size_shape_correlations) {
@@ -72,9 +76,9 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
                         format_percent(reported.summary.c40) + ".") +
             "</li>\n</ul>\n";
   }
-  return section(
+  return format_section(
       "Sizes",
-      paragraph(
+      format_paragraph(
           "Laws are fitted by maximum likelihood, with standard errors. p is the chance that a "
           "sample of the law lies as far from its own fit: a small p speaks against the law, "
           "a large one does not prove it. By mass there is no p, since the kilograms of one "

@@ -68,7 +68,8 @@ std::string ground_table(const CampaignResults& results) {
         }
         cells.push_back(!field.required && high == 0.0
                             ? "not stated"
-                            : significant(low) + (low < high ? " to " + significant(high) : ""));
+                            : format_significant_digits(low) +
+                                  (low < high ? " to " + format_significant_digits(high) : ""));
       }
       if (group.empty()) usual = cells;
       if (!group.empty() && cells == usual) continue;
@@ -78,9 +79,10 @@ std::string ground_table(const CampaignResults& results) {
     }
   }
   const std::uint32_t members = count_ensemble_members(results);
-  return table.html() + (members > 1 ? paragraph("Ranges are of the " + std::to_string(members) +
-                                                 " draws; each draw is in ground_sets.csv.")
-                                     : "");
+  return table.html() + (members > 1
+                             ? format_paragraph("Ranges are of the " + std::to_string(members) +
+                                                " draws; each draw is in ground_sets.csv.")
+                             : "");
 }
 
 std::string released(const CampaignResults& results) {
@@ -119,10 +121,10 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
       format_stiffness_cells(combine_stiffness(collect_stiffness_by_block(results, results.runs)));
   html +=
       format_fact("Stiffness and time step", "k_n " + cells[0] + " N/m, step " + cells[3] + " s");
-  html +=
-      format_fact("Downslope (x, y)",
-                  fixed(comparison.downslope.x(), 4) + ", " + fixed(comparison.downslope.y(), 4) +
-                      (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
+  html += format_fact(
+      "Downslope (x, y)",
+      format_fixed(comparison.downslope.x(), 4) + ", " + format_fixed(comparison.downslope.y(), 4) +
+          (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
   html += format_fact("Coordinates", results.frame.crs.empty()
                                          ? "map frame of the terrain, no CRS given"
                                          : reference_system_name(results.frame.crs));
@@ -140,7 +142,7 @@ std::string scales_of(const CampaignResults& results) {
     if (block.library_block() != block.id) return "";  // drawn ones are too many
     text += (text.empty() ? "As asked, " : ", ") + describe_block_scale(block);
   }
-  return text.empty() ? "" : paragraph(text + ".");
+  return text.empty() ? "" : format_paragraph(text + ".");
 }
 
 /// What else was warned of.
@@ -154,7 +156,7 @@ std::string notes_of(const Comparison& comparison) {
                       return std::count(caution.texts.begin(), caution.texts.end(), warning) > 0;
                     });
     if (above) continue;
-    items += paragraph(warning);
+    items += format_paragraph(warning);
     ++count;
   }
   return items.empty() ? "" : format_folded_section(format_count(count, "more warning"), items);
@@ -182,7 +184,7 @@ std::string format_provenance_section(const Comparison& comparison) {
     html += format_folded_section("Campaign file",
                                   "<pre>" + escape_html(results.campaign_text) + "</pre>");
   }
-  return section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
+  return format_section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
          escape_html(version()) +
          ". All figures are in the tables beside this page, map layers in stops.gpkg.</footer>\n";
 }

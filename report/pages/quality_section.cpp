@@ -31,8 +31,8 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
       (has_several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run "
                                      : "run ") +
       std::to_string(worst->record->run) + ", block " + worst->block->id;
-  return {what + unit, run, significant(summary.mean), significant(summary.p95),
-          significant(largest)};
+  return {what + unit, run, format_significant_digits(summary.mean),
+          format_significant_digits(summary.p95), format_significant_digits(largest)};
 }
 
 std::string lost_runs(const Comparison& comparison) {
@@ -45,19 +45,20 @@ std::string lost_runs(const Comparison& comparison) {
     if (++count > kMaxListed) continue;
     std::string story = result.message;
     if (story.empty()) {
-      story = "at (" + fixed(row.stop.x(), 2) + ", " + fixed(row.stop.y(), 2) + ", " +
-              fixed(row.stop.z(), 2) + ") m after " + fixed(result.duration, 1) + " s";
+      story = "at (" + format_fixed(row.stop.x(), 2) + ", " + format_fixed(row.stop.y(), 2) + ", " +
+              format_fixed(row.stop.z(), 2) + ") m after " + format_fixed(result.duration, 1) +
+              " s";
     }
     const std::string file =
         has_several_files(comparison) ? std::to_string(row.file + 1) + ": " : std::string();
     table.row({file + std::to_string(row.record->run), row.block->id,
                name_of(result.stop_reason) + (result.below_ground ? ", below ground" : ""), story});
   }
-  if (count == 0) return paragraph("Every run came to rest on the terrain.");
+  if (count == 0) return format_paragraph("Every run came to rest on the terrain.");
   std::string html = table.html();
   if (count > kMaxListed) {
-    html += paragraph("The first " + std::to_string(kMaxListed) + " of " + std::to_string(count) +
-                      "; the others are in runs.csv.");
+    html += format_paragraph("The first " + std::to_string(kMaxListed) + " of " +
+                             std::to_string(count) + "; the others are in runs.csv.");
   }
   return format_folded_section(format_count(count, "run") + " did not come to rest on the terrain",
                                html);
@@ -89,16 +90,17 @@ std::string format_quality_section(const Comparison& comparison) {
   std::string without;
   for (const CampaignResults& results : comparison.results) {
     if (results.has_contacts()) continue;
-    without = paragraph("Runs that " + results.engine +
-                        " computed do not report energy balance and penetration: the figures below "
-                        "are without them.");
+    without = format_paragraph(
+        "Runs that " + results.engine +
+        " computed do not report energy balance and penetration: the figures below "
+        "are without them.");
   }
-  return section(
+  return format_section(
       "Quality of the runs",
-      paragraph("At rest " + std::to_string(stops.rest) + ", left the terrain " +
-                std::to_string(stops.left_terrain) + ", still moving at max_time " +
-                std::to_string(stops.max_time) + ", error " + std::to_string(stops.error) +
-                "; below ground " + std::to_string(below) + ".") +
+      format_paragraph("At rest " + std::to_string(stops.rest) + ", left the terrain " +
+                       std::to_string(stops.left_terrain) + ", still moving at max_time " +
+                       std::to_string(stops.max_time) + ", error " + std::to_string(stops.error) +
+                       "; below ground " + std::to_string(below) + ".") +
           without + format_folded_section("Energy balance, penetration and time", table.html()) +
           lost_runs(comparison));
 }

@@ -60,12 +60,14 @@ std::pair<std::string, std::string> choose_curve_style(
 
 std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit) {
   if (summary.count == 0) return "-";
-  if (summary.count == 1) return fixed(summary.mean * unit, decimals);  // one does not scatter
-  return fixed(summary.mean * unit, decimals) + " \xC2\xB1 " + fixed(summary.std * unit, decimals);
+  if (summary.count == 1)
+    return format_fixed(summary.mean * unit, decimals);  // one does not scatter
+  return format_fixed(summary.mean * unit, decimals) + " \xC2\xB1 " +
+         format_fixed(summary.std * unit, decimals);
 }
 
 std::string format_measured(double value, const Summary& summary, int decimals) {
-  return summary.count == 0 ? "-" : fixed(value, decimals);
+  return summary.count == 0 ? "-" : format_fixed(value, decimals);
 }
 
 }  // namespace clast::report_detail

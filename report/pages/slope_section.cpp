@@ -74,7 +74,8 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
   for (const ProfileBin* bin : bins_of_group(bins, group)) {
     table.row({format_significant(bin->from, 4) + " to " + format_significant(bin->to, 4),
                std::to_string(bin->runs), format_percent(static_cast<double>(bin->runs) / runs, 0),
-               significant(bin->energy.p95 / 1000.0), significant(bin->energy.max / 1000.0),
+               format_significant_digits(bin->energy.p95 / 1000.0),
+               format_significant_digits(bin->energy.max / 1000.0),
                format_measured(bin->height.p95, bin->height, 2),
                format_measured(bin->height.max, bin->height, 2),
                format_measured(bin->speed.p95, bin->speed, 1)});
@@ -170,9 +171,10 @@ std::string format_slope_section(const Comparison& comparison,
                                  const std::vector<ProfileBin>& bins) {
   const std::string title = "Along the slope";
   if (bins.empty()) {
-    return section(title, paragraph("The results hold no trajectories: set [run] "
-                                    "trajectory_interval_s above zero to see energies and passing "
-                                    "heights against distance."));
+    return format_section(
+        title, format_paragraph("The results hold no trajectories: set [run] "
+                                "trajectory_interval_s above zero to see energies and passing "
+                                "heights against distance."));
   }
   std::string words, charts, tables;
   for (const std::size_t all : select_groups(comparison, GroupKind::kAll)) {
@@ -206,12 +208,12 @@ std::string format_slope_section(const Comparison& comparison,
         cut_along_the_mean_path(comparison, bins, group, "The ground along the mean path: " + name);
   }
   const std::string width = format_significant(bins.front().to - bins.front().from, 3);
-  return section(title,
-                 paragraph(words + "In every " + width +
-                           " m a run counts with its largest value there; distances are from "
-                           "its release, heights of the centre. The section follows the mean "
-                           "path.") +
-                     "<div class=\"charts by-three\">\n" + charts + "</div>\n" + tables);
+  return format_section(
+      title, format_paragraph(words + "In every " + width +
+                              " m a run counts with its largest value there; distances are from "
+                              "its release, heights of the centre. The section follows the mean "
+                              "path.") +
+                 "<div class=\"charts by-three\">\n" + charts + "</div>\n" + tables);
 }
 
 }  // namespace clast::report_detail

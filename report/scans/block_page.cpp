@@ -24,11 +24,13 @@ constexpr int kSkinSegments = 2;
 
 /// "0.52" or, where a part was not seen, "0.52 (0.48 to 0.56)" or "0.52 (at least 0.48)".
 std::string with_bounds(double value, double low, const std::optional<double>& high) {
-  if (!high) return significant(value, 4) + " (at least " + significant(low, 4) + ")";
-  if (low < *high)
-    return significant(value, 4) + " (" + significant(low, 4) + " to " + significant(*high, 4) +
+  if (!high)
+    return format_significant_digits(value, 4) + " (at least " + format_significant_digits(low, 4) +
            ")";
-  return significant(value, 4);
+  if (low < *high)
+    return format_significant_digits(value, 4) + " (" + format_significant_digits(low, 4) + " to " +
+           format_significant_digits(*high, 4) + ")";
+  return format_significant_digits(value, 4);
 }
 
 /// Bounds of the axes and every class they allow.
@@ -38,7 +40,7 @@ std::string range_facts(const Block& block, const std::string& unit) {
   if (!range.axes) return format_fact("bounds of L, I, S; possible shapes", not_known);
   const auto& [low, high] = *range.axes;
   const auto between = [](double from, double to) {
-    return significant(from, 3) + " to " + significant(to, 3);
+    return format_significant_digits(from, 3) + " to " + format_significant_digits(to, 3);
   };
   std::string shapes;
   for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
@@ -65,26 +67,27 @@ std::string facts(const Block& block, const std::string& scale) {
   std::string html = "<dl class=\"facts\">";
   const bool metric = !is_unscaled(block);
   const std::string unit = metric ? "m" : "units";
-  html +=
-      format_fact("L x I x S, " + unit, significant(axes.L, 3) + " x " + significant(axes.I, 3) +
-                                            " x " + significant(axes.S, 3));
+  html += format_fact("L x I x S, " + unit, format_significant_digits(axes.L, 3) + " x " +
+                                                format_significant_digits(axes.I, 3) + " x " +
+                                                format_significant_digits(axes.S, 3));
   html += format_fact(metric ? "volume, m3" : "volume, cubic units",
                       with_bounds(block.mass.volume, low_volume, high_volume));
   html += format_fact(
       "mass, kg", metric ? with_bounds(block.mass.mass, low_mass, high_mass) : "none: unscaled");
-  html += format_fact("density, kg/m3", significant(block.density, 4));
+  html += format_fact("density, kg/m3", format_significant_digits(block.density, 4));
   html += format_fact(
       "shape", sneed_folk_class(axes) + ", " + zingg_class(axes) + ", " + garcia_class(axes));
   if (block.volume_bracket) html += range_facts(block, unit);
   html += format_fact("vertices of the block", std::to_string(block.body.vertices.size()));
-  html += format_fact("radius of its rounding, " + unit, significant(block.body.radius, 3));
+  html += format_fact("radius of its rounding, " + unit,
+                      format_significant_digits(block.body.radius, 3));
   html += format_fact("surface not seen but filled in",
                       block.volume_bracket ? format_percent(block.volume_bracket->filled_fraction)
                                            : "none, or small holes alone");
   if (!block.from_core) {
     html += format_fact("farthest from the scan",
-                        significant(block.deviation.hausdorff, 2) + " " + unit + " (" +
-                            format_percent(block.deviation.hausdorff / axes.L) + " of L)");
+                        format_significant_digits(block.deviation.hausdorff, 2) + " " + unit +
+                            " (" + format_percent(block.deviation.hausdorff / axes.L) + " of L)");
   }
   return html + format_fact("scale", metric ? scale : "none") + "</dl>\n";
 }
@@ -104,50 +107,61 @@ std::string certificate(const Block& block, const FieldBlock& found) {
                                d.hausdorff, !is_unscaled(block));
   }
   html += "<dl class=\"facts\">";
-  html += format_fact("scan to block, at most", significant(d.scan_to_body, 3) + unit);
-  html += format_fact("block to scan, at most", significant(d.body_to_scan, 3) + unit);
-  html += format_fact("mean distance", significant(d.mean, 3) + unit);
-  html += format_fact("volume against the scan", significant(100.0 * d.volume_relative, 2) + " %");
-  html += format_fact("area against the scan", significant(100.0 * d.area_relative, 2) + " %");
   html +=
-      format_fact("principal moments, at most", significant(100.0 * d.moments_relative, 2) + " %");
-  return section("The block against the scan",
-                 html + "</dl>\n" +
-                     paragraph("Both largest distances are upper bounds over the whole of either "
-                               "surface, not of samples."));
+      format_fact("scan to block, at most", format_significant_digits(d.scan_to_body, 3) + unit);
+  html +=
+      format_fact("block to scan, at most", format_significant_digits(d.body_to_scan, 3) + unit);
+  html += format_fact("mean distance", format_significant_digits(d.mean, 3) + unit);
+  html += format_fact("volume against the scan",
+                      format_significant_digits(100.0 * d.volume_relative, 2) + " %");
+  html += format_fact("area against the scan",
+                      format_significant_digits(100.0 * d.area_relative, 2) + " %");
+  html += format_fact("principal moments, at most",
+                      format_significant_digits(100.0 * d.moments_relative, 2) + " %");
+  return format_section(
+      "The block against the scan",
+      html + "</dl>\n" +
+          format_paragraph("Both largest distances are upper bounds over the whole of either "
+                           "surface, not of samples."));
 }
 
 std::string mass_check(const Block& block, bool density_given) {
   if (is_unscaled(block)) {
-    return section("Mass", paragraph("The block is unscaled: " + explain_unscaled() + "."));
+    return format_section(
+        "Mass", format_paragraph("The block is unscaled: " + explain_unscaled_block() + "."));
   }
   const std::optional<double>& weighed = block.field.weighed_mass;
   if (!weighed) {
-    return section("Mass",
-                   paragraph("No weighed mass was given: " + significant(block.mass.mass, 4) +
-                             " kg is volume times a density of " + significant(block.density, 4) +
-                             " kg/m3. A weighed mass would check the volume."));
+    return format_section(
+        "Mass",
+        format_paragraph(
+            "No weighed mass was given: " + format_significant_digits(block.mass.mass, 4) +
+            " kg is volume times a density of " + format_significant_digits(block.density, 4) +
+            " kg/m3. A weighed mass would check the volume."));
   }
   if (!density_given) {
-    return section("Mass", paragraph("The weighed mass of " + significant(*weighed, 4) +
-                                     " kg sets the density: " + significant(block.density, 4) +
-                                     " kg/m3 over the volume of " +
-                                     significant(block.mass.volume, 4) + " m3."));
+    return format_section(
+        "Mass",
+        format_paragraph("The weighed mass of " + format_significant_digits(*weighed, 4) +
+                         " kg sets the density: " + format_significant_digits(block.density, 4) +
+                         " kg/m3 over the volume of " +
+                         format_significant_digits(block.mass.volume, 4) + " m3."));
   }
   const double gap = block.mass.mass / *weighed - 1.0;
-  std::string text = "Volume times density gives " + significant(block.mass.mass, 4) + " kg, " +
-                     format_percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
-                     " than the weighed " + significant(*weighed, 4) + " kg.";
+  std::string text = "Volume times density gives " + format_significant_digits(block.mass.mass, 4) +
+                     " kg, " + format_percent(std::abs(gap)) + (gap < 0.0 ? " less" : " more") +
+                     " than the weighed " + format_significant_digits(*weighed, 4) + " kg.";
   if (block.volume_bracket) {
     const double low = block.density * block.volume_bracket->lower_volume;
     const std::optional<double>& upper = block.volume_bracket->upper_volume;
     const bool inside = low <= *weighed && (!upper || *weighed <= block.density * *upper);
     text += " The unseen side allows " +
-            (upper ? significant(low, 4) + " to " + significant(block.density * *upper, 4)
-                   : significant(low, 4) + " or more") +
+            (upper ? format_significant_digits(low, 4) + " to " +
+                         format_significant_digits(block.density * *upper, 4)
+                   : format_significant_digits(low, 4) + " or more") +
             " kg, which the weighed mass is " + (inside ? "within." : "outside of.");
   }
-  return section("Mass check", paragraph(text));
+  return format_section("Mass check", format_paragraph(text));
 }
 
 std::string provenance(const Block& block) {
@@ -156,7 +170,7 @@ std::string provenance(const Block& block) {
   table.row({"SHA-256 of the file", block.source.sha256});
   table.row({"options", block.source.options});
   table.row({"made by", "clast " + block.source.program_version});
-  return section("Where it comes from", table.html());
+  return format_section("Where it comes from", table.html());
 }
 
 /// The surface as it was read beside what it became, what was repaired, and the photographs.
@@ -187,9 +201,9 @@ std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
                      "</h1>\n<p class=\"lead\">from the scan " + escape_html(block.source.file) +
                      "</p>\n";
   if (is_unscaled(block)) {
-    body += format_note_box(
-        "Unscaled",
-        {explain_unscaled() + ". u is a unit of that model; where notes say m they mean it too"});
+    body += format_note_box("Unscaled",
+                            {explain_unscaled_block() +
+                             ". u is a unit of that model; where notes say m they mean it too"});
   }
   body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
   body += notes(block) + format_turntable_section(block) + scan_sections(block, scan);

@@ -34,7 +34,9 @@ constexpr std::array<ViewColour, 5> kViewColours = {{{0, {213, 94, 0}, "none"},
                                                      {5, {65, 148, 190}, "5 to 9"},
                                                      {10, {34, 70, 148}, "10 or more"}}};
 
-std::string degrees(double angle) { return fixed(angle * kDegreesPerRadian, 0) + "\xC2\xB0"; }
+std::string degrees(double angle) {
+  return format_fixed(angle * kDegreesPerRadian, 0) + "\xC2\xB0";
+}
 
 /// From metres about the middle of the block to the page.
 struct Plan {
@@ -47,7 +49,9 @@ struct Plan {
   }
 };
 
-std::string coordinates(const Vec2& p) { return fixed(p.x(), 1) + "," + fixed(p.y(), 1); }
+std::string coordinates(const Vec2& p) {
+  return format_fixed(p.x(), 1) + "," + format_fixed(p.y(), 1);
+}
 
 /// The block from above, as its hull.
 std::string outline(const Plan& plan, const TriangleMesh& surface, const Vec3& middle) {
@@ -69,8 +73,9 @@ std::string wedge(const Plan& plan, const AzimuthGap& gap, double reach) {
   const double radius = plan.pixel * reach;
   const Vec2 label = plan.around(gap.from + 0.5 * gap.width, 0.72 * reach);
   return "<path d=\"M" + coordinates(plan(0.0, 0.0)) + " L" + coordinates(from) + " A" +
-         fixed(radius, 1) + "," + fixed(radius, 1) + " 0 " + (gap.width > kPi ? "1" : "0") + " 0 " +
-         coordinates(to) + " Z\" class=\"gap\" fill=\"" + kOrange + "\" fill-opacity=\".14\"/>" +
+         format_fixed(radius, 1) + "," + format_fixed(radius, 1) + " 0 " +
+         (gap.width > kPi ? "1" : "0") + " 0 " + coordinates(to) + " Z\" class=\"gap\" fill=\"" +
+         kOrange + "\" fill-opacity=\".14\"/>" +
          svg_text(label.x(), label.y() + 5, degrees(gap.width),
                   "font-size=\"14\" text-anchor=\"middle\" fill=\"#8a5200\"");
 }
@@ -82,7 +87,8 @@ std::string state_of(const CameraPosition& seat) {
 
 std::string mark(const Vec2& at, const CameraPosition& seat) {
   const std::string title = "<title>" + escape_html(seat.name + ": " + state_of(seat)) + "</title>";
-  const std::string place = "cx=\"" + fixed(at.x(), 1) + "\" cy=\"" + fixed(at.y(), 1) + "\"";
+  const std::string place =
+      "cx=\"" + format_fixed(at.x(), 1) + "\" cy=\"" + format_fixed(at.y(), 1) + "\"";
   if (seat.blurred) {
     return "<g class=\"seat blurred\" stroke=\"" + std::string(kOrange) +
            "\" stroke-width=\"2.5\">" + title +
@@ -116,7 +122,7 @@ std::string ring_plan(const PhotoSummary& evidence, const TriangleMesh& surface,
   svg += format_svg_line(x, y, x + 34, y, axis) + format_svg_line(x, y, x, y - 34, axis) +
          svg_text(x + 38, y + 5, "x", "font-size=\"13\"") +
          svg_text(x - 3, y - 39, "y", "font-size=\"13\"");
-  return figure(
+  return format_figure(
       svg + "</svg>",
       "Cameras from above, in the frame of the block. Filled: compared with others. Open: "
       "without a partner. Crossed out: blurred. Orange: no compared photo for more than " +
@@ -138,8 +144,9 @@ std::string photo_table(const CameraRing& ring, const std::string& unit) {
       {"photo", "state", "pairs", "azimuth, deg", "elevation, deg", "distance, " + unit}, 2);
   for (const CameraPosition& seat : ring.cameras) {
     table.row({seat.name, state_of(seat), std::to_string(seat.pairs),
-               fixed(seat.azimuth * kDegreesPerRadian, 1),
-               fixed(seat.elevation * kDegreesPerRadian, 1), significant(seat.distance, 3)});
+               format_fixed(seat.azimuth * kDegreesPerRadian, 1),
+               format_fixed(seat.elevation * kDegreesPerRadian, 1),
+               format_significant_digits(seat.distance, 3)});
   }
   return "<details><summary>Every photo</summary>" + table.html() + "</details>\n";
 }
@@ -158,7 +165,7 @@ std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surfa
   double x = 4.0;
   for (const ViewColour& one : kViewColours) {
     const auto& [r, g, b] = one.colour;
-    key += "<rect x=\"" + fixed(x, 0) + "\" y=\"5\" width=\"16\" height=\"16\" fill=\"rgb(" +
+    key += "<rect x=\"" + format_fixed(x, 0) + "\" y=\"5\" width=\"16\" height=\"16\" fill=\"rgb(" +
            std::to_string(r) + "," + std::to_string(g) + "," + std::to_string(b) + ")\"/>" +
            svg_text(x + 22, 18, one.words, "font-size=\"13\"");
     x += 112.0;
@@ -166,8 +173,8 @@ std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surfa
   html += "<div class=\"colours\">" + key + "</svg></div>\n";
   HtmlTable table({"seen by at least", "photos, % of the surface", "pairs, % of the surface"}, 1);
   for (const ViewCoverage& one : evidence.coverage) {
-    table.row(
-        {std::to_string(one.min_views), fixed(100.0 * one.photos, 1), fixed(100.0 * one.pairs, 1)});
+    table.row({std::to_string(one.min_views), format_fixed(100.0 * one.photos, 1),
+               format_fixed(100.0 * one.pairs, 1)});
   }
   return html + table.html();
 }
@@ -177,8 +184,8 @@ std::string marker_table(const PhotoSummary& evidence, const std::string& unit) 
   for (const MarkerUsage& marker : evidence.markers) {
     const bool placed = marker.side > 0.0;
     table.row({std::to_string(marker.id), marker.used ? "used" : marker.reason,
-               std::to_string(marker.photos), placed ? fixed(marker.error, 2) : "-",
-               placed ? significant(marker.side, 5) : "-"});
+               std::to_string(marker.photos), placed ? format_fixed(marker.error, 2) : "-",
+               placed ? format_significant_digits(marker.side, 5) : "-"});
   }
   return table.html();
 }
@@ -188,23 +195,23 @@ std::string scale_table(const PhotoScale& scale) {
                    "off by the others, %"},
                   2);
   for (const ScaleMeasure& one : scale.measures) {
-    table.row({one.name, one.used ? "used" : "left out", significant(one.length, 6),
-               significant(one.length / one.factor * scale.metres_per_unit, 6),
-               significant(one.factor, 7),
-               scale.measures.size() > 1 ? fixed(100.0 * one.leave_one_out_error, 3) : "-"});
+    table.row({one.name, one.used ? "used" : "left out", format_significant_digits(one.length, 6),
+               format_significant_digits(one.length / one.factor * scale.metres_per_unit, 6),
+               format_significant_digits(one.factor, 7),
+               scale.measures.size() > 1 ? format_fixed(100.0 * one.leave_one_out_error, 3) : "-"});
   }
-  std::string words =
-      "One unit of the cameras' model is " + significant(scale.metres_per_unit, 7) + " m";
+  std::string words = "One unit of the cameras' model is " +
+                      format_significant_digits(scale.metres_per_unit, 7) + " m";
   if (scale.spread > 0.0)
-    words += "; the lengths used differ by " + fixed(100.0 * scale.spread, 3) +
+    words += "; the lengths used differ by " + format_fixed(100.0 * scale.spread, 3) +
              " % (standard deviation)";
   words += ". The last column is the error of a length when the others alone set the scale.";
   if (scale.side_check) {
     words += " By these distances the markers' sides are " +
-             fixed(100.0 * std::abs(*scale.side_check), 2) + " % " +
+             format_fixed(100.0 * std::abs(*scale.side_check), 2) + " % " +
              (*scale.side_check > 0.0 ? "longer" : "shorter") + " than stated.";
   }
-  return table.html() + paragraph(words) +
+  return table.html() + format_paragraph(words) +
          (scale.notes.empty() ? "" : format_note_box("About the scale", scale.notes));
 }
 
@@ -219,16 +226,17 @@ std::string scale_part(const PhotoScan& scan, const PhotoSummary& evidence,
       fewest = std::min(fewest, corner.photos);
       worst = std::max(worst, corner.error);
     }
-    html +=
-        paragraph("ChArUco board: " + format_count(scan.corners.size(), "corner") + ", each in " +
-                  format_count(fewest, "photo") + " or more, within " + fixed(worst, 2) + " px.");
+    html += format_paragraph("ChArUco board: " + format_count(scan.corners.size(), "corner") +
+                             ", each in " + format_count(fewest, "photo") + " or more, within " +
+                             format_fixed(worst, 2) + " px.");
   }
   if (scan.scale) return html + scale_table(*scan.scale);
-  return html + paragraph(scan.metric ? "The scale is that of: " + scan.scale_source +
-                                            ". No marker in the photos checks it."
-                                      : "None: lengths are in units of the cameras' model, and the "
-                                        "block has no mass. Give a scale bar, a board, the "
-                                        "size of the markers or a measured length.");
+  return html + format_paragraph(scan.metric
+                                     ? "The scale is that of: " + scan.scale_source +
+                                           ". No marker in the photos checks it."
+                                     : "None: lengths are in units of the cameras' model, and the "
+                                       "block has no mass. Give a scale bar, a board, the "
+                                       "size of the markers or a measured length.");
 }
 
 }  // namespace
@@ -258,15 +266,15 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evid
   left_out("without a partner 6 to 32 degrees away", alone);
   const std::size_t compared = ring.cameras.size() - blurred.size() - alone.size();
   std::string html =
-      paragraph(format_count(ring.cameras.size(), "photo") + " with a camera, by " +
-                scan.model.source + "; " + std::to_string(compared) + " compared, in " +
-                format_count(scan.cloud.pairs.size(), "pair") + ", which gave " +
-                format_count(scan.cloud.points.size(), "point") + ".");
+      format_paragraph(format_count(ring.cameras.size(), "photo") + " with a camera, by " +
+                       scan.model.source + "; " + std::to_string(compared) + " compared, in " +
+                       format_count(scan.cloud.pairs.size(), "pair") + ", which gave " +
+                       format_count(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += format_note_box("Photos", notes);
   html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
           photo_table(ring, unit) + "<h3>What was seen</h3>\n" +
           coverage_map(evidence, surface, scan.metric) + scale_part(scan, evidence, unit);
-  return section("Photographs", html);
+  return format_section("Photographs", html);
 }
 
 }  // namespace clast

@@ -29,18 +29,19 @@ std::string closing(const FilledHole& hole) {
 
 std::string format_repair_section(const RepairReport& report, bool cloud, bool open_side,
                                   const std::string& unit) {
-  std::string html = paragraph(
+  std::string html = format_paragraph(
       (!cloud       ? "As read and welded: "
        : !open_side ? "The surface fitted to the points: "
                     : "The surface fitted to the points, its open side filled in: ") +
       std::to_string(report.as_read.vertices) + " vertices, " +
       std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {
-    return section("Defects found and repaired",
-                   html + paragraph(report.as_read.is_closed() && !open_side
-                                        ? "None: the surface was closed and sound, and was not "
-                                          "changed."
-                                        : "None beside the open side, of which more below."));
+    return format_section(
+        "Defects found and repaired",
+        html + format_paragraph(report.as_read.is_closed() && !open_side
+                                    ? "None: the surface was closed and sound, and was not "
+                                      "changed."
+                                    : "None beside the open side, of which more below."));
   }
   HtmlTable defects(
       {"what", "no.", "count", "share of surface", "largest " + unit, "at (file's x, y, z)"}, 2);
@@ -52,8 +53,9 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   }
   html += defects.html();
   if (report.wrap_bias) {
-    html += paragraph("The surface could not be freed of its crossings and was wrapped anew; the " +
-                      format_percent(*report.wrap_bias) + " of volume that added is scaled away.");
+    html += format_paragraph(
+        "The surface could not be freed of its crossings and was wrapped anew; the " +
+        format_percent(*report.wrap_bias) + " of volume that added is scaled away.");
   }
   if (!report.holes.empty()) {
     HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,
@@ -68,11 +70,11 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
     }
     html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMaxHoles) {
-      html +=
-          paragraph("and " + std::to_string(report.holes.size() - kMaxHoles) + " smaller ones.");
+      html += format_paragraph("and " + std::to_string(report.holes.size() - kMaxHoles) +
+                               " smaller ones.");
     }
   }
-  return section("Defects found and repaired", html);
+  return format_section("Defects found and repaired", html);
 }
 
 std::vector<PositionMark> find_repair_marks(const RepairReport& report) {
@@ -120,12 +122,12 @@ std::string format_underside_section(const Underside& side, const std::string& u
         "Too much of the block was not seen to give an upper bound of its volume, lengths and "
         "classes; scan more of it.";
   }
-  std::string html = paragraph(text);
+  std::string html = format_paragraph(text);
   if (side.ground_clearance > 0.0) {
-    html += paragraph("The rim stands " + format_significant(side.ground_clearance, 3) + " " +
-                      unit + " above the ground.");
+    html += format_paragraph("The rim stands " + format_significant(side.ground_clearance, 3) +
+                             " " + unit + " above the ground.");
   }
-  return section("The side nobody saw", html + table.html());
+  return format_section("The side nobody saw", html + table.html());
 }
 
 }  // namespace clast::report_detail

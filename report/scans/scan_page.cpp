@@ -7,7 +7,7 @@ namespace clast::report_detail {
 
 std::string make_scan_page(std::string_view title, std::string_view body) {
   const std::string style = std::string(assets::scans_css) + std::string(assets::turntable_css);
-  return page(title, body, {.style = style});
+  return format_page(title, body, {.style = style});
 }
 
 }  // namespace clast::report_detail

@@ -84,7 +84,7 @@ std::string view(const Canvas& canvas, const std::string& name,
   for (const PositionMark& mark : marks) {
     if (!canvas.sees(mark.place)) continue;
     const Vec3 at = camera.seen(mark.place);
-    svg += "<circle cx=\"" + fixed(at.x(), 1) + "\" cy=\"" + fixed(at.y(), 1) +
+    svg += "<circle cx=\"" + format_fixed(at.x(), 1) + "\" cy=\"" + format_fixed(at.y(), 1) +
            "\" r=\"10\" fill=\"#fff\" fill-opacity=\".85\" stroke=\"#0072B2\" "
            "stroke-width=\"2\"/>" +
            svg_text(at.x(), at.y() + 4.5, mark.label,
@@ -191,9 +191,9 @@ std::string colour_bar(double reach, bool metric) {
   std::string svg = open_svg(440, 44, "colours of distances");
   for (int i = 0; i < kPieces; ++i) {
     const std::string colour = format_colour(deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0));
-    svg += "<rect x=\"" + fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
-           fixed(kLength / kPieces + 0.3, 2) + "\" height=\"" + fixed(kThick, 0) + "\" fill=\"" +
-           colour + "\"/>";
+    svg += "<rect x=\"" + format_fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
+           format_fixed(kLength / kPieces + 0.3, 2) + "\" height=\"" + format_fixed(kThick, 0) +
+           "\" fill=\"" + colour + "\"/>";
   }
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     const double x = kLeft + 0.5 * (share + 1.0) * kLength;
@@ -256,7 +256,7 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
       "than " +
           length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
       metric);
-  return section("Before and after", html);
+  return format_section("Before and after", html);
 }
 
 std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,

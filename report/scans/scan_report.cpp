@@ -106,7 +106,9 @@ void ScanReport::Impl::add_page_row(const Block& block) {
     name =
         "<a href=\"" + format_link_target("blocks/" + block.id + ".html") + "\">" + name + "</a>";
   }
-  const auto cubed = [&](double volume) { return significant(volume, 4) + (metric ? "" : " u3"); };
+  const auto cubed = [&](double volume) {
+    return format_significant_digits(volume, 4) + (metric ? "" : " u3");
+  };
   std::string volume = cubed(block.mass.volume);
   if (unseen) {
     volume += "<div class=\"range\">" + cubed(unseen->lower_volume) + " to " +
@@ -115,11 +117,13 @@ void ScanReport::Impl::add_page_row(const Block& block) {
   blocks.html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
                    render_thumbnail(block.surface, block.id),
                    escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
-                   metric ? significant(block.mass.mass, 4) : "-", significant(axes.L, 3) + u,
-                   significant(axes.I, 3) + u, significant(axes.S, 3) + u,
-                   significant(elongation_index(axes), 3), volume,
-                   unseen ? fixed(100.0 * unseen->filled_fraction, 1) : "",
-                   fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+                   metric ? format_significant_digits(block.mass.mass, 4) : "-",
+                   format_significant_digits(axes.L, 3) + u,
+                   format_significant_digits(axes.I, 3) + u,
+                   format_significant_digits(axes.S, 3) + u,
+                   format_significant_digits(elongation_index(axes), 3), volume,
+                   unseen ? format_fixed(100.0 * unseen->filled_fraction, 1) : "",
+                   format_fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
                    std::to_string(block.warnings.size())});
 }
 
@@ -175,14 +179,14 @@ void ScanReport::finish() {
   if (impl_->earlier > 0) body += ", " + std::to_string(impl_->earlier) + " made earlier";
   if (impl_->failed > 0) body += ", " + format_count(impl_->failed, "scan") + " without a block";
   body += "</p>\n";
-  if (impl_->failed > 0) body += section("Scans that gave no block", impl_->failures.html());
+  if (impl_->failed > 0) body += format_section("Scans that gave no block", impl_->failures.html());
   if (impl_->made + impl_->earlier > 0) {
-    body += section("Blocks",
-                    paragraph("A click on a column's head sorts by it. L, I, S are the "
-                              "sides of the smallest box; a second line of volumes has the "
-                              "bounds of a block whose underside was not seen. Lengths marked "
-                              "u are in units of an unscaled model.") +
-                        impl_->blocks.html());
+    body += format_section(
+        "Blocks", format_paragraph("A click on a column's head sorts by it. L, I, S are the "
+                                   "sides of the smallest box; a second line of volumes has the "
+                                   "bounds of a block whose underside was not seen. Lengths marked "
+                                   "u are in units of an unscaled model.") +
+                      impl_->blocks.html());
   }
   body += "<footer>clast " + escape_html(version()) +
           "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";

@@ -21,7 +21,7 @@ std::string scene_view(const Comparison& comparison) {
              "\"><span style=\"color:" + class_colour(name) + "\">\xE2\x97\x8F</span> " +
              escape_html(name) + "</label>\n";
   }
-  return fill(assets::scene_html, {{"classes", boxes}});
+  return fill_template(assets::scene_html, {{"classes", boxes}});
 }
 
 }  // namespace
@@ -29,11 +29,12 @@ std::string scene_view(const Comparison& comparison) {
 std::string format_scene_section(const Comparison& comparison, const SceneLimits& limits) {
   const std::string title = "3-D view";
   if (!three_is_installed())
-    return section(title, paragraph(explain_missing_three("compare again")));
+    return format_section(title, format_paragraph(explain_missing_three("compare again")));
   const SceneData data = make_scene_data(comparison, limits);
   if (data.runs_drawn == 0) {
-    return section(title, paragraph("The results hold no trajectories: set [run] "
-                                    "trajectory_interval_s above zero to see the blocks move."));
+    return format_section(
+        title, format_paragraph("The results hold no trajectories: set [run] "
+                                "trajectory_interval_s above zero to see the blocks move."));
   }
   const std::string drawn =
       data.runs_drawn == data.runs
@@ -41,12 +42,12 @@ std::string format_scene_section(const Comparison& comparison, const SceneLimits
           : std::to_string(data.runs_drawn) + " of " + std::to_string(data.runs) +
                 " runs are drawn, one in " +
                 std::to_string((data.runs + data.runs_drawn - 1) / data.runs_drawn) + ".";
-  return section(
-             title,
-             paragraph("Drag to turn, use the wheel to come closer, drag with the right button to "
-                       "move. " +
-                       drawn + " Between stored states positions are interpolated.") +
-                 scene_view(comparison) + format_packed_element("scene-data", data.json)) +
+  return format_section(
+             title, format_paragraph(
+                        "Drag to turn, use the wheel to come closer, drag with the right button to "
+                        "move. " +
+                        drawn + " Between stored states positions are interpolated.") +
+                        scene_view(comparison) + format_packed_element("scene-data", data.json)) +
          three_scripts() + format_script_element(assets::scene_js);
 }
 

@@ -99,7 +99,7 @@ std::string describe_unscaled(std::span<const Block* const> blocks) {
   }
   if (names.empty()) return names;
   return "Unscaled (u: unit of the model, of no known length): " + names + "; " +
-         explain_unscaled() + ".";
+         explain_unscaled_block() + ".";
 }
 
 NamedValues describe_block(const Block& block) {
@@ -112,7 +112,7 @@ NamedValues describe_block(const Block& block) {
   line("options", block.source.options);
   line("made by", "clast " + block.source.program_version);
   const std::string unit = length_unit_of(block);
-  if (is_unscaled(block)) line("unscaled", explain_unscaled());
+  if (is_unscaled(block)) line("unscaled", explain_unscaled_block());
   line("area " + unit + "2", format_rounded(block.area, 6));
   line("centre " + unit, vector_text(block.mass.centre));
   for (int row = 0; row < 3 && !is_unscaled(block); ++row) {

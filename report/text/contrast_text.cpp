@@ -11,7 +11,7 @@ constexpr int kMaxDecimals = 4;
 
 }  // namespace
 
-QuantityText quantity_text(const std::string& quantity) {
+QuantityLabel quantity_text(const std::string& quantity) {
   const std::size_t blank = quantity.rfind(' ');
   const std::string barrier = blank == quantity.npos ? "" : " at " + quantity.substr(0, blank);
   const std::string name = blank == quantity.npos ? quantity : quantity.substr(blank + 1);
@@ -34,13 +34,13 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
   double low = sign * (factor * contrast.interval->low);
   double high = sign * (factor * contrast.interval->high);
   if (low > high) std::swap(low, high);
-  const int decimals = known_decimals({low, high}, kMaxDecimals);
+  const int decimals = justified_decimals({low, high}, kMaxDecimals);
   return format_decimals(sign * gap, decimals) + of_unit + way + " (" +
          format_decimals(low, decimals) + " to " + format_decimals(high, decimals) + of_unit + ")";
 }
 
 std::string describe_difference(const Difference& difference) {
-  const QuantityText words = quantity_text(difference.quantity);
+  const QuantityLabel words = quantity_text(difference.quantity);
   return describe_difference(difference, words.unit, words.factor);
 }
 
@@ -49,7 +49,7 @@ std::string describe_difference(const DepositQuantityDifference& difference) {
 }
 
 std::string describe_effect(const Difference& difference, const Comparison& comparison) {
-  const QuantityText words = quantity_text(difference.quantity);
+  const QuantityLabel words = quantity_text(difference.quantity);
   const auto mean = [&](double value) {
     return format_significant(words.factor * value, 3) + " " + words.unit;
   };

@@ -9,12 +9,12 @@
 namespace clast {
 
 /// Name and unit of a quantity as displayed: "EC11 total_energy_j" is "energy at EC11" in kJ.
-struct QuantityText {
+struct QuantityLabel {
   std::string name;
   std::string unit;
   double factor = 1.0;  ///< displayed value over stored value
 };
-QuantityText quantity_text(const std::string& quantity);
+QuantityLabel quantity_text(const std::string& quantity);
 
 /// Describes a difference of the first group: "13 m more (10 to 17 m)" or "less", with decimals
 /// that fit the interval.

@@ -35,7 +35,7 @@ bool is_fitted(const std::string& use) { return use == "fit"; }
 std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
                                const std::string& expected) {
   const ValueFormat& form = table.form(key);
-  return table.numbers(key, table.required(key, expected), form.least, form.most, expected,
+  return table.numbers(key, table.require_key(key, expected), form.least, form.most, expected,
                        form.leaf().range);
 }
 
@@ -85,7 +85,7 @@ SummaryStatistic figure_named(const TomlTable& table, const TomlNode& node,
 std::vector<SummaryStatistic> stop_figures(const DeclaredTable& table) {
   std::vector<SummaryStatistic> figures;
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.strings("figures");
+    const std::vector<std::string> names = *table.text_list("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       figures.push_back(figure_named(table, element(*asked, i), names[i]));
     }
@@ -199,7 +199,7 @@ std::vector<SummaryStatistic> trajectory_figures(const DeclaredTable& table) {
     }
   };
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.strings("figures");
+    const std::vector<std::string> names = *table.text_list("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i], [&] { return figure_named(table, element(*asked, i), names[i]); });
     }
@@ -233,7 +233,7 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
   read_starts(starts, common);
   common.figures = trajectory_figures(table);
   check_once(table, common.figures);
-  table.required("times_s", "a list of times since the release");
+  table.require_key("times_s", "a list of times since the release");
   std::vector<Observation> observations;
   for (const double time :
        numbers_of(table, "times_s", "a list of times since the release, [s, s, ...]")) {
@@ -295,7 +295,7 @@ void read_passages(const DeclaredTable& table, const SiteDescription& site,
 std::size_t site_of(const DeclaredTable& table, const std::vector<CalibrationSite>& sites) {
   const std::optional<std::string> name = table.text("site");
   if (!name && sites.size() == 1) return 0;
-  const TomlNode& node = table.required("site", "the name of a [[site]]");
+  const TomlNode& node = table.require_key("site", "the name of a [[site]]");
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (sites[i].name == *name) return i;
   }
@@ -358,10 +358,11 @@ const MemberTable<Observation>& observation_keys() {
        {},
        true,
        {"stops", "barrier", "impact", "trajectories"}},
-      {{"name", "", "of the observation", required("a text in quotes", text()), &Observation::name},
+      {{"name", "", "of the observation", require_key("a text in quotes", text()),
+        &Observation::name},
        {"site", "", "name of a site, where there are several", text()},
        {"use", "", "fitted, or kept to judge the prediction by",
-        required("\"fit\", or \"keep\" to judge the prediction by", words({"fit", "keep"})),
+        require_key("\"fit\", or \"keep\" to judge the prediction by", words({"fit", "keep"})),
         &is_fitted, &Observation::fitted},
        {"shape", "", "of these blocks only", words({"compact", "elongated"}), &Observation::shape},
        {"block", "", "id of the only block that it is of", text(), &Observation::block},

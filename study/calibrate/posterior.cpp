@@ -68,8 +68,8 @@ MatrixXd rank_correlations(const MatrixXd& draws) {
 /// What would be observed: of each known figure a draw for every draw of the unknowns.
 MatrixXd predictive_draws(const SyntheticLikelihood& likelihood, const std::vector<Index>& which,
                           const MatrixXd& shares, std::uint64_t seed) {
-  const SyntheticLikelihood::Expected expected = likelihood.expected(shares, which);
-  const MatrixXd scatter = likelihood.scatter(which);
+  const SyntheticLikelihood::Expected expected = likelihood.predict_statistics(shares, which);
+  const MatrixXd scatter = likelihood.scatter_covariance(which);
   MatrixXd draws = expected.mean;
   Random random(seed);
   for (Index i = 0; i < draws.cols(); ++i) {
@@ -206,7 +206,7 @@ NearestMembers nearest_members(const CalibrationStudy& study, const MemberStatis
                                const SyntheticLikelihood& likelihood) {
   const std::vector<Index> which = likelihood.known(true);
   const VectorXd observed = likelihood.observed_values(which);
-  const Eigen::LLT<MatrixXd> factor(likelihood.scatter(which));
+  const Eigen::LLT<MatrixXd> factor(likelihood.scatter_covariance(which));
   const auto members = static_cast<std::size_t>(figures.places.cols());
   std::vector<std::pair<double, std::size_t>> distances;
   for (std::size_t m = 0; m < members; ++m) {

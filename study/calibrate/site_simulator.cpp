@@ -237,7 +237,7 @@ std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
         set_parameter(prepared.campaign, own.unknowns[i].parameter, values[i]);
       }
     }
-    prepared.header.ground_sets = draw_ground_sets(prepared.campaign, prepared.header.zone_names);
+    prepared.header.ground_sets = sample_ground_sets(prepared.campaign, prepared.header.zone_names);
     if (own.blocks_vary) own.draw_blocks_of(member);
     prepared.runs = own.chosen_runs(member);
     choose_run_stiffness(prepared);

@@ -190,8 +190,8 @@ void SyntheticLikelihood::pool_scatter(const MemberStatistics& figures, const Ve
   }
 }
 
-SyntheticLikelihood::Expected SyntheticLikelihood::expected(const MatrixXd& places,
-                                                            const std::vector<Index>& which) const {
+SyntheticLikelihood::Expected SyntheticLikelihood::predict_statistics(
+    const MatrixXd& places, const std::vector<Index>& which) const {
   const auto count = static_cast<Index>(which.size());
   Expected all{MatrixXd(count, places.cols()), MatrixXd(count, places.cols())};
   std::vector<GaussianProcess::Prediction> one(which.size());
@@ -224,7 +224,7 @@ std::vector<Index> SyntheticLikelihood::known(bool fitted) const {
   return which;
 }
 
-MatrixXd SyntheticLikelihood::scatter(const std::vector<Index>& which) const {
+MatrixXd SyntheticLikelihood::scatter_covariance(const std::vector<Index>& which) const {
   const auto count = static_cast<Index>(which.size());
   MatrixXd part(count, count);
   for (Index i = 0; i < count; ++i) {
@@ -265,14 +265,17 @@ Misfit misfit_of(const SyntheticLikelihood::Expected& expected, const VectorXd& 
 
 VectorXd SyntheticLikelihood::log_likelihood(const MatrixXd& places) const {
   const std::vector<Index> which = known(true);
-  const Misfit misfit = misfit_of(expected(places, which), observed_values(which), scatter(which));
+  const Misfit misfit = misfit_of(predict_statistics(places, which), observed_values(which),
+                                  scatter_covariance(which));
   const double constant = static_cast<double>(which.size()) * std::log(2.0 * kPi);
   return -0.5 * (misfit.squared + misfit.log_determinant).array() - 0.5 * constant;
 }
 
 VectorXd SyntheticLikelihood::squared_distance(const MatrixXd& places, bool fitted) const {
   const std::vector<Index> which = known(fitted);
-  return misfit_of(expected(places, which), observed_values(which), scatter(which)).squared;
+  return misfit_of(predict_statistics(places, which), observed_values(which),
+                   scatter_covariance(which))
+      .squared;
 }
 
 }  // namespace clast::study_detail

@@ -42,7 +42,8 @@ class SyntheticLikelihood {
     Eigen::MatrixXd mean;
     Eigen::MatrixXd variance;
   };
-  Expected expected(const Eigen::MatrixXd& places, const std::vector<Eigen::Index>& which) const;
+  Expected predict_statistics(const Eigen::MatrixXd& places,
+                              const std::vector<Eigen::Index>& which) const;
   Eigen::VectorXd mean(std::size_t figure, const Eigen::MatrixXd& places) const;
 
   /// Returns the log-likelihood of the fitted statistics at points.
@@ -52,7 +53,7 @@ class SyntheticLikelihood {
   Eigen::VectorXd squared_distance(const Eigen::MatrixXd& places, bool fitted) const;
 
   /// Returns the covariance of some statistics without the surrogate variance.
-  Eigen::MatrixXd scatter(const std::vector<Eigen::Index>& which) const;
+  Eigen::MatrixXd scatter_covariance(const std::vector<Eigen::Index>& which) const;
   Eigen::VectorXd observed_values(const std::vector<Eigen::Index>& which) const;
   /// Returns the quality of a surrogate; empty if there is none.
   std::optional<SurrogateQuality> quality(std::size_t figure) const {

@@ -44,7 +44,7 @@ const MemberTable<Campaign>& terrain_keys() {
   static const MemberTable<Campaign> keys(
       {.name = "terrain", .meaning = "The surface that blocks move on", .required = true},
       {{"surface", "", "TIN, raster, cloud or terrain file; or a list of files",
-        required("a file or a list of files", texts()), kTerrain, &Options::surface},
+        require_key("a file or a list of files", texts()), kTerrain, &Options::surface},
        {"zones", "", "a name per mesh, one zone file, or rules by slope and height", texts(),
         &read_zone_names},
        {"up", "", "axis that points up in surface, point and quaternion files",
@@ -107,7 +107,7 @@ const MemberTable<Barrier>& barrier_keys() {
   static const ValueFormat plan = list(number(kMapCoordinate), 2, 2);
   static const MemberTable<Barrier> keys(
       {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
-      {{"name", "", "of the barrier", required("a text in quotes", text()), &Barrier::name},
+      {{"name", "", "of the barrier", require_key("a text in quotes", text()), &Barrier::name},
        {"from", "m", "first end, [x, y]", plan},
        {"to", "m", "second end, [x, y]", plan},
        {"through", "m", "instead of from and to: all points of a line or ring", list(plan, 2)},
@@ -154,8 +154,8 @@ void read_contact(const TomlTable& top, Campaign& campaign) {
 std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::string& name) {
   const TomlNode* line = table.find("through");
   if (!line) {
-    table.required("from", "two numbers, [x, y]");
-    table.required("to", "two numbers, [x, y]");
+    table.require_key("from", "two numbers, [x, y]");
+    table.require_key("to", "two numbers, [x, y]");
     const std::vector<Vec2> ends = {*table.value<Vec2>("from"), *table.value<Vec2>("to")};
     if (!((ends[1] - ends[0]).norm() > 0.0)) {
       table.refuse("to", "must differ from from");

@@ -16,7 +16,7 @@ struct CheckedGroup {
   std::string path;  ///< "/runs"
   Hdf5Group group;
 
-  [[noreturn]] void damaged(const std::string& name, const std::string& what) const {
+  [[noreturn]] void throw_damaged(const std::string& name, const std::string& what) const {
     throw InputError(file + ": " + path + "/" + name + " " + what +
                      "; the file is damaged: restore a backup, or run the campaign again");
   }
@@ -26,8 +26,8 @@ struct CheckedGroup {
   std::vector<T> column(const std::string& name, std::size_t rows) const {
     std::vector<T> values = group.read<T>(name);
     if (values.size() != rows) {
-      damaged(name, "has " + std::to_string(values.size()) + " values where " +
-                        std::to_string(rows) + " belong");
+      throw_damaged(name, "has " + std::to_string(values.size()) + " values where " +
+                              std::to_string(rows) + " belong");
     }
     return values;
   }
@@ -38,7 +38,7 @@ struct CheckedGroup {
     const std::vector<double> flat = group.read<double>(name);
     const std::vector<std::size_t> shape = group.shape(name);
     if (shape.size() != 2 || shape[1] != kSize) {
-      damaged(name, "is not a table of " + std::to_string(kSize) + " columns");
+      throw_damaged(name, "is not a table of " + std::to_string(kSize) + " columns");
     }
     std::vector<Vector> result(shape[0]);
     for (std::size_t i = 0; i < flat.size(); ++i) {
@@ -49,7 +49,7 @@ struct CheckedGroup {
 
   std::size_t length(const std::string& name) const {
     const std::vector<std::size_t> shape = group.shape(name);
-    if (shape.size() != 1) damaged(name, "is not a list");
+    if (shape.size() != 1) throw_damaged(name, "is not a list");
     return shape[0];
   }
 
@@ -57,13 +57,13 @@ struct CheckedGroup {
   void check_below(const std::string& name, const std::vector<T>& values, std::size_t limit) const {
     for (const T value : values) {
       if (static_cast<std::size_t>(value) >= limit) {
-        damaged(name, "holds " + std::to_string(value) + ", which must be below " +
-                          std::to_string(limit));
+        throw_damaged(name, "holds " + std::to_string(value) + ", which must be below " +
+                                std::to_string(limit));
       }
     }
   }
 
-  CheckedGroup into(const std::string& name) const {
+  CheckedGroup open_group(const std::string& name) const {
     return {file, path + "/" + name, group.open_group(name)};
   }
 };

@@ -57,7 +57,7 @@ DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
                              const std::string& title, const KeyTable& declared)
     : DeclaredTable(node, file, title, collect_keys(declared)) {}
 
-DeclaredTable DeclaredTable::inner(const std::string& key) const {
+DeclaredTable DeclaredTable::inner_table(const std::string& key) const {
   std::vector<const TableKey*> keys;
   add_keys(form(key), keys);
   return {*find(key), file(), title_ + " " + key, std::move(keys)};
@@ -70,13 +70,13 @@ const ValueFormat& DeclaredTable::form(const std::string& key) const {
   throw std::out_of_range("no key " + key + " in " + title_);
 }
 
-const TomlNode& DeclaredTable::required(const std::string& key) const {
-  return required(key, form(key).required);
+const TomlNode& DeclaredTable::require_key(const std::string& key) const {
+  return require_key(key, form(key).required);
 }
 
 void DeclaredTable::check_required() const {
   for (const TableKey* key : keys_) {
-    if (key->is_required()) required(key->name);
+    if (key->is_required()) require_key(key->name);
   }
 }
 
@@ -86,7 +86,7 @@ std::optional<std::string> DeclaredTable::word(const std::string& key) const {
 }
 
 std::optional<std::vector<std::string>> DeclaredTable::word_or_words(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = strings(key);
+  const std::optional<std::vector<std::string>> names = text_list(key);
   const std::vector<std::string>& words = form(key).leaf().words;
   for (std::size_t i = 0; names && !words.empty() && i < names->size(); ++i) {
     if (std::find(words.begin(), words.end(), (*names)[i]) == words.end()) {
@@ -139,7 +139,7 @@ std::optional<fs::path> DeclaredTable::file_of(const std::string& key) const {
 }
 
 std::optional<std::vector<fs::path>> DeclaredTable::files_of(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = strings(key);
+  const std::optional<std::vector<std::string>> names = text_list(key);
   if (!names) return std::nullopt;
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < names->size(); ++i) {

@@ -26,12 +26,12 @@ class DeclaredTable : public TomlTable {
                 const KeyTable& declared);
 
   /// Returns the value of an existing key as a table.
-  DeclaredTable inner(const std::string& key) const;
+  DeclaredTable inner_table(const std::string& key) const;
 
   using TomlTable::required;
   /// Returns the node of a required key.
   /// @throws InputError  if the key is missing, stating what it must be
-  const TomlNode& required(const std::string& key) const;
+  const TomlNode& require_key(const std::string& key) const;
   /// Checks that all required keys exist.
   /// @throws InputError  if one is missing
   void check_required() const;

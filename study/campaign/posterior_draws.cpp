@@ -24,7 +24,7 @@ PosteriorDraws read_posterior_draws(const std::filesystem::path& path) {
   const std::size_t each = draws.parameters.size();
   const CheckedGroup group{path.string(), "/posterior", posterior};
   if (each == 0 || values.empty() || values.size() % each != 0) {
-    group.damaged("draws", "has no whole number of draws");
+    group.throw_damaged("draws", "has no whole number of draws");
   }
   for (std::size_t i = 0; i < values.size(); i += each) {
     draws.draws.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(i),

@@ -104,7 +104,7 @@ std::vector<Vec3> sample_points_in_polygon(std::span<const Vec2> polygon, std::s
   return points;
 }
 
-std::vector<Quat> draw_random_orientations(std::size_t count, std::uint64_t seed) {
+std::vector<Quat> sample_random_orientations(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Quat> orientations;
   for (std::size_t i = 0; i < count; ++i) orientations.push_back(random.rotation());

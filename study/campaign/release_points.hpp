@@ -35,6 +35,6 @@ std::vector<Vec3> sample_points_in_polygon(std::span<const Vec2> polygon, std::s
                                            std::uint64_t seed);
 
 /// Returns `count` rotations distributed uniformly over all rotations.
-std::vector<Quat> draw_random_orientations(std::size_t count, std::uint64_t seed);
+std::vector<Quat> sample_random_orientations(std::size_t count, std::uint64_t seed);
 
 }  // namespace clast

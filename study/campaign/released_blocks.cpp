@@ -18,7 +18,7 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 /// Digest of the digests of all files.
-std::string digest_of(const MassTerrains& terrains, const ReleasedMassOptions& options) {
+std::string digest_of(const BeforeAfterTerrains& terrains, const ReleasedMassOptions& options) {
   std::string digests;
   for (const auto& files : {terrains.before, terrains.after}) {
     for (const std::filesystem::path& file : files) digests += sha256_of_file(file);
@@ -29,14 +29,15 @@ std::string digest_of(const MassTerrains& terrains, const ReleasedMassOptions& o
 
 }  // namespace
 
-ReleasedMass read_released_mass(const MassTerrains& terrains, const ReleasedMassOptions& options) {
+ReleasedMass read_released_mass(const BeforeAfterTerrains& terrains,
+                                const ReleasedMassOptions& options) {
   options.check();
   const Terrain before = read_terrain({.surface = terrains.before, .up = terrains.up});
   const Terrain after = read_terrain({.surface = terrains.after, .up = terrains.up});
   return find_released_mass(before, after, options);
 }
 
-RockMassBlocks cut_released_mass(const ReleasedMass& mass, const MassTerrains& terrains,
+RockMassBlocks cut_released_mass(const ReleasedMass& mass, const BeforeAfterTerrains& terrains,
                                  const ReleasedMassOptions& options,
                                  const RockMassOptions& cutting) {
   const BlockSource source{

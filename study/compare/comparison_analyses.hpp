@@ -28,34 +28,34 @@ class ComparisonAnalyses {
 
   const Comparison& comparison() const { return comparison_; }
 
-  const KeyResults& answer() const { return kept(answer_, clast::summarise_key_results); }
+  const KeyResults& answer() const { return cached(answer_, clast::summarise_key_results); }
   const std::vector<RealisationCrossings>& passages() const {
-    return kept(passages_, collect_barrier_crossings);
+    return cached(passages_, collect_barrier_crossings);
   }
   const std::vector<DesignEffects>& effects() const {
-    return kept(effects_, compute_design_effects);
+    return cached(effects_, compute_design_effects);
   }
   const std::vector<ParameterEffect>& ensemble() const {
-    return kept(ensemble_, compute_ensemble_effects);
+    return cached(ensemble_, compute_ensemble_effects);
   }
   const std::vector<OutcomeByShape>& forms() const {
-    return kept(forms_, compute_outcomes_by_shape);
+    return cached(forms_, compute_outcomes_by_shape);
   }
   const std::vector<DepositMobility>& mobility() const {
-    return kept(mobility_, compute_mass_mobility);
+    return cached(mobility_, compute_mass_mobility);
   }
-  const MapRasterSet& paths() const { return kept(paths_, compute_path_rasters); }
-  const std::vector<ProfileBin>& profiles() const { return kept(profiles_, compute_profiles); }
-  const DepositResults& deposits() const { return kept(deposits_, measure_deposits); }
+  const MapRasterSet& paths() const { return cached(paths_, compute_path_rasters); }
+  const std::vector<ProfileBin>& profiles() const { return cached(profiles_, compute_profiles); }
+  const DepositResults& deposits() const { return cached(deposits_, measure_deposits); }
   const std::vector<RealisationEnergies>& energies() const {
-    return kept(energies_, collect_realisation_energies);
+    return cached(energies_, collect_realisation_energies);
   }
   const DepositQuantityComparison& figures() const {
-    return kept(figures_, [this](const Comparison&) {
+    return cached(figures_, [this](const Comparison&) {
       return compare_deposit_quantities(deposits().realisations);
     });
   }
-  const std::vector<ShapeTrends>& trends() const { return kept(trends_, compute_shape_trends); }
+  const std::vector<ShapeTrends>& trends() const { return cached(trends_, compute_shape_trends); }
 
  private:
   template <class Analysis>
@@ -65,7 +65,7 @@ class ComparisonAnalyses {
   };
 
   template <class Analysis, class Compute>
-  const Analysis& kept(CachedAnalysis<Analysis>& of, const Compute& compute) const {
+  const Analysis& cached(CachedAnalysis<Analysis>& of, const Compute& compute) const {
     std::call_once(of.once, [&] { of.value = compute(comparison_); });
     return *of.value;
   }

@@ -139,7 +139,7 @@ class RockableReader {
              std::to_string(scene.bodies.size()));
     }
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      const ConfBody& body = conf.bodies[driven_ + i];
+      const RockableBody& body = conf.bodies[driven_ + i];
       const SceneBody& planned = scene.bodies[i];
       const std::string& name = set_.shapes[planned.shape].shape.name;
       if (body.shape != name || !(std::abs(body.scale / planned.scale - 1.0) < kSixDigits)) {

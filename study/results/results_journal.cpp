@@ -140,7 +140,7 @@ std::fstream opened(const fs::path& path) {
 
 }  // namespace
 
-std::string packed(StoredRun run) {
+std::string pack_record(StoredRun run) {
   std::ostringstream text;
   ByteWriter writer(text);
   serialize_run(writer, run);
@@ -162,7 +162,7 @@ std::string describe_campaign_difference(ByteReader& stored, const CampaignHeade
   return identity_difference(identity, identity_of(now));
 }
 
-StoredRun unpacked(const std::string& bytes) {
+StoredRun unpack_record(const std::string& bytes) {
   StoredRun run;
   ByteReader reader(bytes);
   serialize_run(reader, run);
@@ -202,7 +202,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader
   journal.physics_ = stored.physics;
   journal.end_ = kJournalMagic.size() + record_size(*content);
   while ((content = read_record(journal.file_, journal.end_, size))) {
-    journal.runs_.push_back(unpacked(*content).record.run);
+    journal.runs_.push_back(unpack_record(*content).record.run);
     journal.begins_.push_back(journal.end_);
     journal.end_ += record_size(*content);
   }
@@ -210,10 +210,12 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader
   return journal;
 }
 
-std::uint64_t ResultsJournal::smallest_record_size() { return record_size(packed(StoredRun{})); }
+std::uint64_t ResultsJournal::smallest_record_size() {
+  return record_size(pack_record(StoredRun{}));
+}
 
 void ResultsJournal::add(const StoredRun& run) {
-  const std::string record = record_of(packed(run));
+  const std::string record = record_of(pack_record(run));
   file_.clear();
   file_.seekp(static_cast<std::streamoff>(end_));
   file_.write(record.data(), static_cast<std::streamsize>(record.size()));
@@ -234,7 +236,7 @@ StoredRun ResultsJournal::read(std::size_t index) {
                      ": was changed by another program; go on with `resume`, which repeats the "
                      "runs that were lost");
   }
-  return unpacked(*content);
+  return unpack_record(*content);
 }
 
 }  // namespace clast::study_detail

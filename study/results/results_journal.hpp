@@ -13,10 +13,10 @@
 namespace clast::study_detail {
 
 /// Serialises a run, for the journal and for messages between processes.
-std::string packed(StoredRun run);
+std::string pack_record(StoredRun run);
 /// Deserialises a run.
 /// @throws InputError  if the bytes are not a run
-StoredRun unpacked(const std::string& bytes);
+StoredRun unpack_record(const std::string& bytes);
 
 /// Serialises the identity of a campaign: campaign text, inputs and program.
 std::string format_campaign_identity(const CampaignHeader& header);

@@ -62,7 +62,7 @@ void check_blocks(const CheckedGroup& reader, const CampaignHeader& results) {
       std::string list;
       for (const double value : values)
         list += (list.empty() ? "" : ", ") + format_significant(value, 6);
-      reader.damaged(name, "is " + list + ", which is impossible for block " + block.id);
+      reader.throw_damaged(name, "is " + list + ", which is impossible for block " + block.id);
     };
     require(block.mass > 0.0 && std::isfinite(block.mass), "mass_kg", {block.mass});
     require(block.volume >= 0.0 && std::isfinite(block.volume), "volume_m3", {block.volume});
@@ -95,7 +95,7 @@ void read_blocks(const CheckedGroup& reader, CampaignHeader& results) {
   reader.check_below("shape", shape, results.shapes.size());
   const auto moments = reader.vectors<Vec3>("principal_moments_kg_m2");
   if (moments.size() != rows)
-    reader.damaged("principal_moments_kg_m2", "has not one row per block");
+    reader.throw_damaged("principal_moments_kg_m2", "has not one row per block");
   // Added to schema 4 later.
   const auto text_or_none = [&](const char* name) {
     return reader.group.contains(name) ? reader.column<std::string>(name, rows)
@@ -134,24 +134,24 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (counts[i] < 2 || counts[i] > points.size() - at) {
-        reader.damaged("point_count", "does not fit points_m");
+        reader.throw_damaged("point_count", "does not fit points_m");
       }
       const auto begin = points.begin() + static_cast<std::ptrdiff_t>(at);
       if (directions[i] != "either" && directions[i] != "forward") {
-        reader.damaged("direction", "is neither either nor forward");
+        reader.throw_damaged("direction", "is neither either nor forward");
       }
       results.barriers.push_back(
           {names[i], {begin, begin + counts[i]}, parse_counted_direction(directions[i])});
       at += counts[i];
     }
-    if (at != points.size()) reader.damaged("points_m", "has more points than barriers have");
+    if (at != points.size()) reader.throw_damaged("points_m", "has more points than barriers have");
     return;
   }
   // Schema 2 had straight barriers only.
   const auto from = reader.vectors<Vec2>("from_m");
   const auto to = reader.vectors<Vec2>("to_m");
   if (from.size() != names.size() || to.size() != names.size()) {
-    reader.damaged("from_m", "and to_m do not have one row per name");
+    reader.throw_damaged("from_m", "and to_m do not have one row per name");
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     results.barriers.push_back({names[i], {from[i], to[i]}, CountedDirection::kEither});
@@ -167,7 +167,7 @@ void read_terrain_group(const CheckedGroup& reader, CampaignHeader& results) {
   Terrain& terrain = results.terrain;
   terrain.surface.vertices = reader.vectors<Vec3>("vertices_m");
   const std::vector<std::uint32_t> corners = reader.group.read<std::uint32_t>("triangles");
-  if (corners.size() % 3 != 0) reader.damaged("triangles", "is not a table of 3 columns");
+  if (corners.size() % 3 != 0) reader.throw_damaged("triangles", "is not a table of 3 columns");
   reader.check_below("triangles", corners, terrain.surface.vertices.size());
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     terrain.surface.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
@@ -178,7 +178,7 @@ void read_terrain_group(const CheckedGroup& reader, CampaignHeader& results) {
   terrain.report.notes = reader.group.read<std::string>("notes");
   terrain.sources = reader.group.read<std::string>("sources");
   const std::vector<Vec3> origin = reader.vectors<Vec3>("origin_m");
-  if (origin.size() != 1) reader.damaged("origin_m", "is not one point");
+  if (origin.size() != 1) reader.throw_damaged("origin_m", "is not one point");
   terrain.frame = {origin.front(), reader.group.read_attribute<std::string>("crs")};
   results.frame = terrain.frame;
 }
@@ -231,8 +231,8 @@ void check_runs(const CheckedGroup& reader, const CampaignResults& results) {
   check_below(reader, "point", runs, &RunRecord::point, results.release_points.size());
   for (std::size_t i = 1; i < runs.size(); ++i) {
     if (runs[i].run <= runs[i - 1].run) {
-      reader.damaged("run", "holds " + std::to_string(runs[i].run) + " after " +
-                                std::to_string(runs[i - 1].run));
+      reader.throw_damaged("run", "holds " + std::to_string(runs[i].run) + " after " +
+                                      std::to_string(runs[i - 1].run));
     }
   }
 }
@@ -256,8 +256,8 @@ void check_events(const CheckedGroup& reader, const std::vector<Event>& events,
   for (const Event& event : events) {
     while (run != results.runs.end() && run->run < event.run) ++run;
     if (run == results.runs.end() || run->run != event.run) {
-      reader.damaged("run", "holds run " + std::to_string(event.run) +
-                                ", which is not stored or not in order");
+      reader.throw_damaged("run", "holds run " + std::to_string(event.run) +
+                                      ", which is not stored or not in order");
     }
   }
 }
@@ -266,8 +266,8 @@ void check_events(const CheckedGroup& reader, const std::vector<Event>& events,
 void read_stays(const CheckedGroup& reader, CampaignResults& results) {
   const auto each = reader.group.read_attribute<std::int64_t>("blocks_each");
   if (each < 1 || results.planned_runs % each != 0) {
-    reader.damaged("@blocks_each", "is " + std::to_string(each) + " of " +
-                                       std::to_string(results.planned_runs) + " runs");
+    reader.throw_damaged("@blocks_each", "is " + std::to_string(each) + " of " +
+                                             std::to_string(results.planned_runs) + " runs");
   }
   GroundParameters between_blocks;
   for (const GroundParameterField& field : ground_fields()) {
@@ -316,41 +316,42 @@ CampaignResults read_results(const fs::path& path) {
   }
   const auto planned = root.group.read_attribute<std::int64_t>("planned_runs");
   if (planned < 0 || planned > std::numeric_limits<std::uint32_t>::max()) {
-    root.damaged("@planned_runs", "is " + std::to_string(planned));
+    root.throw_damaged("@planned_runs", "is " + std::to_string(planned));
   }
   results.planned_runs = static_cast<std::uint32_t>(planned);
   if (root.group.contains("downslope")) {
     const std::vector<Vec2> downslope = root.vectors<Vec2>("downslope");
-    if (downslope.size() != 1) root.damaged("downslope", "is not one direction");
+    if (downslope.size() != 1) root.throw_damaged("downslope", "is not one direction");
     results.downslope = downslope.front();
   }
   results.release_points = root.vectors<Vec3>("release_points_m");
   results.release_sets = root.group.read<std::string>("release_sets");
   results.set_of_point = root.column<std::uint32_t>("set_of_point", results.release_points.size());
   root.check_below("set_of_point", results.set_of_point, results.release_sets.size());
-  read_shapes(root.into("shapes"), results);
-  read_blocks(root.into("blocks"), results);
-  read_stored_barriers(root.into("barriers"), results);
-  read_ground(root.into("ground"), results);
-  read_ground_sets(root.into("ground_sets"), results);
+  read_shapes(root.open_group("shapes"), results);
+  read_blocks(root.open_group("blocks"), results);
+  read_stored_barriers(root.open_group("barriers"), results);
+  read_ground(root.open_group("ground"), results);
+  read_ground_sets(root.open_group("ground_sets"), results);
 
   const Hdf5Group contact = root.group.open_group("contact");
   results.law = parse_contact_law(contact.read_attribute<std::string>("law"));
   results.weights = parse_contact_weighting(contact.read_attribute<std::string>("weights"));
-  read_terrain_group(root.into("terrain"), results);
+  read_terrain_group(root.open_group("terrain"), results);
 
-  read_rows(root.into("runs"), results.runs, common_stiffness(contact), results.has_contacts());
-  check_runs(root.into("runs"), results);
-  const CheckedGroup crossings = root.into("crossings"), impacts = root.into("impacts");
+  read_rows(root.open_group("runs"), results.runs, common_stiffness(contact),
+            results.has_contacts());
+  check_runs(root.open_group("runs"), results);
+  const CheckedGroup crossings = root.open_group("crossings"), impacts = root.open_group("impacts");
   read_rows(crossings, results.crossings);
   check_below(crossings, "barrier", results.crossings, &Crossing::barrier, results.barriers.size());
   check_events(crossings, results.crossings, results);
   read_rows(impacts, results.impacts);
   check_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
   check_events(impacts, results.impacts, results);
-  if (root.group.contains("stays")) read_stays(root.into("stays"), results);
+  if (root.group.contains("stays")) read_stays(root.open_group("stays"), results);
   if (root.group.contains("energies")) {
-    const CheckedGroup energies = root.into("energies");
+    const CheckedGroup energies = root.open_group("energies");
     read_rows(energies, results.energies);
     check_events(energies, results.energies, results);
   }

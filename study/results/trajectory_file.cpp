@@ -25,7 +25,8 @@ std::size_t TrajectoryFile::frame_count(std::uint32_t run) const {
   if (!reader.group.contains(name)) return 0;
   const std::vector<std::size_t> shape = reader.group.shape(name);
   if (shape.size() != 2 || shape[0] != trajectory_row_count()) {
-    reader.damaged(name, "is not a table of " + std::to_string(trajectory_row_count()) + " rows");
+    reader.throw_damaged(name,
+                         "is not a table of " + std::to_string(trajectory_row_count()) + " rows");
   }
   return shape[1];
 }

@@ -79,7 +79,7 @@ void check_sizes(const Campaign& campaign, const std::vector<Block>& blocks) {
   for (const Block& block : blocks) {
     if (!is_unscaled(block)) continue;
     throw InputError(campaign.file.string() + ": block " + block.id + " of " +
-                     selection.library.string() + " is unscaled: " + explain_unscaled() +
+                     selection.library.string() + " is unscaled: " + explain_unscaled_block() +
                      "; or give it a size in [blocks] with scale = { mass_kg = M } or { volume_m3 "
                      "= V }, or with mass_kg in draw; or leave it out with select");
   }
@@ -238,7 +238,7 @@ CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOpt
   if (campaign.blocks.vary) vary(campaign, library, making, choice);
   for (const BlockGroup& group : campaign.groups) check_named(campaign, group, library, choice);
   check_sizes(campaign, choice.library);
-  choice.blocks = campaign.blocks.draw ? draw_blocks(campaign, choice.library)
+  choice.blocks = campaign.blocks.draw ? sample_blocks(campaign, choice.library)
                                        : all_of(choice.library, campaign.blocks.scale);
   put_in_groups(campaign, choice);
   drop_unused(choice);
@@ -249,7 +249,8 @@ std::vector<Block> read_selected_blocks(const Campaign& campaign) {
   return selected_from(BlockLibrary::read(campaign.blocks.library), campaign);
 }
 
-std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& blocks) {
+std::vector<CampaignBlock> sample_blocks(const Campaign& campaign,
+                                         const std::vector<Block>& blocks) {
   const BlockSampling& draw = *campaign.blocks.draw;
   const auto [pools, shares] = pools_of_shares(campaign, blocks);
   std::vector<CampaignBlock> drawn;

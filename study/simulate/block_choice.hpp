@@ -51,7 +51,7 @@ std::vector<Block> read_selected_blocks(const Campaign& campaign);
 /// @throws InputError  if a sampled class has no block, class fractions are invalid
 ///                     (`class_fractions`), or the volume is less than half a block or needs too
 ///                     many blocks
-std::vector<CampaignBlock> draw_blocks(const Campaign& campaign, const std::vector<Block>& pool);
+std::vector<CampaignBlock> sample_blocks(const Campaign& campaign, const std::vector<Block>& pool);
 
 /// Returns the class fractions of a sampling, sum 1; empty: those of the selection. Fixed fractions
 /// are kept; the other classes share the rest in their proportions.

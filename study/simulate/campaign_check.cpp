@@ -22,7 +22,7 @@ CampaignCheck check(const std::filesystem::path& file, const std::optional<std::
   if (!campaign.terrain.surface.empty()) {
     read([&] {
       const Terrain terrain = read_terrain(campaign.terrain);
-      if (!campaign.ground.empty()) draw_ground_sets(campaign, terrain.zone_names);
+      if (!campaign.ground.empty()) sample_ground_sets(campaign, terrain.zone_names);
     });
   }
   return result;

@@ -80,7 +80,7 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
     header.barriers.push_back(barrier);
   }
   header.zone_names = terrain.zone_names;
-  header.ground_sets = draw_ground_sets(campaign, terrain.zone_names);
+  header.ground_sets = sample_ground_sets(campaign, terrain.zone_names);
   header.ground = compute_median_ground(campaign, terrain.zone_names);
   header.law = campaign.stiffness.law;
   header.weights = campaign.weights;
@@ -93,7 +93,7 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
 }  // namespace
 
 void resample_blocks(CampaignPlan& prepared) {
-  prepared.choice.blocks = draw_blocks(prepared.campaign, prepared.choice.library);
+  prepared.choice.blocks = sample_blocks(prepared.campaign, prepared.choice.library);
   prepared.bodies = BlockBodies(prepared.choice);
   prepared.header.blocks = block_summaries(prepared);
 }

@@ -55,7 +55,7 @@ CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOp
 
 /// Samples the blocks again from `prepared.choice.library`, which stays complete, by the campaign's
 /// present settings; runs are unchanged.
-/// @throws InputError  as `draw_blocks`
+/// @throws InputError  as `sample_blocks`
 void resample_blocks(CampaignPlan& prepared);
 
 /// Shard: every n-th run (or realisation) of a campaign, for n independent jobs whose results

@@ -102,8 +102,8 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
 
 }  // namespace
 
-std::vector<GroundParameterSet> draw_ground_sets(const Campaign& campaign,
-                                                 const std::vector<std::string>& zones) {
+std::vector<GroundParameterSet> sample_ground_sets(const Campaign& campaign,
+                                                   const std::vector<std::string>& zones) {
   check_zones(campaign, zones);
   const std::size_t groups = 1 + campaign.groups.size();
   const std::uint32_t members = campaign.ensemble.members;

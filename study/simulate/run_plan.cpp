@@ -97,7 +97,7 @@ class Planner {
  public:
   explicit Planner(CampaignPlan& prepared)
       : prepared_(prepared),
-        settings_(draw_member_settings(prepared.campaign)),
+        settings_(sample_member_settings(prepared.campaign)),
         bodies_(*prepared.surface, prepared.bodies) {
     for (const ReleaseSet& release : prepared.campaign.releases) {
       points_.push_back(
@@ -118,8 +118,8 @@ class Planner {
       for (std::size_t of_set = 0; of_set < points_[set].size(); ++of_set, ++point) {
         const std::vector<Quat> orientations =
             release.fresh_orientations
-                ? draw_run_orientations(release, chosen.id, std::to_string(of_set),
-                                        release.orientations.size())
+                ? sample_run_orientations(release, chosen.id, std::to_string(of_set),
+                                          release.orientations.size())
                 : release.orientations;
         for (std::uint32_t turn = 0; turn < orientations.size(); ++turn) {
           RunRecord run;
@@ -157,7 +157,7 @@ class Planner {
     const CampaignBlock& chosen = prepared_.choice.blocks[block];
     const Quat orientation =
         release.fresh_orientations
-            ? draw_run_orientations(release, chosen.id, std::to_string(of_set), turns)[turn]
+            ? sample_run_orientations(release, chosen.id, std::to_string(of_set), turns)[turn]
             : release.orientations[turn];
     RunRecord run = start_of(block, set, of_set, member, orientation);
     run.run = number;
@@ -204,7 +204,7 @@ class Planner {
       const std::uint64_t turn = random.uniform_index(release.orientations.size());
       const Quat orientation =
           release.fresh_orientations
-              ? draw_run_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
+              ? sample_run_orientations(release, prepared_.choice.blocks[block].id, name, 1).front()
               : release.orientations[turn];
       const std::uint32_t member = realisation % campaign.ensemble.members;
       RunRecord run = start_of(block, 0, point, member, orientation);

@@ -40,7 +40,7 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
                                          const std::vector<BodyRequirements>& bodies,
                                          const std::vector<GroundRequirements>& grounds) {
   const Campaign& campaign = prepared.campaign;
-  const std::vector<MemberSettings> members = draw_member_settings(campaign);
+  const std::vector<MemberSettings> members = sample_member_settings(campaign);
   const std::size_t each = prepared.header.stay->blocks_each;
   const GroundRequirements between =
       ground_requirements(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
@@ -78,7 +78,7 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
 }  // namespace
 
 std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
-  const std::vector<MemberSettings> members = draw_member_settings(prepared.campaign);
+  const std::vector<MemberSettings> members = sample_member_settings(prepared.campaign);
   const double gravity = prepared.campaign.gravity;
   const double lowest = prepared.surface->extent().low.z();
   std::vector<GroundRequirements> grounds;

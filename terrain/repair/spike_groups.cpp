@@ -108,7 +108,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::optional<double> best;
-    for (const std::uint32_t s : side_index_->boxes_near(here.expanded(width_))) {
+    for (const std::uint32_t s : side_index_->boxes_near(here.expand(width_))) {
       const auto [a, b] = sides_[s];
       if (a == vertex || b == vertex) continue;
       const Vec3 &from = mesh_.vertices[a], &to = mesh_.vertices[b];
@@ -136,7 +136,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::set<std::uint32_t> result, joined;
-    for (const std::uint32_t s : side_index_->boxes_near(here.expanded(width_))) {
+    for (const std::uint32_t s : side_index_->boxes_near(here.expand(width_))) {
       const auto& [a, b] = sides_[s];
       if (a == v) joined.insert(b);
       if (b == v) joined.insert(a);

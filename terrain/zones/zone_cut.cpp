@@ -69,7 +69,7 @@ class CutMesh {
 
   std::vector<std::uint32_t> triangles_near(const PlanBox& box) const {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t first : index_.boxes_near(box.expanded(kNear))) {
+    for (const std::uint32_t first : index_.boxes_near(box.expand(kNear))) {
       found.insert(found.end(), parts_[first].begin(), parts_[first].end());
     }
     return found;

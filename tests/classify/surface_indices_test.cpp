@@ -57,7 +57,7 @@ TEST(Convexity, OfAnLBlock) {
   const SpheroPolyhedron sharp = make_sphero_polyhedron(mesh, 0.0);
   EXPECT_NEAR(convexity(sharp, 3.0), 6.0 / 7.0, 1e-12);
   // Faces by their directions: x 4, y 4, z 6 of 14.
-  const Vec3 f = surface_orientation(sharp).eigenvalues;
+  const Vec3 f = orientation_tensor(sharp).eigenvalues;
   EXPECT_TRUE(f.isApprox(Vec3(6, 4, 4) / 14.0, 1e-12));
   // With a radius the strips of width r at the reflex edge are lost, and each convex edge adds a
   // quarter of a cylinder. Of the five upright ones three lie along x = y and two across it, which
@@ -66,7 +66,7 @@ TEST(Convexity, OfAnLBlock) {
   const double side = 4.0 - r + 0.25 * kPi * r * (8.0 + 5.0) + 4.0 / 3.0 * kPi * r * r;
   const double top = 6.0 + 0.25 * kPi * r * 16.0 + 4.0 / 3.0 * kPi * r * r;
   const Vec3 expected = Vec3(top, side + 0.5 * r, side - 0.5 * r) / (top + 2.0 * side);
-  const Vec3 g = surface_orientation(make_sphero_polyhedron(mesh, r)).eigenvalues;
+  const Vec3 g = orientation_tensor(make_sphero_polyhedron(mesh, r)).eigenvalues;
   EXPECT_TRUE(g.isApprox(expected, 1e-12)) << g.transpose() << "; " << expected.transpose();
 }
 
@@ -101,17 +101,17 @@ TEST(Convexity, OfAColumnWithPointsOnItsWallsIsOne) {
   }
 }
 
-TEST(SurfaceOrientation, OfABallIsTheSameAllAround) {
-  const SurfaceOrientation o = surface_orientation(ball(0.7));
+TEST(OrientationTensor, OfABallIsTheSameAllAround) {
+  const OrientationTensor o = orientation_tensor(ball(0.7));
   EXPECT_NEAR(o.compactness(), 1.0, 1e-15);
   EXPECT_NEAR(o.flakiness(), 0.0, 1e-15);
   EXPECT_NEAR(o.rodness(), 0.0, 1e-15);
 }
 
 // Faces of a x b x c: n n^T weighs b c, a c and a b.
-TEST(SurfaceOrientation, OfACuboidWeighsItsFaces) {
+TEST(OrientationTensor, OfACuboidWeighsItsFaces) {
   for (const int cells : {1, 3}) {
-    const SurfaceOrientation o = surface_orientation(gridded_cuboid(Vec3(3, 2, 1), 0.0, cells));
+    const OrientationTensor o = orientation_tensor(gridded_cuboid(Vec3(3, 2, 1), 0.0, cells));
     EXPECT_TRUE(o.eigenvalues.isApprox(Vec3(6, 3, 2) / 11.0, 1e-12));
     EXPECT_NEAR(o.compactness(), 1.0 / 3.0, 1e-12);
     EXPECT_NEAR(o.flakiness(), 0.5, 1e-12);
@@ -121,18 +121,18 @@ TEST(SurfaceOrientation, OfACuboidWeighsItsFaces) {
 
 // Along x: two faces, the quarter cylinders of the 8 edges across x, each with half of its area
 // (pi r/2 per length) on x, and a third of the sphere.
-TEST(SurfaceOrientation, OfARoundedCuboidInClosedForm) {
+TEST(OrientationTensor, OfARoundedCuboidInClosedForm) {
   const double a = 3, b = 2, c = 1, r = 0.3;
   const double sphere = 4.0 / 3.0 * kPi * r * r;
   const double x = 2 * b * c + kPi * r * (b + c) + sphere;
   const double y = 2 * a * c + kPi * r * (a + c) + sphere;
   const double z = 2 * a * b + kPi * r * (a + b) + sphere;
-  const Vec3 f = surface_orientation(gridded_cuboid(Vec3(a, b, c), r)).eigenvalues;
+  const Vec3 f = orientation_tensor(gridded_cuboid(Vec3(a, b, c), r)).eigenvalues;
   EXPECT_TRUE(f.isApprox(Vec3(z, y, x) / (x + y + z), 1e-12));
 }
 
 // Second method: the triangles of a fine skin.
-TEST(SurfaceOrientation, AgreesWithAFineSkin) {
+TEST(OrientationTensor, AgreesWithAFineSkin) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     Random random(seed);
     std::vector<Vec3> points;
@@ -149,14 +149,14 @@ TEST(SurfaceOrientation, AgreesWithAFineSkin) {
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(sum / sum.trace());
     EXPECT_TRUE(
-        surface_orientation(body).eigenvalues.isApprox(Vec3(eigen.eigenvalues().reverse()), 2e-3));
+        orientation_tensor(body).eigenvalues.isApprox(Vec3(eigen.eigenvalues().reverse()), 2e-3));
   }
 }
 
-TEST(SurfaceOrientation, OfAnOpenCoreIsRefused) {
+TEST(OrientationTensor, OfAnOpenCoreIsRefused) {
   TriangleMesh open = box_mesh(Vec3(1, 1, 1));
   open.triangles.pop_back();
-  EXPECT_THROW(surface_orientation(make_sphero_polyhedron(open, 0.1)), GeometryError);
+  EXPECT_THROW(orientation_tensor(make_sphero_polyhedron(open, 0.1)), GeometryError);
 }
 
 }  // namespace

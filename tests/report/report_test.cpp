@@ -307,12 +307,12 @@ TEST(Ticks, EndOnRangesThatHaveNoWidth) {
 }
 
 TEST(PageNumbers, AreWrittenAsAReaderExpects) {
-  EXPECT_EQ(fixed(-0.04, 1), "0.0");
-  EXPECT_EQ(fixed(NAN, 1), "-");
-  EXPECT_EQ(significant(1474.68, 4), "1475");
-  EXPECT_EQ(significant(0.012345, 3), "0.0123");
-  EXPECT_EQ(significant(9.996, 3), "10.0");
-  EXPECT_EQ(significant(8.7e7, 3), "8.70e+07");
+  EXPECT_EQ(format_fixed(-0.04, 1), "0.0");
+  EXPECT_EQ(format_fixed(NAN, 1), "-");
+  EXPECT_EQ(format_significant_digits(1474.68, 4), "1475");
+  EXPECT_EQ(format_significant_digits(0.012345, 3), "0.0123");
+  EXPECT_EQ(format_significant_digits(9.996, 3), "10.0");
+  EXPECT_EQ(format_significant_digits(8.7e7, 3), "8.70e+07");
   EXPECT_EQ(format_percent(0.03125), "3.1 %");
   EXPECT_EQ(escape_html("a<b & \"c\">'\x01"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;");
 }

@@ -15,8 +15,8 @@ using namespace report_detail;
 
 TEST(Terms, AreMarkedOnceInASectionAndExplainedAtTheEnd) {
   const std::string html = link_glossary_terms(
-      section("One", paragraph("Runout, and runout again.")) +
-      section("Two", "<table><tr><th>runout mean, m</th><td>runout</td></tr></table>"));
+      format_section("One", format_paragraph("Runout, and runout again.")) +
+      format_section("Two", "<table><tr><th>runout mean, m</th><td>runout</td></tr></table>"));
   const std::string mark = "aria-describedby=\"term-runout\"";
   EXPECT_EQ(count_of(html, mark), 2u) << html;
   EXPECT_EQ(count_of(html, "id=\"term-runout\""), 1u);
@@ -37,8 +37,8 @@ TEST(Terms, AreWholeWordsOutsideScriptsAndTitles) {
 
 TEST(Contents, LinkToEverySection) {
   const std::string html =
-      make_contents_list("<header id=\"answer\"></header>" + section("Along the slope", "") +
-                         section("What was run", "<p>x</p>"));
+      make_contents_list("<header id=\"answer\"></header>" + format_section("Along the slope", "") +
+                         format_section("What was run", "<p>x</p>"));
   EXPECT_TRUE(contains(html, "<a href=\"#answer\">Answer</a>"));
   EXPECT_TRUE(contains(html, "<a href=\"#along-the-slope\">Along the slope</a>"));
   EXPECT_TRUE(contains(html, "<a href=\"#what-was-run\">What was run</a>"));

@@ -15,11 +15,11 @@ constexpr double kPieceFraction = 0.5;
 bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lowest,
               double radius) {
   const double reach = radius + spread;
-  const PlanGrid::CellRange window = grid.cells_over(middle.x() - reach, middle.x() + reach,
+  const PlanGrid::CellRange window = grid.cell_range(middle.x() - reach, middle.x() + reach,
                                                      middle.y() - reach, middle.y() + reach);
   for (int row = window.first_row; row <= window.last_row; ++row) {
     for (int column = window.first_column; column <= window.last_column; ++column) {
-      const double high = grid.cell_top(column, row);
+      const double high = grid.max_cell_height(column, row);
       if (high < lowest - radius) continue;
       // In plan no point of the cell is nearer to the ball's centre than this.
       const double beside = std::max(0.0, grid.distance_to_cell(column, row, middle) - spread);
@@ -33,7 +33,7 @@ bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lo
 /// True when there is ground in the cell of a place.
 bool surveyed(const PlanGrid& grid, const Vec2& position) {
   const PlanGrid::CellRange home =
-      grid.cells_over(position.x(), position.x(), position.y(), position.y());
+      grid.cell_range(position.x(), position.x(), position.y(), position.y());
   return home.first_column <= home.last_column && home.first_row <= home.last_row &&
          !grid.cell(home.first_column, home.first_row).faces.empty();
 }

@@ -200,7 +200,7 @@ void BlockNarrowPhase::collect_vertex(std::uint32_t vertex, const Vec3& centre, 
 
 void BlockNarrowPhase::collect_near_faces(const Vec3& centre, double reach) {
   const PlanGrid& grid = ground_.grid;
-  const PlanGrid::CellRange cells = grid.cells_over(centre.x() - reach, centre.x() + reach,
+  const PlanGrid::CellRange cells = grid.cell_range(centre.x() - reach, centre.x() + reach,
                                                     centre.y() - reach, centre.y() + reach);
   const auto first = static_cast<std::ptrdiff_t>(faces_.size());
   for (int row = cells.first_row; row <= cells.last_row; ++row) {

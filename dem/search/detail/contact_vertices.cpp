@@ -86,8 +86,9 @@ SeparationBound TerrainNarrowPhase::plane_separation_bound(const NearPart& part,
   const FaceTilt& tilt = part.tilts[state.closest_plane];
   EarliestExpiry first(part.displacement);
   first.include(state.others);
-  first.include(SeparationRates{tilt.axial / height, tilt.transverse / height}.separation_bound(
-      part.displacement));
+  first.include(
+      SeparationCoefficients{tilt.axial / height, tilt.transverse / height}.separation_bound(
+          part.displacement));
   return first.separation_bound();
 }
 
@@ -98,7 +99,7 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
   const double complete = completeness(part) - reach_;
   if (!(complete > 0.0)) return {};
   double apart_from_far = complete;
-  SeparationRates others, plane;
+  SeparationCoefficients others, plane;
   std::uint32_t closest = kNoFeature;
   for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
     const LocalFaces::Face& face = part.ground.faces[i];
@@ -112,7 +113,7 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
       const double farther = ball + apart_from_far;
       if (squared < farther * farther) apart_from_far = std::sqrt(squared) - ball;
     } else if (height > 0.0) {
-      SeparationRates by_this{tilt.axial / height, tilt.transverse / height};
+      SeparationCoefficients by_this{tilt.axial / height, tilt.transverse / height};
       if (by_this.sum() > plane.sum()) {
         std::swap(by_this, plane);
         closest = i;

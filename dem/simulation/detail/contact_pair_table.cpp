@@ -16,7 +16,7 @@ constexpr std::size_t kPairsAtATime = 8;
 
 /// A form touches what it holds, and nothing else.
 bool may_touch(const BroadPhase::Pair& pair, std::span<const WorldBody> bodies) {
-  const std::optional<ConfinedBodies>&first = bodies[pair[0]].confined,
+  const std::optional<ConfinedRange>&first = bodies[pair[0]].confined,
         &second = bodies[pair[1]].confined;
   return (!first || first->contains(pair[1])) && (!second || second->contains(pair[0]));
 }

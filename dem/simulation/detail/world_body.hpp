@@ -28,7 +28,7 @@ struct BodyShape {
 };
 
 /// Range of bodies held by a confining wall.
-struct ConfinedBodies {
+struct ConfinedRange {
   std::size_t first = 0, end = 0;
 
   bool contains(std::size_t body) const { return body >= first && body < end; }
@@ -77,7 +77,7 @@ struct WorldBody {
   const BodyShape* shape;
   RigidBodyIntegrator integrator;
   bool fixed;
-  std::optional<ConfinedBodies> confined;  ///< for a confining wall: the bodies that it touches
+  std::optional<ConfinedRange> confined;  ///< for a confining wall: the bodies that it touches
   bool inactive = false;       ///< left the terrain or was removed; stays at its last pose
   bool off_terrain = false;    ///< found in the last step: will leave
   BodyMotion motion;           ///< over the last step

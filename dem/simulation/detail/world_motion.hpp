@@ -33,7 +33,7 @@ class WorldMotion {
   /// @param start  with a unit quaternion, on the terrain
   void add_body(std::size_t shape, const RigidState& start, bool fixed);
   /// Makes the last fixed body a confining wall.
-  void set_confined_bodies(std::size_t wall, const ConfinedBodies& confined) {
+  void set_confined_bodies(std::size_t wall, const ConfinedRange& confined) {
     bodies_[wall].confined = confined;
   }
   /// Removes a body from the motion at its pose and wakes the bodies that it touched.

@@ -29,7 +29,7 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
                     double cx, const std::filesystem::path& mask_file) {
   const Photo& p = model.photos[photo];
   const cv::Mat image = read_colour_photo(p.file);
-  const CameraIntrinsics lens = resized(model.lenses[p.lens], image.cols, image.rows);
+  const CameraIntrinsics lens = resize_image(model.lenses[p.lens], image.cols, image.rows);
   const Mat3 camera_from_view =
       p.camera_from_world.rotation.toRotationMatrix() * view.rotation.transpose();
   cv::Mat map_x(view.height, view.width, CV_32F), map_y(view.height, view.width, CV_32F);

@@ -17,7 +17,7 @@ double BottomClosure::lowering_at_vertex(std::size_t vertex, const ClosureShape&
   return move.depth * std::pow(patch_.deflection[vertex], move.power);
 }
 
-TriangleMesh BottomClosure::lowered(const ClosureShape& move) const {
+TriangleMesh BottomClosure::lower_mesh(const ClosureShape& move) const {
   TriangleMesh mesh = closed_;
   if (move.depth <= 0.0) return mesh;
   for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {

@@ -30,7 +30,7 @@ class BottomClosure {
       : closed_(closed), patch_(std::move(patch)), first_vertex_(first_vertex), down_(down) {}
 
   /// Returns `closed` with the lowered closure.
-  TriangleMesh lowered(const ClosureShape& move) const;
+  TriangleMesh lower_mesh(const ClosureShape& move) const;
   /// Returns the shape with `added` volume (m^3), at most `deepest` (m) if possible, by reducing
   /// the power.
   ClosureShape shape_for_volume(double added, double power, double deepest) const;

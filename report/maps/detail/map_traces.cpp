@@ -26,9 +26,10 @@ std::string stop_note(const Comparison& comparison, const RunRow& row) {
   return escape_html(file + "run " + std::to_string(row.record->run) + ", block " + row.block->id +
                      ", point " + std::to_string(row.record->point) + ", orientation " +
                      std::to_string(row.record->orientation)) +
-         "<br>" + name_of(result.stop_reason) + " after " + fixed(result.duration, 1) +
-         " s, runout " + fixed(row.runout, 1) + " m, lateral " +
-         fixed(row.lateral * kDegreesPerRadian, 1) + " deg<br>z " + fixed(row.stop.z(), 2) + " m";
+         "<br>" + name_of(result.stop_reason) + " after " + format_fixed(result.duration, 1) +
+         " s, runout " + format_fixed(row.runout, 1) + " m, lateral " +
+         format_fixed(row.lateral * kDegreesPerRadian, 1) + " deg<br>z " +
+         format_fixed(row.stop.z(), 2) + " m";
 }
 
 Json points_trace(const std::string& name) {
@@ -132,7 +133,7 @@ void add_measured(const Comparison& comparison, Json& data) {
   for (const MeasuredStop& stop : comparison.measured->stops) {
     add_point(trace, stop.place,
               "measured stop" + (stop.block.empty() ? "" : ", block " + escape_html(stop.block)) +
-                  "<br>runout " + fixed(stop.runout, 1) + " m");
+                  "<br>runout " + format_fixed(stop.runout, 1) + " m");
   }
   trace["marker"] = {{"color", kMeasuredColour},
                      {"symbol", kMeasuredShape.plotly},

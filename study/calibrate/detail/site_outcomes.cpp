@@ -163,15 +163,16 @@ Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& 
   read_release_outcomes(runs, kBarrierColumns, outcomes, &ReleaseOutcome::barriers,
                         facts.barriers.size());
   if (!facts.moments.empty()) {
-    read_release_outcomes(runs.into("moments"), kMomentColumns, outcomes, &ReleaseOutcome::moments,
-                          facts.moments.size());
+    read_release_outcomes(runs.open_group("moments"), kMomentColumns, outcomes,
+                          &ReleaseOutcome::moments, facts.moments.size());
   }
   Outcomes all(members);
   for (std::size_t i = 0; i < rows; ++i) {
-    if (member[i] >= members) runs.damaged("member", "names a member that there is not");
-    if (block[i] >= facts.blocks.size()) runs.damaged("block", "names a block that there is not");
+    if (member[i] >= members) runs.throw_damaged("member", "names a member that there is not");
+    if (block[i] >= facts.blocks.size())
+      runs.throw_damaged("block", "names a block that there is not");
     if (!facts.releases.empty() && release[i] >= facts.releases.size()) {
-      runs.damaged("release", "names a release set that there is not");
+      runs.throw_damaged("release", "names a release set that there is not");
     }
     ReleaseOutcome& outcome = outcomes[i];
     outcome.block = block[i];

@@ -22,21 +22,22 @@ ValueFormat selection() {
   return either(
       {text(), list(text(), 1),
        table({{"scheme", "", "scheme of shape classes",
-               required("\"garcia\", \"sneed-folk\" or \"zingg\"", words(kSelectingSchemes))},
-              {"class", "", "a class of the scheme", required("a class of the scheme", text())}})});
+               require_key("\"garcia\", \"sneed-folk\" or \"zingg\"", words(kSelectingSchemes))},
+              {"class", "", "a class of the scheme",
+               require_key("a class of the scheme", text())}})});
 }
 
 BlockFilter read_filter(const DeclaredTable& table) {
   BlockFilter filter;
   const TomlNode& select = *table.find("select");
   if (select.kind == TomlNode::Kind::kTable) {
-    const DeclaredTable by_class = table.inner("select");
+    const DeclaredTable by_class = table.inner_table("select");
     by_class.check_required();
     by_class.read("scheme", filter.scheme);
     filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
     return filter;
   }
-  filter.ids = *table.strings("select");
+  filter.ids = *table.text_list("select");
   for (std::size_t i = 0; i < filter.ids.size(); ++i) {
     const auto here = filter.ids.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(filter.ids.begin(), here, *here) != here) {
@@ -54,7 +55,7 @@ BlockScale read_scale(const DeclaredTable& table) {
   if (node.kind != TomlNode::Kind::kTable || node.table.size() != 1) {
     table.refuse("scale", node, "must be \"equal-mass\", { mass_kg = M } or { volume_m3 = V }");
   }
-  const DeclaredTable scale = table.inner("scale");
+  const DeclaredTable scale = table.inner_table("scale");
   if (const std::optional<double> mass = scale.value<double>("mass_kg")) {
     return {BlockScale::Kind::kMass, *mass};
   }
@@ -96,11 +97,11 @@ const MemberTable<BlockSampling>& draw_keys() {
 
 BlockSampling read_draw(const DeclaredTable& blocks) {
   blocks.refuse_if_present("scale", "drawn blocks are scaled by mass_kg of draw; leave scale out");
-  const DeclaredTable table = blocks.inner("draw");
+  const DeclaredTable table = blocks.inner_table("draw");
   BlockSampling draw;
   draw_keys().read(table, draw);
   if (!draw.volume) {
-    table.required("count", "a whole number of blocks; or give volume_m3 instead");
+    table.require_key("count", "a whole number of blocks; or give volume_m3 instead");
   } else {
     table.refuse_if_present("count", "contradicts volume_m3; keep one of the two");
   }
@@ -114,7 +115,7 @@ MemberTable<GroundDistributions> zone_keys(bool complete) {
   for (const GroundParameterField& field : ground_fields()) {
     ValueFormat form = uncertain(field.range);
     if (complete && field.required) {
-      form = required(field.meaning + (", " + field.range.describe()), std::move(form));
+      form = require_key(field.meaning + (", " + field.range.describe()), std::move(form));
     }
     keys.push_back({field.name, field.unit, field.explanation(), std::move(form), field.asked});
   }
@@ -157,15 +158,15 @@ const MemberTable<BlockSelection>& blocks_keys() {
   static const MemberTable<BlockSelection> keys(
       {.name = "blocks", .meaning = "Which blocks run, and how large", .required = true},
       {{"library", "", "block library (HDF5)",
-        required("a block library made by clast reconstruct", text()), &BlockSelection::library},
+        require_key("a block library made by clast reconstruct", text()), &BlockSelection::library},
        {"select", "", "ids, run in this order, or a class; without, all blocks", selection(),
         &read_filter, &BlockSelection::filter},
        {"scale", "", "size to which every block is scaled; shape and density stay the same",
         either({words({"equal-mass"}),
                 table({{"mass_kg", "kg", "mass of every block",
-                        required("a mass", number(kBlockMass))}}),
+                        require_key("a mass", number(kBlockMass))}}),
                 table({{"volume_m3", "m^3", "volume of every block",
-                        required("a volume", number(kBlockVolume))}})}),
+                        require_key("a volume", number(kBlockVolume))}})}),
         &read_scale, &BlockSelection::scale},
        {"allow_any_size", "", "take blocks of unusual size too", flag(), &BlockSelection::any_size},
        {"draw", "", "blocks drawn from those selected", table(draw_keys().keys), &read_draw,
@@ -183,13 +184,13 @@ const MemberTable<GroundDistributions>& ground_keys() {
 const MemberTable<BlockGroup>& block_group_keys() {
   static const MemberTable<BlockGroup> keys(
       {"block_group", "Blocks for which the ground behaves differently", KeyTable::Repeat::kEither},
-      {{"name", "", "of the group", required("a text in quotes", text()), &BlockGroup::name},
+      {{"name", "", "of the group", require_key("a text in quotes", text()), &BlockGroup::name},
        {"select", "", "ids, or a class",
-        required("ids, or { scheme = ..., class = ... }", selection()), &read_filter,
+        require_key("ids, or { scheme = ..., class = ... }", selection()), &read_filter,
         &BlockGroup::filter},
        {"ground", "", "by zone, the parameters that differ",
-        required("a table of zones, [block_group.ground.NAME]",
-                 named(table(group_ground_keys().keys)))}});
+        require_key("a table of zones, [block_group.ground.NAME]",
+                    named(table(group_ground_keys().keys)))}});
   return keys;
 }
 

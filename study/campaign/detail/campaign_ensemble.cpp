@@ -56,7 +56,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
                  "has " + comma_separated(posterior.parameters) + " alone, and " + same_blocks +
                      "posterior out");
   }
-  const std::optional<std::vector<std::string>> take = table.strings("take");
+  const std::optional<std::vector<std::string>> take = table.text_list("take");
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_ground_parameter(parameter)) continue;
@@ -146,7 +146,7 @@ const MemberTable<Ensemble>& ensemble_keys() {
   static const MemberTable<Ensemble> keys(
       {.name = "ensemble", .meaning = "How often uncertain parameters are drawn"},
       {{"members", "", "number of draws",
-        required("how often the parameters are drawn, a whole number", count(1, kMaxPerSet)),
+        require_key("how often the parameters are drawn, a whole number", count(1, kMaxPerSet)),
         &Ensemble::members},
        {"seed", "", "of the draws", seed(), &Ensemble::seed},
        {"design", "", "by chance, or filling the space of the parameters evenly",

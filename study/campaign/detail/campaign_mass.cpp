@@ -65,7 +65,7 @@ void check_places(const DeclaredTable& table, const Campaign& campaign,
         "blocks");
     return;
   }
-  table.required("polygon", "[[x, y], ...]; a block belongs to the mass that it lies in");
+  table.require_key("polygon", "[[x, y], ...]; a block belongs to the mass that it lies in");
   check_polygon(table, mass);
 }
 
@@ -78,7 +78,7 @@ void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
     return;
   }
   if (table.value<std::string>("faces") == "one by one") {
-    table.required("face_interval_s", "the time from one face to the next");
+    table.require_key("face_interval_s", "the time from one face to the next");
   } else {
     table.refuse_if_present("face_interval_s", "is for faces = \"one by one\"");
   }
@@ -95,7 +95,7 @@ void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
 /// Checks a heap.
 void check_heap(const DeclaredTable& table, const MultiBlockRelease& mass) {
   table.refuse_if_present("height_m", "is for blocks in place; a heap lies on the ground");
-  table.required("polygon", "[[x, y], ...]; or give in_place = true");
+  table.require_key("polygon", "[[x, y], ...]; or give in_place = true");
   check_polygon(table, mass);
   check_settling(table, mass);
   if (mass.count && mass.share) {
@@ -179,7 +179,7 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
   release.in_principal_frame = true;
   release.fresh_orientations = true;
   for (const DeclaredTable& table : tables) {
-    if (tables.size() > 1) table.required("name", "a text in quotes, since there are several");
+    if (tables.size() > 1) table.require_key("name", "a text in quotes, since there are several");
     release.name = table.text("name").value_or("");
     if (const TomlNode* name = table.find("name");
         name && release.name.find_first_not_of(" \t") == std::string::npos) {

@@ -53,11 +53,11 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
     table.refuse("points", node, std::string("must be ") + kPoints);
   }
 
-  const DeclaredTable rule = table.inner("points");
+  const DeclaredTable rule = table.inner_table("points");
   const TomlNode* line = rule.find("line");
   const TomlNode* polygon = rule.find("polygon");
   if (!line == !polygon) rule.refuse("needs either line or polygon");
-  rule.required("count");
+  rule.require_key("count");
   const std::size_t count = *rule.value<std::size_t>("count");
   if (line) {
     rule.refuse_if_present("seed", "points on a line are evenly spaced and need no seed");
@@ -81,13 +81,13 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& pla
   const std::optional<std::string> frame = table.value<std::string>("frame");
   plan.in_principal_frame = frame == "principal";
   if (node.kind == TomlNode::Kind::kTable) {
-    const DeclaredTable rule = table.inner("orientations");
+    const DeclaredTable rule = table.inner_table("orientations");
     rule.check_required();
     plan.orientation_source = "random";
     plan.orientation_seed = plan.seed;
     rule.read("seed", plan.orientation_seed);
     plan.orientations =
-        draw_random_orientations(*rule.value<std::size_t>("random"), plan.orientation_seed);
+        sample_random_orientations(*rule.value<std::size_t>("random"), plan.orientation_seed);
     rule.read("fresh", plan.fresh_orientations);
     return;
   }
@@ -136,29 +136,30 @@ ReleaseSet read_release(const DeclaredTable& table, bool y_up) {
 
 const MemberTable<ReleaseSet>& release_keys() {
   using Plan = ReleaseSet;
-  static const TableKey how_many{"count", "", "how many points",
-                                 required("how many points, a whole number", count(1, kMaxPerSet))};
+  static const TableKey how_many{
+      "count", "", "how many points",
+      require_key("how many points, a whole number", count(1, kMaxPerSet))};
   static const ValueFormat points =
       either({text(), list(point(), 1),
               table({{"line", "m", "points are spaced evenly along it",
-                      required("a list of points", list(point(), 2))},
+                      require_key("a list of points", list(point(), 2))},
                      how_many}),
               table({{"polygon", "m", "points are drawn in it",
-                      required("a list of points", list(point(), 3))},
+                      require_key("a list of points", list(point(), 3))},
                      how_many,
                      {"seed", "", "of the points", seed()}})});
   static const ValueFormat orientations = either(
       {text(), table({{"random", "", "how many",
-                       required("how many orientations, a whole number", count(1, kMaxPerSet))},
+                       require_key("how many orientations, a whole number", count(1, kMaxPerSet))},
                       {"seed", "", "of the orientations", seed()},
                       {"fresh", "", "different ones for every block and point", flag()}})});
   static const MemberTable<Plan> keys(
       {"release", "Where and how blocks start", KeyTable::Repeat::kEither},
       {{"name", "", "of the release set, where there are several", text(), &Plan::name},
        {"points", "m", "of centres of mass: a file, a list, along a line or in a polygon",
-        required(kPoints, points)},
+        require_key(kPoints, points)},
        {"orientations", "", "\"grid-45\", a file of quaternions, or random ones",
-        required(kOrientations, orientations)},
+        require_key(kOrientations, orientations)},
        {"frame", "", "to which a file's rotations apply", words({"source", "principal"})},
        {"height_m", "m", "drop height; points are plan positions then", number(kDropHeight),
         &Plan::drop_height},
@@ -174,7 +175,7 @@ const MemberTable<ReleaseSet>& release_keys() {
        {"order", "", "of blocks that stay", words({"random", "listed"})},
        {"remove", "", "blocks that rest in a ground zone are removed",
         table({{"zone", "", "name of the zone, or several",
-                required("the name of a ground zone, or a list of names", texts())}})}});
+                require_key("the name of a ground zone, or a list of names", texts())}})}});
   return keys;
 }
 
@@ -189,7 +190,7 @@ std::vector<ReleaseSet> read_releases(const TomlTable& top, bool y_up) {
   }
   std::vector<ReleaseSet> releases;
   for (const DeclaredTable& table : tables) {
-    if (tables.size() > 1) table.required("name", "a text in quotes, since there are several");
+    if (tables.size() > 1) table.require_key("name", "a text in quotes, since there are several");
     ReleaseSet release = read_release(table, y_up);
     check_new_name(table, release.name, releases, "release set");
     releases.push_back(std::move(release));

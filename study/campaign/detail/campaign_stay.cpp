@@ -18,9 +18,9 @@ std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Ca
   if (node->kind != TomlNode::Kind::kTable) {
     table.refuse("remove", *node, "must be { zone = \"NAME\" } or { zone = [\"NAME\", ...] }");
   }
-  const DeclaredTable rule = table.inner("remove");
-  const TomlNode& zone = rule.required("zone");
-  const std::vector<std::string> names = *rule.strings("zone");
+  const DeclaredTable rule = table.inner_table("remove");
+  const TomlNode& zone = rule.require_key("zone");
+  const std::vector<std::string> names = *rule.text_list("zone");
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) {
       rule.refuse("zone", zone, "names \"" + name + "\" more than once");
@@ -52,7 +52,7 @@ const MemberTable<GroundParameters>& between_blocks_keys() {
     for (const GroundParameterField& field : ground_fields()) {
       if (field.of_soil) continue;
       ValueFormat form = number(field.range);
-      if (field.required) form = required(field.range.describe(), std::move(form));
+      if (field.required) form = require_key(field.range.describe(), std::move(form));
       all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
     }
     return MemberTable<GroundParameters>(

@@ -27,10 +27,10 @@ std::vector<BoxRatios> read_ratios(const DeclaredTable& table) {
 const MemberTable<FormGrid>& grid_keys() {
   static const MemberTable<FormGrid> keys(
       {"blocks.vary.grid", "Forms all over a diagram"},
-      {{"diagram", "", "of form", required("\"sneed-folk\" or \"zingg\"", words(form_grid_names())),
-        &FormGrid::diagram},
+      {{"diagram", "", "of form",
+        require_key("\"sneed-folk\" or \"zingg\"", words(form_grid_names())), &FormGrid::diagram},
        {"steps", "", "along each side",
-        required("how many along each side, a whole number", count(1, kMaxGridSteps)),
+        require_key("how many along each side, a whole number", count(1, kMaxGridSteps)),
         &FormGrid::steps},
        {"least", "", "smallest S/L, in zingg I/L and S/I", number(kMinRatio), &FormGrid::least}});
   return keys;
@@ -38,7 +38,7 @@ const MemberTable<FormGrid>& grid_keys() {
 
 FormGrid read_grid(const DeclaredTable& vary) {
   FormGrid grid;
-  grid_keys().read(vary.inner("grid"), grid);
+  grid_keys().read(vary.inner_table("grid"), grid);
   return grid;
 }
 
@@ -46,7 +46,7 @@ const MemberTable<SeriesRequest>& population_keys() {
   static const MemberTable<SeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "how many",
-        required("how many bodies, a whole number", count(1, kMaxSeriesBodies)),
+        require_key("how many bodies, a whole number", count(1, kMaxSeriesBodies)),
         &SeriesRequest::draw},
        {"seed", "", "of the draw", seed(), &SeriesRequest::seed},
        {"table", "", "of measured blocks, with columns L, I and S", text(), &SeriesRequest::table},
@@ -56,7 +56,7 @@ const MemberTable<SeriesRequest>& population_keys() {
 }
 
 void read_population(const DeclaredTable& vary, SeriesRequest& request) {
-  const DeclaredTable table = vary.inner("population");
+  const DeclaredTable table = vary.inner_table("population");
   population_keys().read(table, request);
   if (table.find("units")) {
     if (request.table.empty()) {
@@ -138,7 +138,7 @@ SeriesRequest read_vary(const DeclaredTable& blocks) {
                   "blocks are either varied or drawn; leave draw out (population = { count = N } "
                   "of vary draws sizes and forms), or leave vary out");
   }
-  const DeclaredTable table = blocks.inner("vary");
+  const DeclaredTable table = blocks.inner_table("vary");
   SeriesRequest request;
   vary_keys().read(table, request);
   check_steps(table, request.steps);

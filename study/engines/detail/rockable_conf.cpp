@@ -80,10 +80,10 @@ class WordLines {
   std::size_t line_ = 0;
 };
 
-ConfBody read_body(WordLines& lines) {
+RockableBody read_body(WordLines& lines) {
   const Words words = lines.next();
   if (words.empty()) lines.refuse("ends before its last body; Rockable may have been stopped");
-  ConfBody body;
+  RockableBody body;
   body.shape = words.front();
   body.group = static_cast<std::uint32_t>(lines.count(words, 1));
   body.scale = lines.number(words, 3);

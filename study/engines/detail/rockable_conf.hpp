@@ -12,7 +12,7 @@
 namespace clast::study_detail {
 
 /// Body of a conf file. Values that Rockable could not compute are NaN.
-struct ConfBody {
+struct RockableBody {
   std::string shape;
   std::uint32_t group = 0;
   double scale = 1.0;  ///< of lengths
@@ -27,7 +27,7 @@ struct RockableConf {
   std::size_t driven = 0;  ///< number of fixed bodies, the first ones
   std::map<std::string, double>
       pair;  ///< parameters such as "muContact 2 0", groups in either order
-  std::vector<ConfBody> bodies;
+  std::vector<RockableBody> bodies;
 };
 
 /// Reads a conf file.

@@ -71,7 +71,7 @@ PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior) {
   return middle;
 }
 
-std::vector<MemberSettings> draw_member_settings(const Campaign& campaign) {
+std::vector<MemberSettings> sample_member_settings(const Campaign& campaign) {
   const Campaign bare = without_points(campaign);
   const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
   if (!posterior || !has_settings(*posterior)) return {settings_of(bare)};

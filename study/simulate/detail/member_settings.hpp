@@ -26,7 +26,7 @@ struct MemberSettings {
 };
 
 /// Returns the settings of all members; a single entry if they are equal.
-std::vector<MemberSettings> draw_member_settings(const Campaign& campaign);
+std::vector<MemberSettings> sample_member_settings(const Campaign& campaign);
 
 /// Returns the campaign's settings, or the medians of the posterior.
 MemberSettings central_settings(const Campaign& campaign);

@@ -88,8 +88,8 @@ void MultiBlockPlacement::begin(const std::string& name, const std::vector<std::
 
 RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block,
                                       const MeasuredBody& body, Random& random) {
-  const RigidState state = plans_[mass].in_place ? in_place(mass, block, body)
-                                                 : draw_heap_start(mass, block, body, random);
+  const RigidState state = plans_[mass].in_place ? in_place_state(mass, block, body)
+                                                 : sample_heap_start(mass, block, body, random);
   MultiBlockStart& placed = placed_[mass];
   ++placed.blocks;
   placed.volume += prepared_.header.blocks[block].volume;
@@ -108,8 +108,8 @@ std::vector<MultiBlockStart> MultiBlockPlacement::placed() const {
   return placed;
 }
 
-RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
-                                         const MeasuredBody& body) const {
+RigidState MultiBlockPlacement::in_place_state(std::size_t mass, std::uint32_t block,
+                                               const MeasuredBody& body) const {
   const CampaignBlocks& choice = prepared_.choice;
   const Pose place = choice.library[choice.blocks[block].library].source_from_body();
   RigidState state;
@@ -131,10 +131,10 @@ RigidState MultiBlockPlacement::in_place(std::size_t mass, std::uint32_t block,
                         "give [mass] height_m");
 }
 
-RigidState MultiBlockPlacement::draw_heap_start(std::size_t mass, std::uint32_t block,
-                                                const MeasuredBody& body, Random& random) {
-  const Quat turn = draw_run_orientations(prepared_.campaign.releases.front(),
-                                          prepared_.choice.blocks[block].id, name_, 1)
+RigidState MultiBlockPlacement::sample_heap_start(std::size_t mass, std::uint32_t block,
+                                                  const MeasuredBody& body, Random& random) {
+  const Quat turn = sample_run_orientations(prepared_.campaign.releases.front(),
+                                            prepared_.choice.blocks[block].id, name_, 1)
                         .front();
   const std::optional<RigidState> start =
       packings_[mass].place(body.body, body.overlap, turn, plans_[mass].thickness, random);

@@ -34,9 +34,9 @@ class MultiBlockPlacement {
 
  private:
   void check_no_common_space() const;
-  RigidState in_place(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
-  RigidState draw_heap_start(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
-                             Random& random);
+  RigidState in_place_state(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
+  RigidState sample_heap_start(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+                               Random& random);
   [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
 
   const CampaignPlan& prepared_;

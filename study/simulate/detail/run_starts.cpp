@@ -59,11 +59,11 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
   return true;
 }
 
-std::vector<Quat> draw_run_orientations(const ReleaseSet& release, const std::string& block,
-                                        const std::string& where, std::size_t count) {
+std::vector<Quat> sample_run_orientations(const ReleaseSet& release, const std::string& block,
+                                          const std::string& where, std::size_t count) {
   std::uint64_t seed = release.orientation_seed;
   for (const std::string& name : {release.name, block, where}) seed = derive_seed(seed, name);
-  return draw_random_orientations(count, seed);
+  return sample_random_orientations(count, seed);
 }
 
 }  // namespace clast::study_detail

@@ -23,7 +23,7 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
 /// Draws random orientations of one block at one release point or in one realisation. The seed
 /// depends on names only, not on the order of blocks, so that other runs have no influence.
 /// @param where  index of the point, or name of the realisation
-std::vector<Quat> draw_run_orientations(const ReleaseSet& release, const std::string& block,
-                                        const std::string& where, std::size_t count);
+std::vector<Quat> sample_run_orientations(const ReleaseSet& release, const std::string& block,
+                                          const std::string& where, std::size_t count);
 
 }  // namespace clast::study_detail

@@ -77,11 +77,11 @@ TEST_P(RandomSample, QuantileAtAnOrderStatisticIsThatValueAndNeverFalls) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSample, testing::Range(0u, 20u));
 
 TEST(Decimals, AreThoseThatTheIntervalLeaves) {
-  EXPECT_EQ(known_decimals({10.0, 17.0}, 4), 0);
-  EXPECT_EQ(known_decimals({0.208, 0.983}, 4), 1);
-  EXPECT_EQ(known_decimals({0.135, 0.2}, 4), 2);
-  EXPECT_EQ(known_decimals({5.0, 5.0}, 4), 4) << "no wider than nothing";
-  EXPECT_EQ(known_decimals({-INFINITY, INFINITY}, 4), 0);
+  EXPECT_EQ(justified_decimals({10.0, 17.0}, 4), 0);
+  EXPECT_EQ(justified_decimals({0.208, 0.983}, 4), 1);
+  EXPECT_EQ(justified_decimals({0.135, 0.2}, 4), 2);
+  EXPECT_EQ(justified_decimals({5.0, 5.0}, 4), 4) << "no wider than nothing";
+  EXPECT_EQ(justified_decimals({-INFINITY, INFINITY}, 4), 0);
 }
 
 TEST(WilsonInterval, EndsSolveTheScoreEquation) {

@@ -202,7 +202,7 @@ TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
   const Difference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
-  const int decimals = known_decimals(interval, 4);
+  const int decimals = justified_decimals(interval, 4);
   EXPECT_EQ(describe_effect(runout, comparison),
             "runout: class compact " + format_significant(runout.first_mean, 3) +
                 " m on average, class elongated " + format_significant(runout.second_mean, 3) +
@@ -226,7 +226,7 @@ TEST(Differences, AreSaidInASentence) {
 
 TEST(Differences, NameTheirQuantitiesForReaders) {
   EXPECT_EQ(quantity_text("path_length_m").name, "path length");
-  const QuantityText energy = quantity_text("lower road total_energy_j");
+  const QuantityLabel energy = quantity_text("lower road total_energy_j");
   EXPECT_EQ(energy.name, "energy at lower road");
   EXPECT_EQ(energy.unit, "kJ");
   EXPECT_EQ(energy.factor * 5000.0, 5.0);

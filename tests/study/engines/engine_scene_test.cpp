@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ConfBody {
+struct RockableBody {
   std::string shape;
   int group = -1;
   double scale = 0.0;
@@ -30,7 +30,7 @@ struct ConfBody {
 struct Conf {
   std::map<std::string, std::string> value;
   std::map<std::string, double> pair;  ///< "muContact 2 0"
-  std::vector<ConfBody> bodies;
+  std::vector<RockableBody> bodies;
 };
 
 Conf read_conf(const fs::path& file) {
@@ -56,7 +56,7 @@ Conf read_conf(const fs::path& file) {
     if (key != "Particles") continue;
     for (int i = std::stoi(rest); i > 0 && std::getline(lines, line); --i) {
       std::istringstream body(line);
-      ConfBody read;
+      RockableBody read;
       int cluster = 0;
       Vec3 none;
       Quat& q = read.state.orientation;
@@ -96,7 +96,7 @@ TEST_F(EngineScenesOf, RockableHaveTheStartsBitByBit) {
     const RunRecord& run = plan.runs[i];
     const Conf conf = read_conf(at(scenes.folders[i]) / "input.txt");
     ASSERT_EQ(conf.bodies.size(), 3u) << "two zones and a block";
-    const ConfBody& block = conf.bodies.back();
+    const RockableBody& block = conf.bodies.back();
     EXPECT_EQ(block.shape, plan.header.blocks[run.block].id);
     EXPECT_EQ(block.state.position, run.start.position);
     EXPECT_EQ(block.state.orientation.coeffs(), run.start.orientation.coeffs());
@@ -119,7 +119,7 @@ TEST_F(EngineScenesOf, RockableHaveMassInertiaAndGround) {
   EXPECT_FALSE(shapes.at("cube").is_surface);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     const Conf conf = read_conf(at(scenes.folders[i]) / "input.txt");
-    const ConfBody& block = conf.bodies.back();
+    const RockableBody& block = conf.bodies.back();
     const ShpShape& shape = shapes.at(block.shape);
     const RigidBody body = plan.bodies[plan.runs[i].block];
     const double density = conf.pair.at("density " + std::to_string(block.group));
