@@ -32,13 +32,29 @@ def literals(folders):
 
 
 def help_texts(program):
-    """Sentences of the help of every command."""
+    """Texts of the help: of each command, option and argument, and the paragraphs below."""
     commands = re.findall(r"^  (\w[\w ]*?)  ", run(program, "help"), flags=re.M)
     for command in commands:
         text = run(program, "help", *command.split())
         text = re.sub(r"^(Usage|Examples?):.*?(?=^\S|\Z)|^[A-Z][\w ]*:$", "", text, flags=re.S | re.M)
-        for paragraph in re.split(r"\n(?=\s*-|\S|\s*\n)", text):
-            yield from sentences(re.sub(r"^\s*-\S*(,\s*--\S+)?( [A-Z{\[]\S*)*", "", paragraph))
+        entry = ""
+        for line in [*text.splitlines(), ""]:
+            name = re.match(r"  (\S.*?)(?:\s{2,}(\S.*))?$", line)
+            if name and len(line) - len(line.lstrip()) == 2:
+                yield from help_entry(entry)
+                entry = re.search(r"--[\w-]+|\w+", name[1])[0] + ": " + (name[2] or "")
+            elif entry and line.startswith(" " * 20):
+                entry += " " + line.strip()
+            else:
+                yield from help_entry(entry)
+                entry = ""
+                yield from sentences(line)
+
+
+def help_entry(entry):
+    text = re.sub(r"(Needs|Excludes): \S+ ?|REQUIRED ?", "", entry).strip()
+    if len(re.findall(r"[A-Za-z]{2,}", text)) >= 5:
+        yield text
 
 
 def documents():
