@@ -15,10 +15,10 @@ constexpr std::uint64_t kMaxIds = 100000;
 
 BoardMarker read_marker(const TomlNode& node, const std::string& file) {
   const TomlTable table(node, file, "[[marker]]", {"id", "centre_m"});
-  table.required("id", "the number of the marker");
+  table.require_key("id", "the number of the marker");
   BoardMarker marker;
   marker.id = static_cast<int>(*table.count("id", 0, kMaxIds));
-  const TomlNode& centre = table.required("centre_m", "[x, y] or [x, y, z] of its centre");
+  const TomlNode& centre = table.require_key("centre_m", "[x, y] or [x, y, z] of its centre");
   const std::vector<double> at =
       table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kPlace);
   marker.centre = {at[0], at[1], at.size() > 2 ? at[2] : 0.0};
@@ -29,8 +29,9 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
                           const std::string& dictionary) {
   const TomlTable table(node, file, "[charuco]",
                         {"columns", "rows", "square_m", "marker_m", "older_pattern"});
-  for (const char* key : {"columns", "rows"}) table.required(key, "how many squares");
-  for (const char* key : {"square_m", "marker_m"}) table.required(key, "the length of a side, m");
+  for (const char* key : {"columns", "rows"}) table.require_key(key, "how many squares");
+  for (const char* key : {"square_m", "marker_m"})
+    table.require_key(key, "the length of a side, m");
   CharucoBoard board;
   board.dictionary = dictionary;
   board.columns = static_cast<int>(*table.count("columns", 3, kMaxSquares));
@@ -47,7 +48,7 @@ ScaleBoard read_scale_board(const std::filesystem::path& file) {
   const std::string name = file.string();
   const TomlNode root = parse_toml(read_text_file(file), name);
   const TomlTable table(root, name, "", {"dictionary", "marker_side_m", "marker", "charuco"});
-  table.required("dictionary", "the kind of its markers, such as \"4x4_50\"");
+  table.require_key("dictionary", "the kind of its markers, such as \"4x4_50\"");
   ScaleBoard board;
   board.dictionary = *table.text("dictionary");
   board.marker_side = table.number("marker_side_m", kMarkerSide);

@@ -40,9 +40,9 @@ const MemberTable<CalibrationDesign>& design_keys() {
 const MemberTable<CalibrationSite>& site_keys() {
   static const MemberTable<CalibrationSite> keys(
       {"site", "A place where blocks were released", KeyTable::Repeat::kEither, {}, true},
-      {{"name", "", "of the site", require_key("a text in quotes", text()), &CalibrationSite::name},
+      {{"name", "", "of the site", required("a text in quotes", text()), &CalibrationSite::name},
        {"campaign", "", "campaign file, with [run] downslope",
-        require_key("a campaign file", text())}});
+        required("a campaign file", text())}});
   return keys;
 }
 
@@ -81,10 +81,10 @@ const MemberTable<Unknown>& unknown_keys() {
        {},
        true},
       {{"parameter", "", "such as ground.ZONE.friction, release.height_m or blocks.mass_median_kg",
-        require_key("such as \"ground.ZONE.friction\"", fitting(parameter_pattern())),
+        required("such as \"ground.ZONE.friction\"", fitting(parameter_pattern())),
         &Unknown::parameter},
        {"range", "", "[low, high]",
-        require_key("two numbers, [low, high]", list(number(any_parameter()), 2, 2))},
+        required("two numbers, [low, high]", list(number(any_parameter()), 2, 2))},
        {"scale", "", "every value is as likely beforehand, or every logarithm",
         words({"linear", "log"}), &is_logarithmic, &Unknown::logarithmic}});
   return keys;

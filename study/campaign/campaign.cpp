@@ -44,7 +44,7 @@ const MemberTable<Campaign>& terrain_keys() {
   static const MemberTable<Campaign> keys(
       {.name = "terrain", .meaning = "The surface that blocks move on", .required = true},
       {{"surface", "", "TIN, raster, cloud or terrain file; or a list of files",
-        require_key("a file or a list of files", texts()), kTerrain, &Options::surface},
+        required("a file or a list of files", texts()), kTerrain, &Options::surface},
        {"zones", "", "a name per mesh, one zone file, or rules by slope and height", texts(),
         &read_zone_names},
        {"up", "", "axis that points up in surface, point and quaternion files",
@@ -107,7 +107,7 @@ const MemberTable<Barrier>& barrier_keys() {
   static const ValueFormat plan = list(number(kMapCoordinate), 2, 2);
   static const MemberTable<Barrier> keys(
       {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
-      {{"name", "", "of the barrier", require_key("a text in quotes", text()), &Barrier::name},
+      {{"name", "", "of the barrier", required("a text in quotes", text()), &Barrier::name},
        {"from", "m", "first end, [x, y]", plan},
        {"to", "m", "second end, [x, y]", plan},
        {"through", "m", "instead of from and to: all points of a line or ring", list(plan, 2)},

@@ -28,7 +28,7 @@ class DeclaredTable : public TomlTable {
   /// Returns the value of an existing key as a table.
   DeclaredTable inner_table(const std::string& key) const;
 
-  using TomlTable::required;
+  using TomlTable::require_key;
   /// Returns the node of a required key.
   /// @throws InputError  if the key is missing, stating what it must be
   const TomlNode& require_key(const std::string& key) const;

@@ -17,7 +17,7 @@ ValueFormat with_unit(ValueFormat form, const char* unit) {
 
 ValueFormat uncertain(const NumberRange& range) {
   const auto law = [](const char* name, const char* meaning, ValueFormat values) {
-    return table({{name, "", meaning, require_key("two numbers", std::move(values))}});
+    return table({{name, "", meaning, required("two numbers", std::move(values))}});
   };
   const ValueFormat spread = number({0.0, std::max(range.high, kLogSigma.high)});
   return either({number(range), law("uniform", "[low, high]", list(number(range), 2, 2)),

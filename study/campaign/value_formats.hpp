@@ -45,7 +45,7 @@ ValueFormat uncertain(const NumberRange& range);
 ValueFormat with_unit(ValueFormat form, const char* unit);
 /// Marks a format as required.
 /// @param expected  description of the value, for the message if it is missing
-inline ValueFormat require_key(std::string expected, ValueFormat form) {
+inline ValueFormat required(std::string expected, ValueFormat form) {
   form.required = std::move(expected);
   return form;
 }

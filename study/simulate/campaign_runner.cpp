@@ -78,7 +78,7 @@ class Collector {
 std::string packed_together(const std::vector<StoredRun>& runs) {
   std::string bytes;
   for (const StoredRun& run : runs) {
-    const std::string one = packed(run);
+    const std::string one = pack_record(run);
     const std::uint64_t length = one.size();
     bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
     bytes += one;
@@ -92,7 +92,7 @@ std::vector<StoredRun> unpacked_together(const std::string& bytes) {
     std::uint64_t length = 0;
     std::memcpy(&length, bytes.data() + at, sizeof length);
     at += sizeof length;
-    runs.push_back(unpacked(bytes.substr(at, length)));
+    runs.push_back(unpack_record(bytes.substr(at, length)));
     at += length;
   }
   return runs;

@@ -22,9 +22,8 @@ ValueFormat selection() {
   return either(
       {text(), list(text(), 1),
        table({{"scheme", "", "scheme of shape classes",
-               require_key("\"garcia\", \"sneed-folk\" or \"zingg\"", words(kSelectingSchemes))},
-              {"class", "", "a class of the scheme",
-               require_key("a class of the scheme", text())}})});
+               required("\"garcia\", \"sneed-folk\" or \"zingg\"", words(kSelectingSchemes))},
+              {"class", "", "a class of the scheme", required("a class of the scheme", text())}})});
 }
 
 BlockFilter read_filter(const DeclaredTable& table) {
@@ -115,7 +114,7 @@ MemberTable<GroundDistributions> zone_keys(bool complete) {
   for (const GroundParameterField& field : ground_fields()) {
     ValueFormat form = uncertain(field.range);
     if (complete && field.required) {
-      form = require_key(field.meaning + (", " + field.range.describe()), std::move(form));
+      form = required(field.meaning + (", " + field.range.describe()), std::move(form));
     }
     keys.push_back({field.name, field.unit, field.explanation(), std::move(form), field.asked});
   }
@@ -158,15 +157,15 @@ const MemberTable<BlockSelection>& blocks_keys() {
   static const MemberTable<BlockSelection> keys(
       {.name = "blocks", .meaning = "Which blocks run, and how large", .required = true},
       {{"library", "", "block library (HDF5)",
-        require_key("a block library made by clast reconstruct", text()), &BlockSelection::library},
+        required("a block library made by clast reconstruct", text()), &BlockSelection::library},
        {"select", "", "ids, run in this order, or a class; without, all blocks", selection(),
         &read_filter, &BlockSelection::filter},
        {"scale", "", "size to which every block is scaled; shape and density stay the same",
         either({words({"equal-mass"}),
                 table({{"mass_kg", "kg", "mass of every block",
-                        require_key("a mass", number(kBlockMass))}}),
+                        required("a mass", number(kBlockMass))}}),
                 table({{"volume_m3", "m^3", "volume of every block",
-                        require_key("a volume", number(kBlockVolume))}})}),
+                        required("a volume", number(kBlockVolume))}})}),
         &read_scale, &BlockSelection::scale},
        {"allow_any_size", "", "take blocks of unusual size too", flag(), &BlockSelection::any_size},
        {"draw", "", "blocks drawn from those selected", table(draw_keys().keys), &read_draw,
@@ -184,13 +183,13 @@ const MemberTable<GroundDistributions>& ground_keys() {
 const MemberTable<BlockGroup>& block_group_keys() {
   static const MemberTable<BlockGroup> keys(
       {"block_group", "Blocks for which the ground behaves differently", KeyTable::Repeat::kEither},
-      {{"name", "", "of the group", require_key("a text in quotes", text()), &BlockGroup::name},
+      {{"name", "", "of the group", required("a text in quotes", text()), &BlockGroup::name},
        {"select", "", "ids, or a class",
-        require_key("ids, or { scheme = ..., class = ... }", selection()), &read_filter,
+        required("ids, or { scheme = ..., class = ... }", selection()), &read_filter,
         &BlockGroup::filter},
        {"ground", "", "by zone, the parameters that differ",
-        require_key("a table of zones, [block_group.ground.NAME]",
-                    named(table(group_ground_keys().keys)))}});
+        required("a table of zones, [block_group.ground.NAME]",
+                 named(table(group_ground_keys().keys)))}});
   return keys;
 }
 

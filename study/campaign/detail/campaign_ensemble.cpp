@@ -146,7 +146,7 @@ const MemberTable<Ensemble>& ensemble_keys() {
   static const MemberTable<Ensemble> keys(
       {.name = "ensemble", .meaning = "How often uncertain parameters are drawn"},
       {{"members", "", "number of draws",
-        require_key("how often the parameters are drawn, a whole number", count(1, kMaxPerSet)),
+        required("how often the parameters are drawn, a whole number", count(1, kMaxPerSet)),
         &Ensemble::members},
        {"seed", "", "of the draws", seed(), &Ensemble::seed},
        {"design", "", "by chance, or filling the space of the parameters evenly",

@@ -136,30 +136,29 @@ ReleaseSet read_release(const DeclaredTable& table, bool y_up) {
 
 const MemberTable<ReleaseSet>& release_keys() {
   using Plan = ReleaseSet;
-  static const TableKey how_many{
-      "count", "", "how many points",
-      require_key("how many points, a whole number", count(1, kMaxPerSet))};
+  static const TableKey how_many{"count", "", "how many points",
+                                 required("how many points, a whole number", count(1, kMaxPerSet))};
   static const ValueFormat points =
       either({text(), list(point(), 1),
               table({{"line", "m", "points are spaced evenly along it",
-                      require_key("a list of points", list(point(), 2))},
+                      required("a list of points", list(point(), 2))},
                      how_many}),
               table({{"polygon", "m", "points are drawn in it",
-                      require_key("a list of points", list(point(), 3))},
+                      required("a list of points", list(point(), 3))},
                      how_many,
                      {"seed", "", "of the points", seed()}})});
   static const ValueFormat orientations = either(
       {text(), table({{"random", "", "how many",
-                       require_key("how many orientations, a whole number", count(1, kMaxPerSet))},
+                       required("how many orientations, a whole number", count(1, kMaxPerSet))},
                       {"seed", "", "of the orientations", seed()},
                       {"fresh", "", "different ones for every block and point", flag()}})});
   static const MemberTable<Plan> keys(
       {"release", "Where and how blocks start", KeyTable::Repeat::kEither},
       {{"name", "", "of the release set, where there are several", text(), &Plan::name},
        {"points", "m", "of centres of mass: a file, a list, along a line or in a polygon",
-        require_key(kPoints, points)},
+        required(kPoints, points)},
        {"orientations", "", "\"grid-45\", a file of quaternions, or random ones",
-        require_key(kOrientations, orientations)},
+        required(kOrientations, orientations)},
        {"frame", "", "to which a file's rotations apply", words({"source", "principal"})},
        {"height_m", "m", "drop height; points are plan positions then", number(kDropHeight),
         &Plan::drop_height},
@@ -175,7 +174,7 @@ const MemberTable<ReleaseSet>& release_keys() {
        {"order", "", "of blocks that stay", words({"random", "listed"})},
        {"remove", "", "blocks that rest in a ground zone are removed",
         table({{"zone", "", "name of the zone, or several",
-                require_key("the name of a ground zone, or a list of names", texts())}})}});
+                required("the name of a ground zone, or a list of names", texts())}})}});
   return keys;
 }
 

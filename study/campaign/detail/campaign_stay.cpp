@@ -52,7 +52,7 @@ const MemberTable<GroundParameters>& between_blocks_keys() {
     for (const GroundParameterField& field : ground_fields()) {
       if (field.of_soil) continue;
       ValueFormat form = number(field.range);
-      if (field.required) form = require_key(field.range.describe(), std::move(form));
+      if (field.required) form = required(field.range.describe(), std::move(form));
       all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
     }
     return MemberTable<GroundParameters>(

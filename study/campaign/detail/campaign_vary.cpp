@@ -27,10 +27,10 @@ std::vector<BoxRatios> read_ratios(const DeclaredTable& table) {
 const MemberTable<FormGrid>& grid_keys() {
   static const MemberTable<FormGrid> keys(
       {"blocks.vary.grid", "Forms all over a diagram"},
-      {{"diagram", "", "of form",
-        require_key("\"sneed-folk\" or \"zingg\"", words(form_grid_names())), &FormGrid::diagram},
+      {{"diagram", "", "of form", required("\"sneed-folk\" or \"zingg\"", words(form_grid_names())),
+        &FormGrid::diagram},
        {"steps", "", "along each side",
-        require_key("how many along each side, a whole number", count(1, kMaxGridSteps)),
+        required("how many along each side, a whole number", count(1, kMaxGridSteps)),
         &FormGrid::steps},
        {"least", "", "smallest S/L, in zingg I/L and S/I", number(kMinRatio), &FormGrid::least}});
   return keys;
@@ -46,7 +46,7 @@ const MemberTable<SeriesRequest>& population_keys() {
   static const MemberTable<SeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "how many",
-        require_key("how many bodies, a whole number", count(1, kMaxSeriesBodies)),
+        required("how many bodies, a whole number", count(1, kMaxSeriesBodies)),
         &SeriesRequest::draw},
        {"seed", "", "of the draw", seed(), &SeriesRequest::seed},
        {"table", "", "of measured blocks, with columns L, I and S", text(), &SeriesRequest::table},
