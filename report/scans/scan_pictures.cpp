@@ -82,7 +82,7 @@ std::string view(const Canvas& canvas, const std::string& name,
   svg += "<image " + size + " href=\"" +
          png_data_uri(encode_rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
   for (const PositionMark& mark : marks) {
-    if (!canvas.sees(mark.place)) continue;
+    if (!canvas.is_visible(mark.place)) continue;
     const Vec3 at = camera.seen(mark.place);
     svg += "<circle cx=\"" + format_fixed(at.x(), 1) + "\" cy=\"" + format_fixed(at.y(), 1) +
            "\" r=\"10\" fill=\"#fff\" fill-opacity=\".85\" stroke=\"#0072B2\" "

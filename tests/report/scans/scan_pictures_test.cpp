@@ -124,9 +124,9 @@ TEST(MeshPicture, WhatLiesBehindIsNotSeen) {
   const TriangleMesh box = box_mesh({1.0, 1.0, 1.0});
   Canvas canvas(camera_on(box.vertices, {0, -1, 0}, 100, 100));
   canvas.draw(box, all(kRed));
-  EXPECT_TRUE(canvas.sees({0.5, 0.0, 0.5}));
-  EXPECT_FALSE(canvas.sees({0.5, 1.0, 0.5}));
-  EXPECT_FALSE(canvas.sees({50.0, 0.0, 0.5})) << "outside the picture";
+  EXPECT_TRUE(canvas.is_visible({0.5, 0.0, 0.5}));
+  EXPECT_FALSE(canvas.is_visible({0.5, 1.0, 0.5}));
+  EXPECT_FALSE(canvas.is_visible({50.0, 0.0, 0.5})) << "outside the picture";
 }
 
 TEST(MeshPicture, LinesAndPointsAreHiddenToo) {

@@ -99,7 +99,7 @@ TEST(MemberTable, RefusalsHaveTheRangeTheUnitAndTheTableAsItIsWritten) {
 TEST(DeclaredTable, KnowsTheKeysOfTablesWithinIt) {
   const TomlNode root = parse_toml("rule = { seed = 3, moss = 1 }", "a.toml");
   const DeclaredTable table(root, "a.toml", "[settings]", settings_keys());
-  EXPECT_EQ(refusal([&] { table.inner("rule"); }),
+  EXPECT_EQ(refusal([&] { table.inner_table("rule"); }),
             "a.toml:1: [settings] rule moss = 1: unknown key; known here are seed");
 }
 
