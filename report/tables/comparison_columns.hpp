@@ -59,11 +59,10 @@ ComparisonTable make_table(const std::string& name, const TableColumns<Row>& col
   const auto filled = [&columns, items](const auto& fill) {
     return [&columns, items, fill](const ComparisonAnalyses& of) {
       if constexpr (std::is_invocable_v<const Items&, const ComparisonAnalyses&>) {
-        return fill_template(columns,
-                             select_rows(columns, of.comparison(), std::invoke(items, of)));
+        return fill(columns, select_rows(columns, of.comparison(), std::invoke(items, of)));
       } else {
-        return fill_template(
-            columns, select_rows(columns, of.comparison(), std::invoke(items, of.comparison())));
+        return fill(columns,
+                    select_rows(columns, of.comparison(), std::invoke(items, of.comparison())));
       }
     };
   };

@@ -253,9 +253,8 @@ PopulationTable population_table(const std::string& name,
                                  TableColumns<Row> (*columns)(const PopulationOptions&),
                                  std::vector<Row> (*rows)(const PopulationReport&)) {
   const auto filled = [=](const auto& fill) {
-    return [=](const PopulationReport& report) {
-      return fill_template(columns(report.options), rows(report));
-    };
+    return
+        [=](const PopulationReport& report) { return fill(columns(report.options), rows(report)); };
   };
   return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
 }
