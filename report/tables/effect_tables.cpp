@@ -31,26 +31,27 @@ struct ResponseOfForm {
 
 const TableColumns<EffectShare>& effect_columns() {
   using Row = EffectShare;
-  const char* estimated = "of the population that the levels were drawn from; 95 % interval";
+  const char* estimated =
+      "fraction of the variance, for the population from which the levels "
+      "were drawn, with its 95 % interval";
   static const TableColumns<Row> columns = {
       {"file", "", "number of the results file",
        [](const Row& row) { return std::uint64_t{row.effects.file + 1}; }},
       {"outcome", "", "`runout`, `lateral angle`, `largest energy` or `passing NAME` of a barrier",
        [](const Row& row) { return row.outcome.outcome; }},
-      {"mean", "m, rad, J or share", "over all runs",
+      {"mean", "m, rad, J or fraction", "mean over all runs",
        [](const Row& row) { return row.outcome.mean; }},
-      {"standard_deviation", "m, rad, J or share", "of the runs",
+      {"standard_deviation", "m, rad, J or fraction", "standard deviation over all runs",
        [](const Row& row) { return row.outcome.deviation; }},
       {"factor", "",
        "`form`, `mass`, `block`, `orientation`, `release point`, `ground`, or `interactions` of "
        "these",
        [](const Row& row) { return row.factor; }},
-      {"levels", "", "of the factor; 0 for interactions",
+      {"levels", "", "number of levels of the factor; 0 for interactions",
        [](const Row& row) { return std::uint64_t{row.levels}; }},
       {"share_of_design", "",
-       "first-order Sobol index of the runs as they are, exact; empty where not every combination "
-       "was "
-       "run once",
+       "first-order Sobol index of the runs as they are, exact; empty unless "
+       "every combination was run once",
        [](const Row& row) { return row.share.design_fraction; }},
       {"share", "", estimated, [](const Row& row) { return row.share.estimate; }},
       {"share_low", "", estimated, [](const Row& row) { return row.share.interval.low; }},
@@ -60,48 +61,61 @@ const TableColumns<EffectShare>& effect_columns() {
 
 const TableColumns<TrendOfFile>& trend_columns() {
   using Row = TrendOfFile;
-  const char *unit = "m, rad, J or share", *halves = "upper half of the blocks less the lower one";
+  const char *unit = "m, rad, J or fraction",
+             *halves =
+                 "mean outcome of the upper half of the blocks minus that of the lower "
+                 "half";
   static const TableColumns<Row> columns = {
       {"file", "", "number of the results file",
        [](const Row& row) { return std::uint64_t{row.file + 1}; }},
       {"outcome", "", "`runout`, `lateral angle`, `largest energy` or `passing NAME` of a barrier",
        [](const Row& row) { return row.trend.outcome; }},
       {"property", "",
-       "of the blocks: `I/L`, `S/L`, `convexity`, `rounding` (Minkowski radius over S) or `mass`",
+       "property of the blocks: `I/L`, `S/L`, `convexity`, `rounding` "
+       "(Minkowski radius over S) or `mass`",
        [](const Row& row) { return row.trend.property; }},
-      {"blocks", "", "that are compared",
+      {"blocks", "", "number of compared blocks",
        [](const Row& row) { return std::uint64_t{row.trend.blocks}; }},
-      {"runs", "", "of them", [](const Row& row) { return std::uint64_t{row.trend.runs}; }},
+      {"runs", "", "number of runs of these blocks",
+       [](const Row& row) { return std::uint64_t{row.trend.runs}; }},
       {"rank_correlation", "",
-       "of the property and the mean rank of the outcome within release points",
+       "rank correlation of the property and the mean rank of the outcome "
+       "within release points",
        [](const Row& row) { return row.trend.trend.statistic; }},
-      {"p_value", "", "of the trend, two-sided, from exchanges of the property between blocks",
+      {"p_value", "",
+       "p-value of the trend, two-sided, from permutations of the property "
+       "between blocks",
        [](const Row& row) { return row.trend.trend.p_value; }},
-      {"p_corrected", "", "after Holm's correction for all properties of the outcome",
+      {"p_corrected", "", "`p_value` with Holm's correction for all properties of the outcome",
        [](const Row& row) { return row.trend.corrected_p; }},
-      {"upper_half_from", "kg or share", "least value of the property in the upper half",
+      {"upper_half_from", "kg or ratio",
+       "smallest value of the property in the upper half of the blocks",
        [](const Row& row) { return row.trend.limit; }},
       {"difference", unit, halves, [](const Row& row) { return row.trend.halves.estimate; }},
-      {"difference_low", unit, "95 % interval",
+      {"difference_low", unit, "95 % interval of the difference",
        [](const Row& row) { return row.trend.halves.interval->low; }},
-      {"difference_high", unit, "95 % interval",
+      {"difference_high", unit, "95 % interval of the difference",
        [](const Row& row) { return row.trend.halves.interval->high; }},
-      {"difference_p", "", "of no difference, two-sided",
+      {"difference_p", "", "p-value of the hypothesis of no difference, two-sided",
        [](const Row& row) { return *row.trend.halves.p_value; }},
       {"equivalence_p", "",
-       "of a difference as large as the margin; below 0.05: it is within the margin. Of the "
-       "runout, "
-       "where a margin is given",
+       "p-value of a difference as large as the margin; below 0.05: the "
+       "difference is within the margin. Only for the runout, if a margin is "
+       "given",
        [](const Row& row) { return row.trend.equivalence.value_or(NAN); }},
       {"scatter", unit, "standard deviation of a run within its half and release point",
        [](const Row& row) { return row.trend.halves.scatter; }},
-      {"design_effect", "", "variance of the difference over that of as many independent runs",
+      {"design_effect", "",
+       "variance of the difference over its variance for the same number of "
+       "independent runs",
        [](const Row& row) { return row.trend.halves.design_effect; }},
-      {"smallest_difference", unit, "that a campaign like this finds in 80 % of cases, at 5 %",
+      {"smallest_difference", unit,
+       "smallest difference that a campaign like this finds in 80 % of cases, "
+       "at 5 %",
        [](const Row& row) { return row.trend.smallest; }},
       {"runs_needed", "",
-       "that find a difference of the margin in 80 % of cases, with blocks and points in "
-       "proportion",
+       "number of runs that find a difference as large as the margin in 80 % "
+       "of cases, with blocks and points in proportion",
        [](const Row& row) { return row.trend.runs_needed.value_or(NAN); }}};
   return columns;
 }
@@ -109,27 +123,31 @@ const TableColumns<TrendOfFile>& trend_columns() {
 const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns() {
   using Row = ComparisonRow<ParameterEffect>;
   using Effect = ParameterEffect;
-  const char *drawn = "drawn values", *outcome_unit = "m or share", *over = "over members";
+  const char *drawn = "smallest, median and largest drawn value", *outcome_unit = "m or fraction",
+             *over = "5 % quantile, median and 95 % quantile of the outcome over members";
   static const TableColumns<Row> columns = {
       {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
-      {"block_group", "", "whose runs are meant; empty: of blocks in no group", &Effect::group},
+      {"block_group", "", "block group of the runs; empty: blocks in no group", &Effect::group},
       {"zone", "", "name of the ground zone", &Effect::zone},
       {"parameter", "", "name of the parameter, as in ground_sets.csv", &Effect::parameter},
-      {"members", "", "members of the ensemble that have the outcome", &Effect::members},
+      {"members", "", "number of members of the ensemble that have the outcome", &Effect::members},
       {"drawn_low", "", drawn, &Effect::low},
       {"drawn_median", "", drawn, &Effect::median},
       {"drawn_high", "", drawn, &Effect::high},
-      {"outcome", "", "`mean runout` of runs at rest, or `past NAME`, the share past a barrier",
+      {"outcome", "",
+       "`mean runout` of runs at rest, or `past NAME`, the fraction of runs "
+       "past a barrier",
        &Effect::outcome},
       {"outcome_p5", outcome_unit, over, &Effect::outcome_p5},
       {"outcome_median", outcome_unit, over, &Effect::outcome_median},
       {"outcome_p95", outcome_unit, over, &Effect::outcome_p95},
-      {"rank_correlation", "", "Spearman's, of drawn value and outcome",
+      {"rank_correlation", "", "Spearman's rank correlation of drawn value and outcome",
        [](const Row& row) { return row->correlation ? row->correlation->statistic : NAN; }},
-      {"p_value", "", "of the rank correlation, two-sided",
+      {"p_value", "", "p-value of the rank correlation, two-sided",
        [](const Row& row) { return row->correlation ? row->correlation->p_value : NAN; }},
       {"first_order", "",
-       "share of the outcome's variance that goes with the parameter alone; from 40 members on",
+       "fraction of the variance of the outcome that is due to the parameter "
+       "alone; empty for fewer than 40 members",
        [](const Row& row) { return row->first_order.value_or(NAN); }}};
   return columns;
 }
@@ -150,7 +168,7 @@ std::vector<EffectShare> effect_rows(const ComparisonAnalyses& analyses) {
 
 const TableColumns<ResponseOfForm>& response_columns() {
   using Row = ResponseOfForm;
-  const char* unit = "m, rad, J or share";
+  const char* unit = "m, rad, J or fraction";
   static const TableColumns<Row> columns = {
       {"file", "", "number of the results file",
        [](const Row& row) { return std::uint64_t{row.outcome.file + 1}; }},
@@ -159,11 +177,12 @@ const TableColumns<ResponseOfForm>& response_columns() {
       {"form", "", "block of the library", [](const Row& row) { return row.form.form; }},
       {"i_over_l", "", "I/L", [](const Row& row) { return row.form.axes.I / row.form.axes.L; }},
       {"s_over_l", "", "S/L", [](const Row& row) { return row.form.axes.S / row.form.axes.L; }},
-      {"made", "", "stretched to this form by `clast vary`, not a scanned block",
+      {"made", "", "1 if `clast vary` made this form, 0 for a scanned block",
        [](const Row& row) { return row.form.made; }},
-      {"runs", "", "of the form", [](const Row& row) { return std::uint64_t{row.form.runs}; }},
-      {"mean", unit, "over its runs", [](const Row& row) { return row.form.mean; }},
-      {"standard_deviation", unit, "of its runs",
+      {"runs", "", "number of runs of the form",
+       [](const Row& row) { return std::uint64_t{row.form.runs}; }},
+      {"mean", unit, "mean over these runs", [](const Row& row) { return row.form.mean; }},
+      {"standard_deviation", unit, "standard deviation over these runs",
        [](const Row& row) { return row.form.deviation; }}};
   return columns;
 }

@@ -17,7 +17,8 @@ struct EnergyOfFile {
 const TableColumns<EnergyOfFile>& energy_columns() {
   using Row = EnergyOfFile;
   static const auto columns = concatenated<Row>(
-      {{{"realisation", "", "from 1", [](const Row& row) { return row.realisation + 1; }}},
+      {{{"realisation", "", "number of the realisation, from 1",
+         [](const Row& row) { return row.realisation + 1; }}},
        adapt_columns<Row>(
            selected_columns(
                stored_energy_columns(),

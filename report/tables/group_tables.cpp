@@ -75,27 +75,27 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
   const auto stops = [](const Row& row) { return row->deposit.stops; };
   static const auto columns = concatenated<Row>(
-      {{{"group", "", "name", [](const Row& row) { return row->group.name; }},
-        {"count", "", "runs that came to rest; the statistics are over these",
+      {{{"group", "", "name of the group", [](const Row& row) { return row->group.name; }},
+        {"count", "", "number of runs that came to rest; the statistics are over these runs",
          [=](const Row& row) { return stops(row).rest; }}},
        summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "runout of the runs at rest",
                             [](const Row& row) { return row->deposit.runout; }),
-       array_columns<Row>({"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean stop",
-                          [=](const Row& row) {
-                            return stops(row).rest > 0 ? row->deposit.mean_stop
-                                                       : Vec3(Vec3::Constant(NAN));
-                          }),
+       array_columns<Row>(
+           {"mean_stop_x_m", "mean_stop_y_m", "mean_stop_z_m"}, "m", "mean position of the stops",
+           [=](const Row& row) {
+             return stops(row).rest > 0 ? row->deposit.mean_stop : Vec3(Vec3::Constant(NAN));
+           }),
        summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "lateral angle, with its sign",
                             [](const Row& row) { return in_degrees(row->deposit.lateral); }),
-       {{"runs", "", "runs started", [](const Row& row) { return row->deposit.started; }},
-        {"left_terrain", "", "runs that ended in this way",
+       {{"runs", "", "number of runs started", [](const Row& row) { return row->deposit.started; }},
+        {"left_terrain", "", "number of runs that ended in this way",
          [=](const Row& row) { return stops(row).left_terrain; }},
-        {"max_time", "", "runs that ended in this way",
+        {"max_time", "", "number of runs that ended in this way",
          [=](const Row& row) { return stops(row).max_time; }},
-        {"error", "", "runs that ended in this way",
+        {"error", "", "number of runs that ended in this way",
          [=](const Row& row) { return stops(row).error; }}},
        array_columns<Row>({"downslope_x", "downslope_y"}, "",
-                          "unit vector that runout is measured along",
+                          "unit vector along which runout is measured",
                           [](const Row& row) { return row.comparison.downslope; })});
   return columns;
 }
@@ -103,12 +103,13 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
 const TableColumns<ComparisonRow<Difference>>& difference_columns() {
   using Row = ComparisonRow<Difference>;
   const char* interval =
-      "95 % confidence interval of the difference; empty where a group is of one realisation";
+      "95 % confidence interval of the difference; empty if a group has a "
+      "single realisation";
   const char* unit = "as `quantity`";
   static const TableColumns<Row> columns = {
-      {"first", "", "groups",
+      {"first", "", "names of the groups",
        [](const Row& row) { return row.comparison.groups[row->first].name; }},
-      {"second", "", "groups",
+      {"second", "", "names of the groups",
        [](const Row& row) { return row.comparison.groups[row->second].name; }},
       {"quantity", "",
        "`runout_m`, `lateral_deg`, `path_length_m` of runs that came to rest, `max_speed_m_s` of "
@@ -118,7 +119,8 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
       {"first_runs", "", "number of values of each group", &Difference::first_runs},
       {"second_runs", "", "number of values of each group", &Difference::second_runs},
       {"release_points", "",
-       "number of clusters for interval and test; realisations where blocks stay",
+       "number of clusters for interval and test: release points, or "
+       "realisations of persistent blocks",
        &Difference::points},
       {"first_mean", unit, "mean of each group", &Difference::first_mean},
       {"second_mean", unit, "mean of each group", &Difference::second_mean},
@@ -131,13 +133,13 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
       {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
       {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
       {"p_value", "",
-       "from random permutations by release point, uncorrected; empty where a group is of one "
-       "realisation",
+       "p-value from random permutations by release point, uncorrected; empty "
+       "if a group has a single realisation",
        [](const Row& row) { return row->p_value.value_or(NAN); }},
-      {"p_holm", "", "... corrected for `tests` tests",
+      {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
        [](const Row& row) { return row->p_holm.value_or(NAN); }},
       {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
-      {"found", "", "1 where `p_holm` is below 0.05; empty without a test",
+      {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
          if (!row->p_holm) return NAN;
          return std::uint64_t{row->is_significant() ? 1u : 0u};
@@ -153,32 +155,34 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
   const auto bounds = [](const char* low, const char* high, const char* unit,
                          std::optional<Interval> (*interval)(const Row&)) {
     return array_columns<Row>({low, high}, unit,
-                              "its 95 % confidence interval; empty for one realisation",
+                              "95 % confidence interval; empty for a single realisation",
                               [interval](const Row& row) { return bounds_of(interval(row)); });
   };
   static const auto columns = concatenated<Row>(
-      {{{"group", "", "name", group_name<Measured>},
-        {"measured", "", "measured stops of the group", &Measured::measured},
-        {"simulated", "", "runs at rest", &Measured::simulated}},
-       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "of measured stops",
+      {{{"group", "", "name of the group", group_name<Measured>},
+        {"measured", "", "number of measured stops of the group", &Measured::measured},
+        {"simulated", "", "number of simulated runs at rest", &Measured::simulated}},
+       summary_columns<Row>(kAllStatistics, "runout_*_m", "m", "runout of measured stops",
                             &Measured::runout),
-       summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "of measured stops",
+       summary_columns<Row>(kMeanAndStd, "lateral_*_deg", "deg", "lateral angle of measured stops",
                             [](const Row& row) { return in_degrees(row->lateral); }),
-       {{"simulated_runout_mean_m", "m", "of runs at rest", &Measured::simulated_runout},
+       {{"simulated_runout_mean_m", "m", "mean runout of simulated runs at rest",
+         &Measured::simulated_runout},
         {"difference_m", "m", "mean runout, measured minus simulated",
          [](const Row& row) { return row->runout.mean - row->simulated_runout; }},
-        {"cliffs_delta", "", "measured against simulated runout", &Measured::cliffs_delta},
+        {"cliffs_delta", "", "Cliff's delta of measured against simulated runout",
+         &Measured::cliffs_delta},
         {"ks_distance", "", "Kolmogorov-Smirnov distance", &Measured::ks_distance},
-        {"p_value", "", "of the distance, uncorrected; empty for one realisation",
+        {"p_value", "", "p-value of the distance, uncorrected; empty for a single realisation",
          [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
-        {"p_holm", "", "... corrected for all groups",
+        {"p_holm", "", "`p_value` with Holm's correction for all groups",
          [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
        array_columns<Row>(
-           {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of measured stops",
+           {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of the runout of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
        array_columns<Row>(
            {"simulated_runout_q25_m", "simulated_runout_median_m", "simulated_runout_q75_m"}, "m",
-           "quartiles of runs at rest",
+           "quartiles of the runout of simulated runs at rest",
            [](const Row& row) {
              const Quartiles& runout = row->simulated_quartiles;
              return Vec3(runout.low, runout.median, runout.high);
@@ -196,21 +200,22 @@ const TableColumns<ComparisonRow<ProfileBin>>& profile_columns() {
   using Row = ComparisonRow<ProfileBin>;
   const char* along = "distance from each run's release point along downslope";
   static const auto columns = concatenated<Row>(
-      {{{"group", "", "name", group_name<ProfileBin>},
+      {{{"group", "", "name of the group", group_name<ProfileBin>},
         {"from_m", "m", along, &ProfileBin::from},
         {"to_m", "m", along, &ProfileBin::to},
-        {"runs", "", "that passed there", &ProfileBin::runs}},
+        {"runs", "", "number of runs that passed there", &ProfileBin::runs}},
        summary_columns<Row>(kUpper, "energy_*_j", "J",
-                            "over runs, of each run's largest kinetic energy in between",
+                            "statistics over runs of the largest kinetic energy of each run "
+                            "between `from_m` and `to_m`",
                             &ProfileBin::energy),
        summary_columns<Row>(kUpper, "speed_*_m_s", "m/s",
-                            "over runs, of each run's largest speed in between",
+                            "statistics over runs of the largest speed of each run between "
+                            "`from_m` and `to_m`",
                             &ProfileBin::speed),
-       summary_columns<Row>(
-           kUpper, "height_*_m", "m",
-           "over runs, of each run's largest height of the centre of mass above ground in "
-           "between",
-           &ProfileBin::height)});
+       summary_columns<Row>(kUpper, "height_*_m", "m",
+                            "statistics over runs of the largest height of the centre of mass of "
+                            "each run above the ground between `from_m` and `to_m`",
+                            &ProfileBin::height)});
   return columns;
 }
 
@@ -272,37 +277,41 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
   static const auto columns = concatenated<Row>(
-      {{{"barrier", "", "name; of a ring with `(in)` or `(out)`", &Row::barrier},
-        {"group", "", "name", &Row::group},
+      {{{"barrier", "", "name of the barrier; for a ring with `(in)` or `(out)`", &Row::barrier},
+        {"group", "", "name of the group", &Row::group},
         {"runs", "",
-         "runs started by the group in campaigns with this barrier, without those that failed",
+         "number of runs started by the group in campaigns with this barrier, "
+         "without failed runs",
          &Row::started},
         {"counted", "",
-         "`either`: the first crossing of a run whatever its direction; `forward`: the first from "
-         "the left of the line to its right; for a ring `in` or `out`",
+         "`either`: the first crossing of a run in any direction counts; "
+         "`forward`: the first crossing from the left of the line to its right; "
+         "for a ring `in` or `out`",
          &Row::counted},
-        {"crossings", "", "of these, runs with a crossing that counts", &Row::crossed},
+        {"crossings", "", "number of these runs with a crossing that counts", &Row::crossed},
         {"backward", "",
-         "runs that crossed from the right of the line to its left first, counted or not; for a "
-         "ring 0",
+         "number of runs that crossed from the right of the line to its left "
+         "first, counted or not; 0 for a ring",
          &Row::backward},
         {"probability", "", "`crossings` / `runs`", &Row::probability}},
        array_columns<Row>({"probability_low", "probability_high"}, "",
-                          "its 95 % confidence interval; empty for one realisation",
+                          "95 % confidence interval; empty for a single realisation",
                           [](const Row& row) { return bounds_of(row.interval); }),
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
                   &Row::clearance),
-       statistics("top_*_m", "m",
-                  "no skin point is higher above that ground: the height of the centre and the "
-                  "distance of the skin point that is farthest from it",
-                  &Row::top),
+       statistics(
+           "top_*_m", "m",
+           "upper bound of the height of the skin above the ground below the centre of mass: "
+           "height of this centre plus the largest distance of a skin point from it",
+           &Row::top),
        statistics("speed_*_m_s", "m/s", "speed of the centre of mass", &Row::speed),
        statistics("translational_energy_*_j", "J", "kinetic energy of the centre of mass",
                   &Row::translational),
        statistics("rotational_energy_*_j", "J", "kinetic energy of the rotation", &Row::rotational),
-       statistics("total_energy_*_j", "J", "both kinetic energies", &Row::total),
+       statistics("total_energy_*_j", "J", "translational plus rotational kinetic energy",
+                  &Row::total),
        statistics("rotation_rate_*_rad_s", "rad/s", "magnitude of the angular velocity",
                   &Row::rotation_rate)});
   return columns;

@@ -118,7 +118,7 @@ TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
   }
   for (const FormIndex& index : form_index_definitions()) {
     columns.push_back(
-        {index.name, "", "indices, see [theory](theory/shape-classes.md#indices-of-form)",
+        {index.name, "", "indices of form, see [theory](theory/shape-classes.md#indices-of-form)",
          [index](const Row& row) { return cell_of(index.value(row.block.axes_as_written)); }});
   }
   return columns;
@@ -127,7 +127,7 @@ TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
 TableColumns<ShareRow> share_columns(const PopulationOptions&) {
   using Row = ShareRow;
   const auto number = [](const char* name, double ClassFraction::*value) {
-    return TableColumn<Row>{name, "", "by number, with its 95 % confidence interval",
+    return TableColumn<Row>{name, "", "fraction by number, with its 95 % confidence interval",
                             [value](const Row& row) { return row.share.*value; }};
   };
   const auto mass = [](const char* name, const char* unit, const char* meaning,
@@ -136,53 +136,57 @@ TableColumns<ShareRow> share_columns(const PopulationOptions&) {
                               return row.weighed ? row.share.*value : NAN;
                             }};
   };
-  const char* by_mass = "by mass, with its 95 % confidence interval; empty if no mass is known";
-  return {
-      {"population", "", "names", [](const Row& row) { return row.population; }},
-      {"scheme", "", "names", [](const Row& row) { return row.scheme; }},
-      {"class", "", "name; classes without a block have a row too",
-       [](const Row& row) { return row.share.name; }},
-      {"blocks", "", "number of blocks in the class",
-       [](const Row& row) { return row.share.count; }},
-      number("share", &ClassFraction::fraction),
-      number("share_low", &ClassFraction::low),
-      number("share_high", &ClassFraction::high),
-      mass("mass_kg", "kg", "of the blocks of the class whose mass is known", &ClassFraction::mass),
-      mass("mass_share", "", by_mass, &ClassFraction::mass_fraction),
-      mass("mass_share_low", "", by_mass, &ClassFraction::mass_low),
-      mass("mass_share_high", "", by_mass, &ClassFraction::mass_high)};
+  const char* by_mass =
+      "fraction by mass, with its 95 % confidence interval; empty if no mass "
+      "is known";
+  return {{"population", "", "names", [](const Row& row) { return row.population; }},
+          {"scheme", "", "names", [](const Row& row) { return row.scheme; }},
+          {"class", "", "name of the class; classes without a block have a row too",
+           [](const Row& row) { return row.share.name; }},
+          {"blocks", "", "number of blocks in the class",
+           [](const Row& row) { return row.share.count; }},
+          number("share", &ClassFraction::fraction),
+          number("share_low", &ClassFraction::low),
+          number("share_high", &ClassFraction::high),
+          mass("mass_kg", "kg", "mass of the blocks of the class whose mass is known",
+               &ClassFraction::mass),
+          mass("mass_share", "", by_mass, &ClassFraction::mass_fraction),
+          mass("mass_share_low", "", by_mass, &ClassFraction::mass_low),
+          mass("mass_share_high", "", by_mass, &ClassFraction::mass_high)};
 }
 
 TableColumns<SizeRow> size_columns(const PopulationOptions&) {
   using Row = SizeRow;
-  return {{"population", "", "name", &Row::population},
-          {"size", "", "which size: `I` or `(L I S)^(1/3)`", &Row::size},
-          {"weighting", "", "`number` or `mass`", &Row::weighting},
-          {"blocks", "", "number of blocks the quantity is based on", &Row::blocks},
+  return {{"population", "", "name of the population", &Row::population},
+          {"size", "", "measure of size: `I` or `(L I S)^(1/3)`", &Row::size},
+          {"weighting", "", "weighting: by `number` or by `mass`", &Row::weighting},
+          {"blocks", "", "number of blocks from which the quantity is computed", &Row::blocks},
           {"quantity", "",
            "`d10`, `d50`, `d90`; `log_normal_median`, `log_normal_sigma` (of ln d); "
            "`rosin_rammler_d63`, `rosin_rammler_exponent`; for each law `..._ks_distance` and, by "
            "number, `..._ks_p_value`",
            &Row::quantity},
-          {"unit", "", "of the value: `m`, or empty", &Row::unit},
-          {"value", "see `unit`", "of the quantity", &Row::value},
-          {"standard_error", "see `unit`", "of fitted parameters only",
+          {"unit", "", "unit of the value: `m`, or empty", &Row::unit},
+          {"value", "see `unit`", "value of the quantity", &Row::value},
+          {"standard_error", "see `unit`", "standard error, for fitted parameters only",
            [](const Row& row) { return cell_of(row.error); }}};
 }
 
 TableColumns<TestRow> test_columns(const PopulationOptions&) {
   using Row = TestRow;
-  const char* tested = "what was tested: a name, or two with `and`; the measures or the scheme";
+  const char* tested =
+      "name of the tested population, or two names with `and`; the tested "
+      "measures or scheme";
   return {{"test", "", "`spearman`, `kolmogorov-smirnov`, `chi-squared`", &Row::test},
           {"populations", "", tested, &Row::populations},
           {"quantity", "", tested, &Row::quantity},
           {"statistic", "", "rho, D or chi-squared",
            [](const Row& row) { return cell_of(row.statistic); }},
-          {"degrees_of_freedom", "", "of chi-squared",
+          {"degrees_of_freedom", "", "degrees of freedom of chi-squared",
            [](const Row& row) { return cell_of(row.degrees_of_freedom); }},
           {"p_value", "", "probability of a statistic at least this extreme if there is no effect",
            [](const Row& row) { return cell_of(row.p_value); }},
-          {"p_from", "", "how p was determined", &Row::p_from},
+          {"p_from", "", "method by which the p-value was determined", &Row::p_from},
           {"words", "", "a sentence to quote", &Row::words}};
 }
 

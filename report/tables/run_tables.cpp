@@ -58,7 +58,7 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
                               [](const Row& row) -> const Impact& { return row->impact; });
   };
   const auto energy = [](const char* name, double Impact::*value) {
-    return TableColumn<Row>{name, "J", "kinetic energy, at the first and the last contact",
+    return TableColumn<Row>{name, "J", "kinetic energy at the first and at the last contact",
                             [value](const Row& row) { return row->impact.*value; }};
   };
   static const auto columns = concatenated<Row>(
@@ -87,9 +87,9 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
   };
   static const auto columns = concatenated<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
-       {{"realisation", "", "from 1",
+       {{"realisation", "", "number of the realisation, from 1",
          [=](const Row& row) { return row->stay.run / each(row) + 1; }},
-        {"order", "", "of its release in the realisation, from 1",
+        {"order", "", "number of the release in the realisation, from 1",
          [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
        blank_unknown_cells(
            adapt_columns<Row>(
@@ -126,11 +126,11 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
   };
   static const auto columns = concatenated<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
-       {{"barrier", "", "name; for a ring as in barriers.csv",
+       {{"barrier", "", "name of the barrier; for a ring as in barriers.csv",
          [=](const Row& row) { return line(row).name; }},
         {"direction", "",
-         "`forward` (from the left of from-to to its right) or `backward`; for a ring `in` or "
-         "`out`",
+         "`forward` (from the left of the line to its right) or `backward`; for "
+         "a ring `in` or `out`",
          [=](const Row& row) { return line(row).direction(crossing(row)); }},
         {"counted", "",
          "1 for the first crossing of the run at this barrier that counts; for a ring, for its "
@@ -138,7 +138,8 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
          "entry and for its first exit",
          [](const Row& row) { return std::uint64_t{row->counted ? 1u : 0u}; }}},
        stored({"time_s"}),
-       array_columns<Row>({"x_m", "y_m", "z_m"}, "m", "centre of mass", &BarrierCrossing::position),
+       array_columns<Row>({"x_m", "y_m", "z_m"}, "m", "position of the centre of mass",
+                          &BarrierCrossing::position),
        stored({"height_m", "clearance_m"}),
        {{"speed_m_s", "m/s", "speed of the centre of mass",
          [=](const Row& row) { return crossing(row).velocity.norm(); }}},
@@ -152,7 +153,7 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
            "rad/s", "angular velocity along the world axes",
            [=](const Row& row) { return crossing(row).angular_velocity; }),
        stored({"translational_energy_j", "rotational_energy_j"}),
-       {{"total_energy_j", "J", "both kinetic energies",
+       {{"total_energy_j", "J", "translational plus rotational kinetic energy",
          [=](const Row& row) {
            return crossing(row).translational_energy + crossing(row).rotational_energy;
          }}},

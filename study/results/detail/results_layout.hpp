@@ -34,8 +34,8 @@ inline constexpr std::type_identity<Row> kRowsOf{};
 /// rows 1 to 13 of a trajectory.
 template <class Visit>
 void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
-  const char* place = "centre of mass";
-  const char* turn = "orientation, world from principal frame";
+  const char* place = "position of the centre of mass";
+  const char* turn = "orientation (world from principal frame)";
   const char* velocity = "velocity of the centre of mass";
   const char* spin = "angular velocity along the world axes";
   visit("x_m", "m", place, [](auto& s) -> decltype(auto) { return (s.position.x()); });
@@ -66,8 +66,8 @@ void visit_stiffness(const Visit& visit) {
   visit("tangential_stiffness_n_m", "N/m", used,
         [](auto& r) -> decltype(auto) { return (r.stiffness.tangential); });
   visit("rolling_stiffness_n_m_rad", "N m/rad",
-        "k_r on zones that state no rolling length, determined for the run or given; on the others "
-        "it is k_n a^2",
+        "k_r on zones without a rolling length, determined for the run or "
+        "given; on zones with a rolling length a it is k_n a^2",
         [](auto& r) -> decltype(auto) { return (r.stiffness.rolling); });
   visit("time_step_s", "s", "time step of impacts as used, determined for the run or given",
         [](auto& r) -> decltype(auto) { return (r.stiffness.time_step); });
@@ -82,33 +82,34 @@ void visit_stiffness(const Visit& visit) {
 
 /// Visits the columns of one state of a run.
 /// @param prefix  of the column names
-/// @param when  prefix of their meanings: "at the start: "
+/// @param when  suffix of their meanings: " at the start"
 /// @param state  returns the state of a run
 template <class Visit, class State>
 void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
                  const State& state) {
   visit_columns(kRowsOf<RigidState>, [&](const std::string& name, const char* unit,
                                          const std::string& meaning, const auto& field) {
-    visit(prefix + name, unit, when + meaning,
+    visit(prefix + name, unit, meaning + when,
           [state, field](auto& run) -> decltype(auto) { return (field(state(run))); });
   });
 }
 
 template <class Visit>
 void visit_energies(const Visit& visit) {
-  visit("energy_initial_j", "J", "kinetic + potential + stored, at the start",
+  visit("energy_initial_j", "J", "kinetic, potential and stored energy at the start",
         [](auto& r) -> decltype(auto) { return (r.result.energy.initial); });
-  visit("energy_final_j", "J", "kinetic + potential + stored, at the end",
+  visit("energy_final_j", "J", "kinetic, potential and stored energy at the end",
         [](auto& r) -> decltype(auto) { return (r.result.energy.final); });
-  visit("energy_normal_j", "J", "dissipated by the normal law",
+  visit("energy_normal_j", "J", "energy dissipated by the normal law",
         [](auto& r) -> decltype(auto) { return (r.result.energy.normal); });
-  visit("energy_friction_j", "J", "dissipated by sliding",
+  visit("energy_friction_j", "J", "energy dissipated by sliding and by scar drag",
         [](auto& r) -> decltype(auto) { return (r.result.energy.friction); });
-  visit("energy_rolling_j", "J", "dissipated by rolling resistance",
+  visit("energy_rolling_j", "J", "energy dissipated by rolling resistance",
         [](auto& r) -> decltype(auto) { return (r.result.energy.rolling); });
-  visit("energy_reassigned_j", "J", "lost (gained, if negative) where contacts or weights change",
+  visit("energy_reassigned_j", "J",
+        "energy lost (negative: gained) when contacts or their weights change",
         [](auto& r) -> decltype(auto) { return (r.result.energy.reassigned); });
-  visit("energy_error", "", "share of the dissipated energy that the balance misses",
+  visit("energy_error", "", "error of the energy balance, as a fraction of the dissipated energy",
         [](auto& r) -> decltype(auto) { return (r.result.energy.error); });
 }
 
@@ -120,13 +121,13 @@ void visit_columns(std::type_identity<RunRecord>, const Visit& visit) {
   visit("orientation", "", "index of the orientation in its release set, from 0",
         &RunRecord::orientation);
   visit("ground_set", "", "row of `/ground_sets`, from 0", &RunRecord::ground_set);
-  visit_state(visit, "start_",
-              "at the start: ", [](auto& r) -> decltype(auto) { return (r.start); });
-  visit_state(visit, "stop_",
-              "at the end: ", [](auto& r) -> decltype(auto) { return (r.result.final_state); });
+  visit_state(visit, "start_", " at the start",
+              [](auto& r) -> decltype(auto) { return (r.start); });
+  visit_state(visit, "stop_", " at the end",
+              [](auto& r) -> decltype(auto) { return (r.result.final_state); });
   visit("duration_s", "s", "simulated time",
         [](auto& r) -> decltype(auto) { return (r.result.duration); });
-  visit("path_length_m", "m", "path of the centre of mass",
+  visit("path_length_m", "m", "length of the path of the centre of mass",
         [](auto& r) -> decltype(auto) { return (r.result.path_length); });
   visit("max_speed_m_s", "m/s", "largest speed of the centre of mass",
         [](auto& r) -> decltype(auto) { return (r.result.max_speed); });
@@ -137,18 +138,19 @@ void visit_columns(std::type_identity<RunRecord>, const Visit& visit) {
   visit_energies(visit);
   visit("contact_time_s", "s", "time with a contact",
         [](auto& r) -> decltype(auto) { return (r.contacts.contact_time); });
-  visit("mean_contact_points", "", "contact points, averaged over the time with a contact",
+  visit("mean_contact_points", "",
+        "number of contact points, averaged over the time with a contact",
         [](auto& r) -> decltype(auto) { return (r.contacts.mean_points); });
-  visit("longest_flight_m", "m", "longest flight, in plan",
+  visit("longest_flight_m", "m", "length of the longest flight, in plan",
         [](auto& r) -> decltype(auto) { return (r.contacts.longest_flight); });
   visit("max_energy_j", "J", "largest translational plus rotational kinetic energy",
         [](auto& r) -> decltype(auto) { return (r.contacts.max_energy); });
   visit("max_spin_rad_s", "rad/s", "largest magnitude of the angular velocity",
         [](auto& r) -> decltype(auto) { return (r.contacts.max_spin); });
   visit_stiffness(visit);
-  visit("contact_steps", "", "time steps with a contact",
+  visit("contact_steps", "", "number of time steps with a contact",
         [](auto& r) -> decltype(auto) { return (r.result.contact_steps); });
-  visit("impacts", "", "flights ended by a contact, however short",
+  visit("impacts", "", "number of flights that end with a contact, of any length",
         [](auto& r) -> decltype(auto) { return (r.result.impacts); });
   visit("most_contact_points", "", "largest number of simultaneous contact points",
         [](auto& r) -> decltype(auto) { return (r.contacts.most_points); });
@@ -156,7 +158,7 @@ void visit_columns(std::type_identity<RunRecord>, const Visit& visit) {
         [](auto& r) -> decltype(auto) { return (r.result.stop_reason); });
   visit("below_ground", "", "1 if the run ended below ground, else 0",
         [](auto& r) -> decltype(auto) { return (r.result.below_ground); });
-  visit("message", "", "of a run that ended with an error",
+  visit("message", "", "message of a run that ended with an error",
         [](auto& r) -> decltype(auto) { return (r.result.message); });
 }
 
@@ -164,8 +166,8 @@ template <class Visit>
 void visit_columns(std::type_identity<Crossing>, const Visit& visit) {
   visit("run", "", "number of the run", &Crossing::run);
   visit("barrier", "", "row of `/barriers`", &Crossing::barrier);
-  visit("time_s", "s", "since release", &Crossing::time);
-  const char* place = "centre of mass";
+  visit("time_s", "s", "time since release", &Crossing::time);
+  const char* place = "position of the centre of mass";
   visit("x_m", "m", place, [](auto& c) -> decltype(auto) { return (c.position.x()); });
   visit("y_m", "m", place, [](auto& c) -> decltype(auto) { return (c.position.y()); });
   visit("z_m", "m", place, [](auto& c) -> decltype(auto) { return (c.position.z()); });
@@ -188,8 +190,9 @@ void visit_columns(std::type_identity<Crossing>, const Visit& visit) {
         &Crossing::translational_energy);
   visit("rotational_energy_j", "J", "kinetic energy of the rotation", &Crossing::rotational_energy);
   visit("forward", "",
-        "1 from the left of from -> to to its right; so for a ring that runs counter-clockwise 1 "
-        "is out and 0 is in, and for one that runs clockwise 1 is in",
+        "1 from the left of the line to its right, 0 from its right to its "
+        "left; for a ring whose points run counter-clockwise 1 is an exit and "
+        "0 an entry, for a ring whose points run clockwise 1 is an entry",
         &Crossing::forward);
 }
 
@@ -197,38 +200,42 @@ template <class Visit>
 void visit_columns(std::type_identity<Impact>, const Visit& visit) {
   visit("run", "", "number of the run", &Impact::run);
   visit("zone", "", "row of `/ground`: the ground zone of the first contact", &Impact::zone);
-  visit("time_s", "s", "first contact, since release", &Impact::time);
+  visit("time_s", "s", "time of the first contact, since release", &Impact::time);
   visit("contact_s", "s",
-        "time until the next flight of 0.01 s or more, or the end of the run; shorter flights do "
-        "not end an impact",
+        "time from the first contact to the next flight of 0.01 s or more, or "
+        "to the end of the run; shorter flights do not end an impact",
         &Impact::contact_duration);
   const char* place = "position at the first contact";
   visit("x_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.x()); });
   visit("y_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.y()); });
   visit("z_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.z()); });
-  const char* speed = "of the centre of mass, at the first and the last contact";
+  const char* speed = "speed of the centre of mass at the first and at the last contact";
   visit("speed_before_m_s", "m/s", speed, &Impact::speed_before);
   visit("speed_after_m_s", "m/s", speed, &Impact::speed_after);
-  const char* energy = "kinetic energy, at the first and the last contact";
+  const char* energy = "kinetic energy at the first and at the last contact";
   visit("translational_before_j", "J", energy, &Impact::translational_before);
   visit("translational_after_j", "J", energy, &Impact::translational_after);
   visit("rotational_before_j", "J", energy, &Impact::rotational_before);
   visit("rotational_after_j", "J", energy, &Impact::rotational_after);
-  visit("depth_m", "m", "largest overlap in between", &Impact::depth);
+  visit("depth_m", "m", "largest overlap during the impact", &Impact::depth);
 }
 
 template <class Visit>
 void visit_columns(std::type_identity<PersistentBlockRecord>, const Visit& visit) {
   visit("run", "", "number of the run", &PersistentBlockRecord::run);
-  visit("released_at_s", "s", "since the first release of its realisation",
+  visit("released_at_s", "s", "time of release, since the first release of the realisation",
         &PersistentBlockRecord::released_at);
-  visit("raised_m", "m", "by which it started higher than planned, above blocks that lay there",
+  visit("raised_m", "m",
+        "height of the start above the planned start, caused by blocks that "
+        "lay there",
         &PersistentBlockRecord::raise_height);
-  visit("moved_later_m", "m", "by later blocks, from where it had stopped",
+  visit("moved_later_m", "m", "displacement by later blocks, from the stop of the block",
         &PersistentBlockRecord::later_displacement);
-  visit("blocks_hit", "", "other blocks that it touched during its own release",
+  visit("blocks_hit", "", "number of other blocks that the block touched during its own release",
         &PersistentBlockRecord::blocks_hit);
-  visit("removed_at_s", "s", "when it was removed, likewise; NaN if it stayed",
+  visit("removed_at_s", "s",
+        "time of removal, since the first release of the realisation; NaN if "
+        "the block was not removed",
         &PersistentBlockRecord::removed_at);
 }
 
@@ -237,7 +244,7 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
   const auto dissipated = [&](const std::string& prefix, const std::string& where,
                               Dissipation EnergySample::*part) {
     const auto add = [&](const char* name, const char* by, double Dissipation::*value) {
-      visit(prefix + name, "J", "dissipated " + where + by + ", since the first release",
+      visit(prefix + name, "J", "energy dissipated " + where + by + ", since the first release",
             [part, value](auto& e) -> decltype(auto) { return (e.energy.*part.*value); });
     };
     add("normal_j", " by normal forces", &Dissipation::normal);
@@ -245,24 +252,29 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
     add("rolling_j", " by rolling resistance", &Dissipation::rolling);
   };
   visit("run", "", "number of the first run of the realisation", &EnergyRecord::run);
-  visit("time_s", "s", "since the first release",
+  visit("time_s", "s", "time since the first release",
         [](auto& e) -> decltype(auto) { return (e.energy.time); });
-  visit("moving", "", "blocks that are neither at rest nor gone",
+  visit("moving", "",
+        "number of present blocks that are not at rest; a block is present "
+        "until it leaves the terrain or is removed",
         [](auto& e) -> decltype(auto) { return (e.energy.moving); });
-  visit("translational_j", "J", "kinetic energy of the centres of mass of the blocks there",
+  visit("translational_j", "J", "kinetic energy of the centres of mass of the present blocks",
         [](auto& e) -> decltype(auto) { return (e.energy.translational); });
-  visit("rotational_j", "J", "kinetic energy of the rotations of the blocks there",
+  visit("rotational_j", "J", "kinetic energy of the rotations of the present blocks",
         [](auto& e) -> decltype(auto) { return (e.energy.rotational); });
-  visit("potential_j", "J", "m g z of the blocks there, z in the local frame",
+  visit("potential_j", "J", "m g z of the present blocks, z in the local frame",
         [](auto& e) -> decltype(auto) { return (e.energy.potential); });
   visit("stored_j", "J", "elastic energy of the contacts",
         [](auto& e) -> decltype(auto) { return (e.energy.stored); });
-  visit("gone_j", "J", "kinetic and potential energy of blocks that are gone, when they went",
+  visit("gone_j", "J",
+        "kinetic and potential energy of blocks at the time at which they left "
+        "the terrain or were removed",
         [](auto& e) -> decltype(auto) { return (e.energy.departed); });
   dissipated("ground_", "on the ground", &EnergySample::on_ground);
   dissipated("blocks_", "between blocks", &EnergySample::between_bodies);
   visit("reassigned_j", "J",
-        "lost (or gained, below 0) where contacts change, since the first release",
+        "energy lost (negative: gained) when contacts change, since the first "
+        "release",
         [](auto& e) -> decltype(auto) { return (e.energy.reassigned); });
 }
 
