@@ -83,7 +83,7 @@ class Company : public CampaignRun {
       run.record.run = run.record.block = run.record.point = run.record.ground_set = 0;
       for (Crossing& crossing : run.crossings) crossing.run = 0;
       for (Impact& impact : run.impacts) impact.run = 0;
-      EXPECT_TRUE(runs.emplace(name, packed(run)).second) << name << " comes twice";
+      EXPECT_TRUE(runs.emplace(name, pack_record(run)).second) << name << " comes twice";
     }
     EXPECT_TRUE(crossings > 0 && impacts > 0) << "nothing to compare";
     return runs;
