@@ -150,7 +150,8 @@ void ContactForces::assign_weights(const std::vector<ContactPoint>& points,
 
 void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scratch& scratch) const {
   auto& [now, history, patch_wrenches] = scratch;
-  // The unit force of a patch acts through all its points: how easily that moves both bodies.
+  // The effective mass of a patch follows from how a unit force through its points moves both
+  // bodies.
   const BodyMotion &block = motion.block, &other = motion.other;
   patch_wrenches.assign(now.size(), {});
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -196,7 +197,8 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   StepStart start = previous ? step_start_of_continued(contact, *previous, motion)
                              : step_start_of_new(contact, kinematics, law, motion);
   if constexpr (Law::kIsPlastic) {
-    // On ground that unloads otherwise the force goes on, and with it the dent that it stands for.
+    // If the zone has changed, the force continues. The law of the new zone converts it to an
+    // indentation.
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
       start.normal = law.initial_state(start.path.before, 0.0, 0.0, previous->normal);
     }
@@ -235,8 +237,8 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   load.torque += kinematics.arm.cross(force) + w * contact.rolling;
   if (start.continuous && is_event(response)) add_law_event(load, response, contact, motion);
 
-  // With the mean weight of the step. What the forces took beyond these losses and what is stored,
-  // because weights, zones, normals or the contacts changed, is booked apart.
+  // Losses are weighted with the mean weight of the step. The rest of the change of energy comes
+  // from changes of weights, zones, normals or contacts and is booked as reassigned.
   const double mean_weight = 0.5 * (start.weight + w);
   const double stored_by_normal =
       law.stored_energy(contact.point.overlap, contact.residual_indentation);

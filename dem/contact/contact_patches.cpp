@@ -11,13 +11,13 @@ namespace {
 
 /// Normals within a patch differ by at most 30 degrees: smoothly curved, not a ridge.
 constexpr double kPatchCosine = 0.8660254037844386;
-/// How far a point of a patch may stand above the tangent plane of another, as a sine: 3 degrees.
-/// More is a valley, and its two sides carry the block apart.
+/// Largest height of a point of a patch above the tangent plane of another, as a sine (3 degrees).
+/// If it is larger, the ground is a valley whose two sides carry the block separately.
 constexpr double kPatchRise = 0.052;
 /// A plane of the block joins contact points when it faces the ground within 60 degrees.
 constexpr double kFacingCosine = 0.5;
 
-/// True where the ground between the two is flat or smoothly convex.
+/// True if the ground between two contacts is flat or smoothly convex.
 bool smooth_between(const ContactPoint& a, const ContactPoint& b) {
   if (a.normal.dot(b.normal) < kPatchCosine) return false;
   const Vec3 between = b.surface_point - a.surface_point;

@@ -7,8 +7,9 @@
 namespace clast::dem_detail {
 namespace {
 
-/// What the search needs is dropped when the bounds are this share of the block's smallest side
-/// apart: farther than where it was made, so that a pair at the limit does not make it every step.
+/// The data of the narrow phase are dropped at this distance of the bounding volumes, as a fraction
+/// of the block's smallest side. They are made at a smaller distance, so that a pair near the limit
+/// does not make them in every step.
 constexpr double kDiscardFraction = 0.2;
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Of a ball whose lowest point is `depth` below the plane: a segment of its circle.
+/// Embedded frontal area of a ball whose lowest point is `depth` below the plane: a circular
+/// segment.
 EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double depth, const Vec3& up) {
   if (!(depth > 0.0)) return {};
   const double half = std::acos(std::max(-1.0, 1.0 - depth / radius));
@@ -17,7 +18,7 @@ EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double dept
   return {radius * radius * fraction, centre - below * up};
 }
 
-/// The part of a triangle below height 0.
+/// Part of a triangle below height 0.
 struct Below {
   double area = 0.0;
   Vec3 moment = Vec3::Zero();  ///< area times middle
@@ -83,7 +84,7 @@ Vec3 ScarDrag::update(const std::vector<Contact>& contacts, const RelativeMotion
 }
 
 Vec3 ScarDrag::drag_force(const std::vector<Contact>& contacts, const RelativeMotion& motion) {
-  // The ground as the mean plane of all contacts.
+  // The ground is the mean plane of all contacts.
   double weight = 0.0, drag_factors = 0.0;
   Vec3 up = Vec3::Zero(), foot = Vec3::Zero();
   for (const Contact& contact : contacts) {

@@ -25,12 +25,12 @@ constexpr double kDisplacementFraction = 0.25;
 constexpr double kRollingArmFraction = 0.5;
 /// Share of k_n that carries a block at rest below which `auto` warns of what it costs.
 constexpr double kCostlyRestFraction = 1e-3;
-/// What such a ground is compared with: the e_n^2 of the paper's zones.
+/// Typical e_n^2 for comparison in messages: that of the zones in the cited paper.
 constexpr double kUsualRestFraction = 0.01;
 
-/// The most demanding of all bodies in every respect.
+/// Most demanding value of each property over all bodies.
 struct Demand {
-  double normal = 0.0;  ///< k_n that "auto" takes, N/m
+  double normal = 0.0;  ///< k_n chosen for "auto", N/m
   double mobility = 0.0;
   double smallest_moment = 1e300;
   double smallest_side = 1e300;
@@ -59,7 +59,7 @@ double find_depths(StiffnessChoice& choice, std::span<const BodyRequirements> bo
   const double normal = choice.stiffness.normal;
   double deepest_share = 0.0;
   for (const BodyRequirements& body : bodies) {
-    // m v^2/2 + m g h = k h^2/2
+    // Depth h of an impact: m v^2/2 + m g h = k h^2/2.
     const double weight = body.mass * gravity;
     const double impact =
         (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;

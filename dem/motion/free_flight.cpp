@@ -15,7 +15,7 @@ constexpr double kSmallTurn = 0.003;
 
 double min_travel_time(double distance, double speed, double acceleration) {
   if (!(distance > 0.0)) return 0.0;
-  // From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+  // Solution of distance = speed t + acceleration t^2/2, in the form without cancellation.
   return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
 }
 

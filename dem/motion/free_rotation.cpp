@@ -142,7 +142,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     return;
   }
   direction_ = momentum / size;
-  const Vec3 in_body = orientation.conjugate() * direction_;  // shares of the momentum
+  const Vec3 in_body = orientation.conjugate() * direction_;  // components of the unit momentum
 
   std::array<int, 3> axes = {0, 1, 2};
   std::sort(axes.begin(), axes.end(), [&](int i, int j) {
@@ -160,8 +160,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     stepped_ = true;
     return;
   }
-  // About the axis of the smallest moment or about that of the largest: which one the tip of the
-  // momentum circles in the body.
+  // In the body frame, the momentum circles the axis of the smallest or of the largest moment.
   const double decider = upper * square(in_body[axes[0]]) - lower * square(in_body[axes[2]]);
   const bool about_smallest = decider > 0.0 || (decider == 0.0 && upper >= lower);
   if (!about_smallest) std::swap(axes[0], axes[2]);
@@ -178,10 +177,11 @@ void FreeRotation::set_polhode(const Vec3& mobility, const Vec3& in_body, double
   const double to_other = sign * (mobility[pole_] - mobility[other_]);
   const double beyond = sign * (mobility[middle_] - mobility[other_]);
 
-  // With shares l of the momentum: X = across the pole, Z = away from the other axis.
+  // Squared components of the momentum: x across the pole, z away from the other axis.
   const double x = to_middle * square(in_body[middle_]) + to_other * square(in_body[other_]);
   const double z = to_other * square(in_body[pole_]) + beyond * square(in_body[middle_]);
-  if (!(z > 0.0)) {  // across the axis of a body with two equal moments: any such axis is principal
+  if (!(z >
+        0.0)) {  // two equal moments and momentum perpendicular to the third axis: a principal axis
     steady_ = true;
     steady_rate_ = size * mobility[middle_];
     return;

@@ -18,8 +18,8 @@ constexpr double kListedTooDeep = 2.0;
 constexpr double kForwardsTimes = 2.0;
 /// ... or up to this share of the smallest side: beyond lies the far side of the ground.
 constexpr double kUninvertedFraction = 0.25;
-/// How much farther than the nearest face others are looked for, in margins: for half that way the
-/// nearest is sure to be it.
+/// Other faces are searched up to this much farther than the nearest, in list margins. The nearest
+/// face then stays the nearest for a displacement of half that.
 constexpr double kDistinctBlockMargins = 0.25;
 
 }  // namespace
@@ -45,7 +45,7 @@ std::vector<ContactPoint>& BlockNarrowPhase::find_contacts(const Pose& ground_fr
   contacts.clear();
   scratch().inverted.clear();
   displacement_ = displacement;
-  // Without a past nothing is known of how deep the two may be.
+  // At the first call, the depth of the two bodies is unknown.
   if (list_valid_until_ < 0.0) allowed_.reset(size_);
   if (displacement >= list_valid_until_) build_candidate_list();
   safe_displacement_ = list_valid_until_;
@@ -128,7 +128,7 @@ void BlockNarrowPhase::find_vertex_contacts(CandidateVertex& candidate,
   }
 }
 
-/// Of all its faces; finds out for how long the nearest one is sure to be it.
+/// Finds the nearest of all listed faces, and the displacement for which it stays the nearest.
 NearestPoint BlockNarrowPhase::find_nearest_ground_face(CandidateVertex& candidate,
                                                         std::span<const LocalFaces::Face> faces,
                                                         const Vec3& centre) {

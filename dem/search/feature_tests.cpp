@@ -17,7 +17,8 @@ constexpr double kDepthRounding = 1e-9;
 /// A turn can make edges and faces touch that are deeper than anything that touches already: by
 /// this share of that depth, and this many margins.
 constexpr double kDeeperFraction = 0.5, kDeeperMargins = 0.25;
-/// What is allowed for is this much deeper, and given up again when it is this much too deep.
+/// The depth limit is this factor times the needed depth. It is lowered if it exceeds the needed
+/// depth by the second factor.
 constexpr double kAllowedFraction = 1.5, kTooDeepFraction = 4.0;
 
 }  // namespace
@@ -155,8 +156,9 @@ ContactPoint FeatureTests::vertex_contact(ContactKind kind, std::uint32_t block_
 }
 
 Vec3 FeatureTests::push_direction(const NearestPoint& nearest, const Vec3& centre) const {
-  // On the surface itself, and above a face, the direction to it is its normal. So it is beyond the
-  // border of a survey: the way back to the border would lead down where the ground falls to it.
+  // On the surface and inside a face, the push direction is the normal. It is also the normal
+  // beyond the border of a survey: the direction back to the border would point downwards if the
+  // ground falls towards it.
   return nearest.within_face || nearest.distance > -1e-9 || is_on_border(ground_.features, nearest)
              ? nearest.normal
              : Vec3((nearest.point - centre) / -nearest.distance);

@@ -91,11 +91,10 @@ class Release {
     return std::nullopt;
   }
 
-  /// How long the block flies without contact: the time in which no point of it can travel farther
-  /// than the nearest thing it might touch.
+  /// Returns a time of flight without contact, s.
   double safe_time() {
     const double spin = flight_->max_angular_speed(), g = settings_.gravity;
-    // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
+    // Bound of the acceleration by rotation: centripetal and Euler acceleration.
     const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
     return search_.safe_time(
         {.velocity = integrator_.state().velocity,
@@ -185,7 +184,7 @@ class Release {
     if (contacts->empty()) look_at(touching);
   }
 
-  /// How long ago the deepest of the contacts began, to first order, s.
+  /// Returns the largest time since a contact began, to first order, s.
   double time_since_touch(const std::vector<ContactPoint>& contacts) const {
     const BodyMotion motion = integrator_.current_motion();
     double longest = 0.0;
@@ -200,7 +199,7 @@ class Release {
     return std::max(settings_.stiffness.time_step, settings_.stiffness.max_time_step);
   }
 
-  /// What the present contacts need, s.
+  /// Returns the time step that the present contacts need, s.
   double needed_step() const {
     const ContactStiffness& contact = settings_.stiffness;
     if (!allows_longer_steps(contact)) return contact.time_step;
@@ -216,7 +215,7 @@ class Release {
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
     const double dt = std::min(needed_step(), settings_.max_time - time_);
     if (dt != step_length_) {
-      // What Verlet steps conserve depends on their length.
+      // The energy that Verlet steps conserve depends on their length.
       const auto kick = [&](double length) {
         return integrator_.verlet_start_loss(length, load_.force, load_.torque, gravity);
       };
@@ -320,8 +319,8 @@ class Release {
                             forces_.compute_settled_depth() > kSettledSlack * deepest_rest());
   }
 
-  /// How deep a block can have come to rest, m: by its weight, or in the dent of an impact that
-  /// took all the energy there was.
+  /// Returns the largest possible depth of a block at rest, m: by its weight, or for plastic laws
+  /// by an impact with all its energy.
   double deepest_rest() const {
     const double weight = body_.mass * settings_.gravity;
     if (!forces_.is_plastic()) return weight / forces_.static_stiffness();

@@ -34,7 +34,7 @@ class Sequence {
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
                {zones.begin(), zones.end()}) {}
 
-  /// To be called before `run`.
+  /// Restores a saved state. Must be called before `run`.
   void restore(ByteReader& from) {
     serialize(from);
     world_.restore(from);
@@ -55,9 +55,9 @@ class Sequence {
   }
 
  private:
-  /// What the newest blocks do. Each phase can be entered again where a checkpoint was taken.
+  /// Phase of the newest blocks. A run can continue in any phase from a checkpoint.
   enum class Phase : std::uint8_t {
-    kSettling,  ///< behind forms
+    kSettling,  ///< behind confining walls
     kHeld,      ///< until the last of them is released
     kMoving,    ///< until all blocks rest
     kFinished,  ///< all rest
@@ -216,7 +216,7 @@ class Sequence {
     if (observers_.energy) observers_.energy(world_.energy_sample().change_since(begin_));
   }
 
-  /// What is to be done after each step; empty where that is nothing.
+  /// Returns the function to call after each step; empty if there is nothing to do.
   std::function<void()> after_step() {
     const bool sample = observers_.energy && settings_.energy_interval > 0.0 && !settling();
     if (!sample && !observers_.progress) return {};
@@ -275,8 +275,8 @@ class Sequence {
     world_.add_body(blocks_[block].shape, start, schedule_.starts_fixed(block));
   }
 
-  /// Removes the blocks that rest where blocks are cleared away.
-  /// @return  were there any?
+  /// Removes the blocks that rest in cleared zones.
+  /// @return  true if any block was removed
   bool clear_zones() {
     bool any = false;
     for (std::size_t block = 0; block < recorders_.size(); ++block) {
@@ -299,7 +299,7 @@ class Sequence {
     return zone && std::find(cleared.begin(), cleared.end(), *zone) != cleared.end();
   }
 
-  /// What happened to the energy of all blocks between two balances.
+  /// Returns the energy balance of all blocks between two balances.
   EnergyBalance of_release(const EnergyBalance& before, const EnergyBalance& after) const {
     EnergyBalance part;
     part.initial = before.final + (after.initial - before.initial);

@@ -34,7 +34,7 @@ NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t fac
   const double height = f.normal.dot(query - origin);
   NearestPoint best;
   best.face = face;
-  // On which side of the three edges the foot lies; inside of all means the face itself is nearest.
+  // Side of the foot for each of the three edges. If it is inside all of them, the face is nearest.
   std::array<double, 3> depth;
   bool inside = true;
   for (int k = 0; k < 3; ++k) {

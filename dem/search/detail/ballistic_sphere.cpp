@@ -21,7 +21,7 @@ bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lo
     for (int column = window.first_column; column <= window.last_column; ++column) {
       const double high = grid.cell_top(column, row);
       if (high < lowest - radius) continue;
-      // In plan no point of the cell is nearer to the ball's centre than this.
+      // Smallest horizontal distance of the cell from the ball's centre on this stretch.
       const double beside = std::max(0.0, grid.distance_to_cell(column, row, middle) - spread);
       const double below = radius * radius - beside * beside;
       if (below >= 0.0 && high >= lowest - std::sqrt(below)) return false;
@@ -30,7 +30,7 @@ bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lo
   return true;
 }
 
-/// True when there is ground in the cell of a place.
+/// True if the grid cell at a position contains ground.
 bool surveyed(const PlanGrid& grid, const Vec2& position) {
   const PlanGrid::CellRange home =
       grid.cells_over(position.x(), position.x(), position.y(), position.y());
@@ -49,7 +49,7 @@ double ballistic_contact_free_time(const PlanGrid& grid, const BallisticSphere& 
   };
   double clear = 0.0;
   while (clear < longest) {
-    // It moves no faster than this during a stretch that is no longer than the one before would be.
+    // Upper bound of the speed during the next stretch.
     const double fall = std::abs(ball.velocity.z() - ball.gravity * clear);
     const double speed = std::max(along.norm(), fall);
     const double duration =

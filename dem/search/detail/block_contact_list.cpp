@@ -40,8 +40,8 @@ struct PartBetween {
   std::size_t first_corner, end_corner;  ///< likewise
 };
 
-/// What is needed only while a list is made, kept to spare the allocations: lists are made by many
-/// pairs in turn, and hold nothing of it.
+/// Temporary data for making a list, kept to save allocations. All pairs of a thread share it in
+/// turn.
 struct ListScratch {
   std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
   std::vector<PartBetween> ground_parts;
@@ -95,8 +95,8 @@ double BlockNarrowPhase::improve_separating_direction() {
     }
     const double distance = between.norm();
     if (gap > listing_distance() || !(distance > 0.0)) break;
-    // Where the two are apart the way between the nearest vertices is better, else the reflection
-    // about it (Chung and Wang 1996).
+    // If the bodies are apart, the direction between the nearest vertices is better. Otherwise the
+    // direction is reflected about it (Chung and Wang 1996).
     const Vec3 axis = between / distance;
     direction = gap > 0.0 ? axis : (direction - 2.0 * direction.dot(axis) * axis).normalized();
   }

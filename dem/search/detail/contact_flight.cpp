@@ -1,4 +1,4 @@
-// How far or how long no contact can come: what lets a block fly on at once.
+// Displacements and times of flight without contact, which a block can make in one step.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ double distance_in(double time, double speed, double acceleration) {
   return time * (speed + 0.5 * acceleration * time);
 }
 
-/// How what flies comes to a plane that has the ground on its other side.
+/// Approach of a flying body to a plane that has the ground on its other side.
 struct Approach {
   /// @param away  from the ground, unit
   Approach(const Vec3& away, const FlightBounds& flight)
@@ -40,15 +40,15 @@ struct Approach {
     return result;
   }
 
-  /// Whether what is `distance` from the plane, m, stays clear of it for a time, s. From its
-  /// distance now, its speed and the largest acceleration there is towards the plane.
-  /// @param arm      of the point
-  /// @param turning  bound of what turning changes its velocity by, m/s^2
+  /// True if a point at `distance` from the plane, m, stays clear of it for a time, s. Uses its
+  /// present speed and the largest possible acceleration towards the plane.
+  /// @param arm      position of the point relative to the centre
+  /// @param turning  bound of its acceleration due to rotation, m/s^2
   bool clear(double distance, const Vec3& arm, double turning, double time) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
     return distance >= 0.0 && distance + time * (speed - 0.5 * time * acceleration) >= 0.0;
   }
-  /// The time for which it does, where that is not for ever.
+  /// Returns the time for which the point stays clear, s. It must be finite.
   double time(double distance, const Vec3& arm, double turning) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
     const double root = std::sqrt(speed * speed + 2.0 * acceleration * distance);
@@ -96,7 +96,8 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   const std::unique_ptr<NearPart>& near = part_states_[p].near;
   const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
-  // By the speed that points of the part have now, or the top speed: the shorter way.
+  // The smaller of two bounds: from the present speed of the part's points, and from their top
+  // speed.
   const auto displacement_in = [&](double time, double speed) {
     return std::min(distance_in(time, speed + turning, flight.acceleration),
                     distance_in(time, flight.max_point_speed, flight.gravity));
@@ -247,7 +248,8 @@ double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face
                                                     double horizon) const {
   const Vec3 arm = part.centre - tests_.position();
   const double touching = part.radius + reach_;
-  // From the ball around the face, or else from the plane that touches it nearest to the part.
+  // Uses the bounding sphere of the face first, then the plane through its point nearest to the
+  // part.
   const Vec3 from_middle = part.centre - face.centre;
   const double far = from_middle.norm();
   if (far > face.radius + touching &&

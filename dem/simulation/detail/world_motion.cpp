@@ -189,7 +189,7 @@ void WorldMotion::reapply_loads() {
   reassigned_ += verlet_start_losses(step_length_);
 }
 
-/// What Verlet steps conserve depends on their length.
+/// The energy that Verlet steps conserve depends on their length.
 void WorldMotion::set_step_length(double dt) {
   if (dt == step_length_) return;
   reassigned_ += verlet_start_losses(dt) - verlet_start_losses(step_length_);
