@@ -15,7 +15,8 @@ namespace clast::terrain_detail {
 /// Declared fill value of a grid, and advice for undeclared ones.
 struct NoDataRules {
   std::optional<double> declared = {};  ///< fill value declared by the file
-  /// Completes "If -9999 stands for no data, ..."; NUMBER is replaced by the value.
+  /// Advice for messages: the end of a sentence "If -9999 stands for no data, ...". NUMBER in it is
+  /// replaced by the value.
   std::string advice;
 };
 
@@ -34,13 +35,12 @@ class PointHeightCheck {
  public:
   void include(double height);
   void include(const PointHeightCheck& other);
-  /// Checks for common fill values farther from all other heights than their range, for 0 also by
-  /// more than 100 m.
-  /// @throws InputError  with value and count
+  /// Checks for suspicious common fill values, as `check_fill_values`.
+  /// @throws InputError  if there is one; the message gives value and count
   void check(const std::filesystem::path& path) const;
 
  private:
-  std::map<double, std::size_t> fills_;  ///< number of points per value
+  std::map<double, std::size_t> fills_;  ///< number of points for each common fill value
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
