@@ -62,8 +62,7 @@ struct TerrainOptions {
 /// Zone file: a raster of class numbers or polygons with property "zone".
 struct ZoneFile {
   std::filesystem::path path;
-  std::map<long, std::string> names =
-      {};  ///< zone name of each class number; if empty, the number is the name
+  std::map<long, std::string> names = {};  ///< by class number; if empty, the number is the name
 
   std::vector<std::string> option_texts() const;  ///< as in TerrainOptions
 };

@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// One column of values. Numbers are doubles if any of them is; NaN if unknown.
+/// One column of values. All numbers are doubles if one of them is. Unknown numbers are NaN.
 struct ColumnValues {
   std::string name;     ///< with unit: "speed_m_s"
   std::string unit;     ///< "m/s"; empty if there is none
@@ -21,7 +21,8 @@ using TableValues = std::vector<ColumnValues>;
 
 namespace core_detail {
 
-/// Returns the cells of a column in the narrowest common type; doubles if there are no rows.
+/// Returns the cells of a column in the narrowest common type; an empty list of doubles if there
+/// are no rows.
 inline auto typed_values(const std::vector<TableCell>& cells) {
   decltype(ColumnValues::values) values = std::vector<double>();
   const auto any = [&]<class T>(T) {
