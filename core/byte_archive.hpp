@@ -2,8 +2,7 @@
 /// Serialisation of values to bytes and back. The format is private to one build of the program; it
 /// serves for journals, checkpoints and messages between processes.
 ///
-/// A class lists its members once, for writing and reading, in a member function or a free
-/// function:
+/// A class lists its members once for writing and reading, in a member or free function:
 ///
 ///     template <class Bytes>
 ///     void serialize(Bytes& bytes) { bytes(first_, second_); }

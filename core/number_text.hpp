@@ -28,8 +28,7 @@ std::string format_count(std::size_t count, const std::string& noun);
 /// Formats a count of a noun with an irregular plural.
 std::string format_count(std::size_t count, const std::string& singular, const std::string& plural);
 
-/// Formats a point as "(x, y, z)" with nine significant digits each. In map coordinates, this is a
-/// precision of a centimetre.
+/// Formats a point as "(x, y, z)" with nine significant digits, a centimetre in map coordinates.
 std::string format_point(const Vec3& point);
 /// Formats a point in map coordinates to the millimetre: "x 652013.250, y 5203000.000, z 1824.310".
 std::string format_map_point(const Vec3& point);

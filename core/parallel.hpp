@@ -17,8 +17,7 @@ void parallel_for(std::size_t count, unsigned threads,
 /// Returns `threads`, or the number of cores if it is 0.
 unsigned resolve_thread_count(unsigned threads);
 
-/// Pool of waiting threads, for loops that are too short to start threads each time. Only one loop
-/// may run at a time.
+/// Pool of waiting threads, for loops too short to start threads. Runs one loop at a time.
 class ThreadPool {
  public:
   /// Starts the threads.

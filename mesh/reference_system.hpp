@@ -68,8 +68,8 @@ std::vector<std::string> check_length_units(const std::string& name,
 /// @param crs  system with horizontal coordinates in metres, "EPSG:3857" or WKT; empty if there is
 ///             none
 /// @param position  horizontal coordinates in the file
-/// @param conversion_command  command for messages that projects the file; "EPSG:CODE" in it stands
-///                            for the system
+/// @param conversion_command  command that projects the file, with "EPSG:CODE" for the system; for
+///                            messages
 /// @throws InputError  if the distortion is larger; the message gives the scale factor and a
 ///                     suitable system
 void check_map_scale(const std::string& name, const std::string& crs, const Vec2& position,

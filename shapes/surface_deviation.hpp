@@ -23,9 +23,9 @@ struct SurfaceDeviation {
 /// Measures the distances between rounded surface and scan in both directions. Volume, area and
 /// moments are left 0 for the caller.
 ///
-/// The largest distances are upper bounds by branch and bound, at most 2e-4 of the scan's diagonal
-/// above an attained value. The gap is larger only if a million patches do not suffice, as for a
-/// constant distance. Under a crease, the distance to a near exposed point counts. The mean is over
+/// The largest distances are upper bounds by branch and bound, at most 2e-4 of the diagonal above
+/// an attained value. The gap is larger only if a million patches do not suffice, as for a constant
+/// distance. Under a crease, the distance to a near exposed point counts. The mean is over
 /// `samples` points of the scan.
 /// @throws GeometryError  if the body has no faces
 SurfaceDeviation measure_surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,

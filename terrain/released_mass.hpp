@@ -10,8 +10,7 @@
 namespace clast {
 
 struct ReleasedMassOptions {
-  /// Minimum vertical thickness, m. Smaller differences count as survey errors; if 0, all
-  /// differences count.
+  /// Minimum vertical thickness, m. Smaller differences are survey errors; if 0, all count.
   double min_thickness = 0.1;
   /// Polygons (GeoJSON, GeoPackage, Shapefile) that limit the area.
   std::optional<std::filesystem::path> polygon = {};

@@ -25,14 +25,13 @@ struct Relief {
   std::vector<std::uint16_t> zone;
 };
 
-/// Samples the surface at the centres of square cells in `window`, `columns` cells wide. The window
-/// is in the local frame.
+/// Samples the surface at the centres of square cells in `window` (local frame).
+/// @param columns  number of cells along x
 Relief sample_relief(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns);
 
 inline constexpr Rgb kContourColour = {122, 98, 69};
 
-/// Returns the colour of a zone. It is the colour in its name if there is one, otherwise the n-th
-/// of a pale palette.
+/// Returns the colour after which a zone is named ("red"), otherwise the n-th of a pale palette.
 Rgb zone_colour(const std::string& name, std::size_t n);
 
 /// Renders the relief as a PNG file with zone colours and contour lines. Light comes from the

@@ -38,8 +38,7 @@ struct TerrainReport {
   std::vector<std::string> notes;  ///< sentences with counts and positions
 };
 
-/// Terrain surface in the local frame, z up. Each triangle has a normal out of the ground and a
-/// zone.
+/// Terrain surface in the local frame, z up. Triangle normals point out of the ground.
 struct Terrain {
   TriangleMesh surface;
   std::vector<std::uint16_t> zone;  ///< per triangle: index into zone_names

@@ -9,8 +9,7 @@
 
 namespace clast {
 
-/// One row of a table. Fields are trimmed and without quotes. They are valid until the next row is
-/// read.
+/// One row of a table. Fields are trimmed and without quotes, and valid until the next row is read.
 struct Record {
   std::size_t line = 0;  ///< first line of the row, from 1
   std::vector<std::string_view> fields;
@@ -33,8 +32,7 @@ DecodedText decode_text(std::string content, const std::string& file);
 /// commas in a row separated by blanks.
 char detect_separator(std::string_view line);
 
-/// Parses a number field; empty if it is not a number. A decimal comma is accepted unless commas
-/// separate the columns.
+/// Parses a number field. A decimal comma is accepted unless commas separate columns.
 std::optional<double> parse_number_field(std::string_view field,
                                          char separator);  ///< empty: detected from the first row
 

@@ -18,8 +18,7 @@ struct NumericRow {
 };
 
 struct NumericTableSpec {
-  /// Columns in the required order. For each column, the lower-case names by which it is
-  /// recognised.
+  /// Lower-case names by which each column is recognised, in the required order.
   std::vector<std::vector<std::string>> names;
   NumberRange range;
   std::string

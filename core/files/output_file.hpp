@@ -43,8 +43,7 @@ class OutputFile {
   /// Writes the whole content to `temporary_path`.
   /// @throws InputError  if the disk is full or the file is too large
   void write(std::string_view content);
-  /// Checks the rules again and renames the file. If nothing may be replaced, this is one atomic
-  /// step.
+  /// Checks the rules again and renames the file. Both are one atomic step if `replace` is false.
   /// @throws InputError  if the rename failed, or if another program has meanwhile written a file
   ///                     that must be kept
   void commit();
@@ -62,8 +61,7 @@ class OutputFile {
 void write_output(const std::filesystem::path& target, std::string_view content,
                   const OverwritePolicy& rules);
 
-/// Checks that the target can be written. Call before a long computation. Creates missing parent
-/// folders.
+/// Checks before a computation that the target can be written. Creates missing parent folders.
 /// @throws InputError  as `OutputFile`
 void check_output_target(const std::filesystem::path& target, const OverwritePolicy& rules);
 
@@ -73,8 +71,7 @@ void check_output_target(const std::filesystem::path& target, const OverwritePol
 void check_disk_space(const std::filesystem::path& target,
                       std::initializer_list<std::uint64_t> files);
 
-/// Returns the path to which a link leads, also if nothing exists there. Other paths are returned
-/// unchanged.
+/// Returns the path to which a link leads, which need not exist; other paths unchanged.
 /// @throws InputError  if the link is circular
 std::filesystem::path resolve_link(const std::filesystem::path& target);
 

@@ -22,8 +22,7 @@ class StagingPath {
   const std::filesystem::path& path() const { return path_; }
   /// Releases the lock. Call it once the path no longer exists.
   void unlock() { lock_.reset(); }
-  /// Returns the path for files that are temporarily moved out of the target:
-  /// ".NAME.partPID.former".
+  /// Returns the path for files moved out of the target meanwhile: ".NAME.partPID.former".
   std::filesystem::path backup_path() const;
 
  private:

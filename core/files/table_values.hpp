@@ -21,8 +21,7 @@ using TableValues = std::vector<ColumnValues>;
 
 namespace core_detail {
 
-/// Returns the cells of a column in the narrowest common type; an empty list of doubles if there
-/// are no rows.
+/// Returns the cells of a column in the narrowest common type; doubles if there are no rows.
 inline auto typed_values(const std::vector<TableCell>& cells) {
   decltype(ColumnValues::values) values = std::vector<double>();
   const auto any = [&]<class T>(T) {

@@ -41,12 +41,10 @@ struct TomlEntry {
 
 /// Parses a TOML text.
 /// @param name  name of the file, for messages
-/// @throws InputError  if the text is not TOML or nested too deep; the message gives file, line and
-///                     problem
+/// @throws InputError  if the text is not TOML or nested too deep; names file, line and problem
 TomlNode parse_toml(const std::string& text, const std::string& name);
 
-/// Removes the backticks around field names in a message. For keys in files that have the same
-/// names.
+/// Removes the backticks around field names in a message, for files with equal key names.
 std::string remove_backticks(std::string message);
 
 /// TOML table. Unknown keys are reported before missing ones, so that the message for a misspelt

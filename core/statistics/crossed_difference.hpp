@@ -19,8 +19,7 @@ struct CrossedSample {
   std::vector<std::uint32_t> strata;
 };
 
-/// Mean of the second group minus mean of the first. The standard error is zero if the values have
-/// no scatter.
+/// Mean of the second group minus mean of the first. Without scatter, the standard error is zero.
 struct CrossedDifference : Contrast {
   double scatter = 0.0;  ///< standard deviation of values within group and stratum
   /// Variance of the difference divided by its variance for independent values.

@@ -26,12 +26,10 @@ Summary summarise(std::span<const double> values);
 /// @cite hyndman1996
 double quantile(std::span<const double> sorted, double p);
 
-/// Returns the arithmetic mean, summed in the order of the values. There must be at least one
-/// value.
+/// Returns the arithmetic mean of at least one value, summed in the order of the values.
 double arithmetic_mean(std::span<const double> values);
 
-/// Returns the median, or the larger of the two middle values of an even number. There must be at
-/// least one value.
+/// Returns the median of at least one value; for even sizes, the larger of the two middle values.
 double upper_median(std::vector<double> values);
 
 /// Interval. The default is [0, 1], for an unknown probability.

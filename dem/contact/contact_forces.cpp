@@ -150,8 +150,7 @@ void ContactForces::assign_weights(const std::vector<ContactPoint>& points,
 
 void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scratch& scratch) const {
   auto& [now, history, patch_wrenches] = scratch;
-  // The effective mass of a patch follows from how a unit force through its points moves both
-  // bodies.
+  // The effective mass of a patch is that against a unit force through all its points.
   const BodyMotion &block = motion.block, &other = motion.other;
   patch_wrenches.assign(now.size(), {});
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -197,8 +196,7 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   StepStart start = previous ? step_start_of_continued(contact, *previous, motion)
                              : step_start_of_new(contact, kinematics, law, motion);
   if constexpr (Law::kIsPlastic) {
-    // If the zone has changed, the force continues. The law of the new zone converts it to an
-    // indentation.
+    // If the zone has changed, the new law continues with the old force.
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
       start.normal = law.initial_state(start.path.before, 0.0, 0.0, previous->normal);
     }

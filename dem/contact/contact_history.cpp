@@ -108,8 +108,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
     const SpringTransfer& transfer = spring_transfers_[patches.patch_of(i)];
     if (!(transfer.lost > 0.0)) continue;
     Contact& contact = now[i];
-    // If more weight is gained than lost in the patch, the surplus keeps the springs of its own
-    // point.
+    // If more weight is gained than lost, the surplus keeps the springs of its own point.
     const double taken = more / std::max(transfer.gained, transfer.lost);
     const double own = 1.0 - taken * transfer.lost / contact.weight;
     const Vec3 tangential = own * contact.tangential + taken / contact.weight * transfer.tangential;

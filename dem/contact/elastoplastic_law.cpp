@@ -7,8 +7,7 @@ namespace {
 /// shifts the block by less).
 constexpr double kOnLine = 1e-5;
 
-/// Returns the time at which the overlap equals `level`. The overlap must be monotonic between the
-/// two times and pass `level`.
+/// Returns the time at which the overlap passes `level`. It must be monotonic from `from` to `to`.
 double time_at(const OverlapPath& path, double level, double from, double to) {
   return OverlapPath{path.duration, path.before - level, path.after - level, path.rate}
       .zero_crossing(from, to);

@@ -18,8 +18,7 @@ namespace clast {
 /// - `initial_state(overlap, rate, effective_mass, patch_force)`: the state of a contact that
 ///   begins with an overlap larger than its speed explains. `rate` is in m/s; `patch_force` is the
 ///   mean force of its contact patch, N.
-/// - `integrate(path, state, effective_mass)`: the response to the course of the overlap over a
-///   step.
+/// - `integrate(path, state, effective_mass)`: the response to the overlap over a step.
 /// - `stored_energy(overlap, h_p)`: elastic energy, J.
 /// - `static_stiffness()`: force divided by overlap of a body at rest, N/m.
 /// - `highest_frequency(w)`: the fastest rate of a contact, rad/s, if its spring alone has the

@@ -32,8 +32,7 @@ class PairContactState {
   void advance_time(double duration) {
     if (near_ && near_->forces.empty()) near_->forces.advance_time(duration);
   }
-  /// Ends all contacts, for example when a body is removed. Their stored energy is added to the
-  /// energy balance.
+  /// Ends all contacts, as when a body is removed, and books their energy in the energy balance.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
   /// Moves the residual indentations of the pair to `soil` if the bodies have separated, or if

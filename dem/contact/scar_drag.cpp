@@ -7,8 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Embedded frontal area of a ball whose lowest point is `depth` below the plane: a circular
-/// segment.
+/// Embedded frontal area of a ball with its lowest point `depth` below the plane.
 EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double depth, const Vec3& up) {
   if (!(depth > 0.0)) return {};
   const double half = std::acos(std::max(-1.0, 1.0 - depth / radius));

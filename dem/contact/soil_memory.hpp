@@ -22,8 +22,7 @@ class SoilMemory {
   bool is_enabled() const;
   bool empty() const { return depth_.empty(); }
 
-  /// Returns the stored indentation at a position, along the surface normal, m; 0 if nothing is
-  /// stored.
+  /// Returns the stored indentation along the surface normal, m; 0 if nothing is stored.
   double residual_indentation(const Vec3& position, std::uint16_t zone) const;
   void add_indentation(const Vec3& position, std::uint16_t zone, double residual_indentation);
   /// Moves all indentations of another memory into this one.

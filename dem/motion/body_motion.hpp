@@ -60,8 +60,7 @@ struct RelativeMotion {
     return other_is_moving ? Vec3(block.velocity_at(position) - other.velocity_at(position))
                            : block.velocity_at(position);
   }
-  /// Returns the mean relative velocity of the material points that were at `position` at the start
-  /// of the step.
+  /// Returns the mean relative velocity of the material points at `position` at the step's start.
   Vec3 velocity_of_start_point(const Vec3& position) const {
     return other_is_moving ? Vec3(block.velocity_of_start_point(position) -
                                   other.velocity_of_start_point(position))

@@ -29,15 +29,13 @@ class BroadPhase {
   bool update_pairs(std::span<const BoundingSphere> spheres, double slack,
                     std::optional<std::span<const std::uint32_t>> moved = {});
 
-  /// Returns how far a body may move before a pair can be missing from the list, m; 0 if there is
-  /// no list yet.
+  /// Returns how far a body may move before the list can miss a pair, m; 0 if there is no list.
   double remaining_displacement(std::size_t body, const Vec3& centre, double slack) const {
     return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm()
                                   : 0.0;  ///< at the last update
   }
 
-  /// Returns the sorted pairs. They include all pairs of spheres that overlapped at the last
-  /// `update_pairs`.
+  /// Returns the sorted pairs, with all spheres that overlapped at the last `update_pairs`.
   const std::vector<Pair>& pairs() const { return pairs_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {

@@ -7,8 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Returns where the segment passes through the face, as a fraction of its length; empty if it does
-/// not.
+/// Returns where the segment passes through the face, as a fraction of its length.
 std::optional<double> through(const SurfaceFeatures& surface, const SurfaceFace& face,
                               const Vec3& start, const Vec3& end) {
   const Vec3& first_vertex = surface.vertices[face.vertices[0]];

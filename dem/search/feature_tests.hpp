@@ -107,8 +107,7 @@ class FeatureTests {
   FeatureSeparation test_face_vertex(std::uint32_t block_face, std::uint32_t ground_vertex,
                                      std::optional<ContactPoint>& contact) const;
 
-  // The following functions take a block vertex at `centre`, inside the ground or within reach of
-  // it.
+  // The vertex at `centre` is inside the ground or within reach of it.
 
   /// True if pushing the vertex out of the ground would move it through its own block. This can
   /// happen at an edge of the ground, where the nearest surface may be its side wall.

@@ -8,8 +8,7 @@
 
 namespace clast::dem_detail {
 
-/// Upper bounds of the accumulated displacement of all points of a block part relative to the
-/// ground, m.
+/// Upper bounds of the accumulated displacement of all points of a block part, m.
 struct Displacement {
   double axial = 0.0;       ///< along the axis, in either direction
   double transverse = 0.0;  ///< perpendicular to the axis
@@ -43,8 +42,7 @@ struct SeparationBound {
   }
 };
 
-/// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d. For several bounds, their
-/// maxima.
+/// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d, or maxima of several.
 struct SeparationRates {
   double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
 

@@ -213,8 +213,7 @@ class TerrainNarrowPhase {
   /// Collects the ground features near a part.
   /// @param deepest  bound of the depth of any part point inside the ground, m
   void collect_part_ground(std::uint32_t p, double deepest);
-  /// Sets the axis to the mean normal of the listed ground. All separation bounds of the part
-  /// expire.
+  /// Sets the axis to the mean normal of the listed ground. All bounds of the part expire.
   void update_axis(std::uint32_t p);
   void update_displacement(std::uint32_t p);
   /// Renews the ground list of a part if it is about to expire. A part that has left the ground
@@ -255,8 +254,7 @@ class TerrainNarrowPhase {
   SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
-  // The following functions take the index of a vertex within its part. Contacts are added to
-  // `found`.
+  // `vertex` is the index within the part. Contacts are added to `found`.
 
   std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
     return parts_.vertices[part.first_vertex + vertex];
@@ -305,8 +303,7 @@ class TerrainNarrowPhase {
   double turned_ = 0.0;     ///< accumulated rotation: displacement of a point at an arm of 1 m, m
   double last_move_ = 0.0;  ///< increase of `moved_` in the last call, m
   LocalGround local_;       ///< ground around the whole block
-  // Distance from all points of the block up to which `local_` was complete when collected, m, and
-  // `moved_` then.
+  // Distance from the block to which `local_` was complete when collected, m; `moved_` then.
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;

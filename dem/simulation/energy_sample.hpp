@@ -37,8 +37,7 @@ struct EnergySample {
   Dissipation between_bodies;  ///< likewise
   double reassigned = 0.0;     ///< lost by changes of contacts until now; negative if gained
 
-  /// Returns this sample with its time, dissipation and reassigned energy relative to an earlier
-  /// sample.
+  /// Returns this sample with time, dissipation and reassigned energy relative to `begin`.
   EnergySample change_since(const EnergySample& begin) const {
     EnergySample sample = *this;
     sample.time -= begin.time;

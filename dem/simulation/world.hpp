@@ -51,8 +51,7 @@ struct WorldStatistics {
 using BodyObserver = std::function<void(std::size_t body, const MotionStep&)>;
 
 /// World of moving bodies. Each body has one of the shared shapes and a state. A body may be fixed
-/// until it is freed. Contacts between bodies and with the terrain use the same search and the same
-/// law.
+/// until it is freed. Contacts with the terrain and between bodies use the same law.
 ///
 /// Invariant: states, contacts and energies belong to the same time, `time()`.
 class World {

@@ -6,8 +6,7 @@
 
 namespace clast::dem_detail {
 
-/// True if `direction` is in the normal arc of an edge: between the normals of its faces, to a
-/// tolerance of 1e-9.
+/// True if `direction` is in the normal arc of an edge, between the normals of its faces.
 bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
                       const Vec3& direction);
 /// True if `direction` is in the normal arc extended by a slack. The slack grows with the angle
@@ -16,8 +15,7 @@ bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
 bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
                         const Vec3& direction);
 
-/// Returns the slack by which `is_near_normal_arc` or `is_near_normal_cone` extends the exact arc
-/// or cone, as a sine.
+/// Returns the slack of `is_near_normal_arc` or `is_near_normal_cone`, as a sine.
 double normal_arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge);
 double normal_cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex);
 

@@ -15,12 +15,10 @@ namespace clast {
 class TerrainSurface {
  public:
   /// Builds the surface.
-  /// @param mesh  welded triangles with normals out of the ground, in the terrain's local frame, z
-  ///              up, m
+  /// @param mesh  welded triangles with normals out of the ground; local frame, z up, m
   /// @param zones  ground zone of each triangle
   /// @param radius  offset of the contact surface above the triangles, m
-  /// @throws GeometryError  if the mesh is empty, a triangle is degenerate or an edge is
-  ///                        non-manifold
+  /// @throws GeometryError  if the mesh is empty, a triangle degenerate or an edge non-manifold
   TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zones, double radius = 0.0);
   ~TerrainSurface();
   TerrainSurface(TerrainSurface&&) noexcept;

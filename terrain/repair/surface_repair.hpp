@@ -8,8 +8,7 @@
 
 namespace clast::terrain_detail {
 
-/// Merges vertices within 1e-6 m. Only duplicates are merged, because surveys can have edges below
-/// 1 mm.
+/// Merges vertices within 1e-6 m. Surveys can have edges below 1 mm, which are kept.
 void weld_surface(RawSurface& surface, TerrainReport& report);
 
 /// Removes triangles with a repeated vertex or a height below 1e-9 m, duplicate triangles, and

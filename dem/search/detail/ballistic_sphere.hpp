@@ -1,6 +1,5 @@
 #pragma once
-/// Contact-free flight time of a block's bounding sphere, which encloses the block however it
-/// tumbles.
+/// Contact-free flight time of the bounding sphere of a tumbling block.
 #include "dem/surface/indexed_surface.hpp"
 
 namespace clast::dem_detail {

@@ -96,8 +96,7 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   const std::unique_ptr<NearPart>& near = part_states_[p].near;
   const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
-  // The smaller of two bounds: from the present speed of the part's points, and from their top
-  // speed.
+  // The smaller of two bounds: from the present speed of the points, and from their top speed.
   const auto displacement_in = [&](double time, double speed) {
     return std::min(distance_in(time, speed + turning, flight.acceleration),
                     distance_in(time, flight.max_point_speed, flight.gravity));
@@ -248,8 +247,7 @@ double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face
                                                     double horizon) const {
   const Vec3 arm = part.centre - tests_.position();
   const double touching = part.radius + reach_;
-  // Uses the bounding sphere of the face first, then the plane through its point nearest to the
-  // part.
+  // Tries the bounding sphere of the face, then the plane through its point nearest to the part.
   const Vec3 from_middle = part.centre - face.centre;
   const double far = from_middle.norm();
   if (far > face.radius + touching &&

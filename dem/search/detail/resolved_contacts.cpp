@@ -18,8 +18,7 @@ constexpr double kDeepFraction = 0.05;
 constexpr double kAsideFraction = 0.5;
 /// A push frees a point that stays inside by less than this fraction of the push.
 constexpr double kFreeFraction = 0.1;
-/// A feature counts as inside the other body if it is outside by less than this fraction of the
-/// overlap.
+/// A feature counts as inside if it is outside by less than this fraction of the overlap.
 constexpr double kOutFraction = 0.1;
 
 /// Positions at which a feature is tested: one point, or two of an edge.

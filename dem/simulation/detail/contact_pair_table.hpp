@@ -73,8 +73,7 @@ class ContactPairTable {
   /// Computes contacts and loads of the pairs for which `is_new` is true, without a step.
   void begin_contacts(std::span<const WorldBody> bodies,
                       const std::function<bool(const ContactPair&)>& is_new);
-  /// Requests a broad phase at the next `update_pairs`. Needed if a body has become fixed or
-  /// movable.
+  /// Requests a broad phase at the next `update_pairs`, as the set of movable bodies has changed.
   void request_broad_phase() { broad_phase_ = {}; }
   /// Stores the residual indentations of bodies that have left the ground, fallen asleep or left
   /// the world.

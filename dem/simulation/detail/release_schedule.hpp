@@ -17,8 +17,7 @@ class ReleaseSchedule {
   /// True if a confining wall holds the block.
   bool is_confined(std::size_t block) const;
   bool starts_fixed(std::size_t block) const;
-  /// Returns the time at which a block of a multi-block release is released, since the first
-  /// release, s.
+  /// Returns the release time of a block of a multi-block release, since the first release, s.
   double release_time(std::size_t block) const;
 
  private:

@@ -9,8 +9,7 @@ namespace clast::dem_detail {
 
 /// Contacts are an impact if they transfer more than this fraction of a body's kinetic energy.
 inline constexpr double kImpactFraction = 0.01;
-/// Largest step divided by `max_time_step`. Such steps are possible for contacts at points of low
-/// mobility.
+/// Largest step divided by `max_time_step`, for contacts at points of low mobility.
 inline constexpr double kMaxStepGrowth = 2.0;
 /// Largest energy of a rocking stationary block, as a multiple of the rest energy.
 inline constexpr double kRockingEnergyFactor = 10.0;

@@ -17,8 +17,7 @@
 
 namespace clast::dem_detail {
 
-/// All bodies of a world and their contacts. Objects of this class cannot be moved, because members
-/// refer to each other.
+/// All bodies of a world and their contacts. Not movable, because members refer to each other.
 class WorldMotion {
  public:
   /// Makes a world.
@@ -66,8 +65,7 @@ class WorldMotion {
   std::span<const BodyShape> shapes() const { return shapes_; }
   const std::vector<WorldBody>& bodies() const { return bodies_; }
   const ContactPairTable& pairs() const { return pairs_; }
-  /// True if the contacts of the body have been set up. The first step after adding the body does
-  /// this.
+  /// True if the contacts of the body have been set up, which its first step does.
   bool is_prepared(std::size_t body) const { return body < prepared_count_; }
   std::size_t sleeping_count() const { return sleep_manager_.count(); }
   double time() const { return time_; }  ///< s
