@@ -76,7 +76,8 @@ class ContactPatches {
   const FeatureGroups& groups_;
   ContactWeighting weights_;
 
-  // Of the last call. The joints depend only on the features, which mostly stay from call to call.
+  // Results of the last call. Groups depend only on the features, which rarely change between
+  // calls.
   std::vector<std::uint32_t> patch_;  ///< per point: smallest index of a point in its patch
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< block feature of each point
   /// Smallest set of links that connects the points of each group. Usually the ground is smooth

@@ -3,8 +3,8 @@
 namespace clast {
 namespace {
 
-/// A force this close to a line of the law, relative to itself, is on it (the correction of events
-/// shifts the block by less).
+/// Relative distance up to which a force counts as on a line of the law. The correction of events
+/// shifts it by less.
 constexpr double kOnLine = 1e-5;
 
 /// Returns the time at which the overlap passes `level`. It must be monotonic from `from` to `to`.
@@ -37,7 +37,7 @@ class Follower {
 
  private:
   void grow(double from, double to, double first, double last) {
-    if (!(force_ > 0.0)) {  // through the dent, or the air, to where it touches
+    if (!(force_ > 0.0)) {  // no force until the overlap reaches the indentation
       const double touch = std::max(residual_indentation_, 0.0);
       if (last <= touch) return;
       if (first < touch) {

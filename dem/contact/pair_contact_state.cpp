@@ -58,7 +58,7 @@ double PairContactState::bounding_box_distance(const Vec3& block_centre) const {
 }
 
 double PairContactState::displacement_to(const Pose& pose) const {
-  // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
+  // A rotation by an angle a moves no point farther than 2 sin(a/2) times its distance.
   const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
   return near_->displacement + (pose.translation - near_->pose.translation).norm() +
          turn * block_.bounding_radius;
@@ -66,7 +66,7 @@ double PairContactState::displacement_to(const Pose& pose) const {
 
 const ContactLoad& PairContactState::update(const BodyMotion& reference, const BodyMotion& block,
                                             double duration) {
-  if (!near_ && bounding_sphere_distance(reference, block) > 0.0) return load_;  // which is none
+  if (!near_ && bounding_sphere_distance(reference, block) > 0.0) return load_;  // which is zero
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {

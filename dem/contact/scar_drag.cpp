@@ -20,7 +20,7 @@ EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double dept
 /// Part of a triangle below height 0.
 struct Below {
   double area = 0.0;
-  Vec3 moment = Vec3::Zero();  ///< area times middle
+  Vec3 moment = Vec3::Zero();  ///< area times centroid
 };
 Below part_below(const std::array<Vec3, 3>& corners, const std::array<double, 3>& heights) {
   std::array<Vec3, 4> kept;

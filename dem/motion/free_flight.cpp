@@ -7,8 +7,8 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Turns below this, rad, take a single Runge-Kutta step, which errs by 2e-15 rad there and is
-/// cheaper than elliptic functions.
+/// Rotations below this angle, rad, are integrated by one Runge-Kutta step. Its error is 2e-15 rad,
+/// and it is cheaper than elliptic functions.
 constexpr double kSmallTurn = 0.003;
 
 }  // namespace

@@ -9,13 +9,13 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Edge and face contacts deeper than this share of the smallest side are not trusted: beyond the
-/// middle of the block the opposite side would be nearer.
+/// Largest depth of edge and face contacts, as a fraction of the smallest side. Beyond the middle
+/// of the block, the opposite side would be nearer.
 constexpr double kDepthFraction = 0.5;
 /// Depths that differ by less are compared exactly, m.
 constexpr double kDepthRounding = 1e-9;
-/// A turn can make edges and faces touch that are deeper than anything that touches already: by
-/// this share of that depth, and this many margins.
+/// By rotation, edges and faces can get deeper than all present contacts: by this fraction of their
+/// depth plus this many list margins.
 constexpr double kDeeperFraction = 0.5, kDeeperMargins = 0.25;
 /// The depth limit is this factor times the needed depth. It is lowered if it exceeds the needed
 /// depth by the second factor.
@@ -225,8 +225,8 @@ void FeatureTests::add_outside_contacts(std::uint32_t vertex, const Vec3& centre
     }
     for (int k = 0; k < 3; ++k) {
       const SurfaceEdge& edge = ground.edges[face.edges[k]];
-      // Each edge once. Over one sharper than a right angle lies air that is behind the plane of
-      // either face, but behind a border there is none.
+      // Each edge is tested once. Near an edge sharper than a right angle, points outside can be
+      // behind the planes of both faces; not so at a border.
       if (edge.faces[0] == f && edge.is_convex() &&
           (height >= 0.0 || edge.kind == EdgeKind::kConvex)) {
         const double along = edge.direction.dot(centre - ground.vertices[edge.vertices[0]]);

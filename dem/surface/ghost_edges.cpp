@@ -5,7 +5,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Slack of the arc and cone tests, a sine.
+/// Tolerance of the arc and cone tests, as a sine.
 constexpr double kConeSlack = 1e-9;
 /// Slack at an edge or vertex, as a fraction of the distance between its unit normals. It is 3
 /// degrees at a right angle, the tilt of a block at the settled depth.

@@ -7,7 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Faces per cell that the grid aims at; two are what a regular grid of squares has.
+/// Target number of faces per cell, as in a regular grid of squares.
 constexpr double kFacesPerCell = 2.0;
 constexpr double kMaxCells = 4e7;
 
@@ -159,7 +159,7 @@ std::optional<NearestPoint> IndexedSurface::nearest_point(const Vec3& query, dou
     if (below.cwiseMax(above).cwiseMax(0.0).squaredNorm() > limit * limit) return;
     const NearestPoint candidate = project_onto_face(features, f, query);
     const double distance = std::abs(candidate.distance);
-    // Ties go to the smaller face number, so that the order of visits does not matter.
+    // Ties go to the smaller face index, so that the order of visits does not matter.
     if (distance < limit || (distance == limit && (!best || f < best->face))) {
       limit = distance;
       best = candidate;

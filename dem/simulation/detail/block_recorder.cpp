@@ -6,7 +6,7 @@ namespace clast::dem_detail {
 
 namespace {
 
-/// Length of the path of the centre, m.
+/// Returns the length of the path of the centre, m.
 double way_of(const MotionStep& step) {
   if (!step.flight) return (step.end.position - step.begin.position).norm();
   // Length of a parabola, by Simpson's rule over the speed.
