@@ -74,8 +74,7 @@ class VerticalLineTriangles {
  private:
   struct Triangle {
     std::array<Vec3, 3> corner;
-    std::array<bool, 3>
-        reversed;  ///< per edge: it runs from the larger to the smaller vertex index
+    std::array<bool, 3> reversed;  ///< edge runs from the larger to the smaller index
     HeightPlane plane;
     Bounds box;
   };

@@ -42,8 +42,7 @@ std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbo
 struct ConsistentOrientation {
   /// Triangles of each manifold component, in breadth-first order from the smallest index.
   std::vector<std::vector<std::uint32_t>> components;
-  std::vector<bool>
-      is_flipped;  ///< true if it is oriented oppositely to the first triangle of its component
+  std::vector<bool> is_flipped;  ///< faces opposite to the first triangle of its component
   /// Vertex of the first edge at which orientations conflict; empty if the surface is orientable.
   std::optional<std::uint32_t> conflict_vertex;
 };

@@ -17,8 +17,7 @@ TriangleMesh convex_hull(std::span<const Vec3> points);
 /// a line, 2 for a plane, otherwise 3.
 struct AffineSpan {
   int dimension = 0;
-  Mat3 axes =
-      Mat3::Identity();  ///< columns: direction of the line, second direction in the plane, normal
+  Mat3 axes = Mat3::Identity();  ///< columns: along the line, across it in the plane, normal
 };
 
 AffineSpan affine_span(std::span<const Vec3> points);

@@ -38,8 +38,7 @@ class HullInterpolation {
 
   TriangleMesh surface_;
   Vec3 centre_ = Vec3::Zero();
-  std::vector<double>
-      hull_distance_;  ///< per vertex: distance of the hull from the centre divided by its own
+  std::vector<double> hull_distance_;  ///< per vertex: distance of the hull over its own
   std::vector<EdgeFlip> edge_flips_;
   double hull_volume_ = 0.0;
 };

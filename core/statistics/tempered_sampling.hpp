@@ -12,9 +12,8 @@ using LogLikelihood = std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>;
 
 struct TemperedSamplingOptions {
   std::size_t draws = 2000;
-  double effective_fraction =
-      0.5;         ///< effective sample size after a tempering step, as a fraction of the draws
-  int moves = 10;  ///< Metropolis moves per draw and temperature
+  double effective_fraction = 0.5;  ///< effective sample size of a tempering step over draws
+  int moves = 10;                   ///< Metropolis moves per draw and temperature
   std::uint64_t seed = 1;
 
   void check() const;  ///< throws InputError naming the field and its value

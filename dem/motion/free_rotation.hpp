@@ -49,8 +49,7 @@ class FreeRotation {
   double nutation_ = 0.0;        ///< factor of the integrand of the precession, rad/s
   double along_pole_ = 1.0;      ///< largest component of the unit momentum along the pole
   double spread_middle_ = 0.0, spread_other_ = 0.0;  ///< amplitudes of the other components
-  double slope_middle_ = 1.0,
-         slope_other_ = 1.0;  ///< ratio of the amplitudes, also if both vanish
+  double slope_middle_ = 1.0, slope_other_ = 1.0;    ///< their ratio, also if both vanish
   double first_amplitude_ = 0.0, first_argument_ = 0.0, first_integral_ = 0.0;
   double half_turn_integral_ = 0.0;  ///< integral of the third kind over an amplitude of pi
   Mat3 first_frame_ = Mat3::Identity();

@@ -187,11 +187,10 @@ class TerrainNarrowPhase {
   };
   /// Temporary data of one call, shared by all searches of a thread.
   struct Scratch {
-    IndexList expired_parts;         ///< parts to update
-    IndexList near_parts_to_update;  ///< members of `expired_parts` near the ground
-    FoundContacts found;             ///< contacts found by `find_contacts`
-    FoundContacts
-        ahead;  ///< contacts found by `safe_displacement` and `safe_time`, which ignore them
+    IndexList expired_parts;                ///< parts to update
+    IndexList near_parts_to_update;         ///< members of `expired_parts` near the ground
+    FoundContacts found;                    ///< contacts found by `find_contacts`
+    FoundContacts ahead;                    ///< contacts found by other searches, which ignore them
     std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
     std::vector<std::uint32_t>
         unseparated_parts;  ///< members of `near_parts` that no plane separates from some face
@@ -239,8 +238,7 @@ class TerrainNarrowPhase {
   struct PartSphere {
     Vec3 centre;
     double radius;
-    double
-        turning;  ///< bound of the acceleration of its centre due to rotation of the block, m/s^2
+    double turning;  ///< bound of the acceleration of its centre by rotation, m/s^2
   };
   /// Returns the contact-free time of a part sphere over a face, s; 0 if contact is possible.
   double sphere_contact_free_time(const LocalFaces::Face& face, const PartSphere& part,

@@ -76,8 +76,7 @@ struct SequenceResult {
   double raise_height = 0.0;
   std::optional<RigidState> settled;  ///< state after settling; empty if it did not settle
   double later_displacement = 0.0;    ///< from the end of its own release to its final position, m
-  std::optional<double>
-      removed_at;  ///< time of removal since the first release, s; empty if not removed
+  std::optional<double> removed_at;   ///< since the first release, s; empty if not removed
   std::uint32_t blocks_hit = 0;  ///< number of other blocks that it touched during its own release
 
   template <class Bytes>

@@ -17,9 +17,8 @@ class ByteWriter;
 
 /// Settings of a world other than bodies and terrain.
 struct WorldSettings : MotionSettings {
-  GroundParameters between_bodies;  ///< contact parameters of two bodies
-  GroundParameters on_confining_walls{
-      .friction = 0.0};  ///< contact parameters of a wall and a confined body
+  GroundParameters between_bodies;                       ///< contact parameters of two bodies
+  GroundParameters on_confining_walls{.friction = 0.0};  ///< of a wall and a confined body
   /// Largest drift of a stationary body, as a fraction of its smallest side S; if 0, no body
   /// sleeps. A body is stationary if it was in contact with less than ten times `rest_energy` for
   /// twice `sleep_duration`, and its mean poses in both halves differ by at most this drift. It
@@ -27,7 +26,7 @@ struct WorldSettings : MotionSettings {
   /// costs nothing. It wakes if a body that is not stationary touches it, or touches a sleeping
   /// body connected to it.
   double sleep_drift = 1e-3;
-  double sleep_duration = 0.5;
+  double sleep_duration = 0.5;  ///< s
   unsigned threads = 1;  ///< number of threads; 0: one per core. It does not affect the result
 
   void check() const;  ///< throws InputError naming the field and its value

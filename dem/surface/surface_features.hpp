@@ -28,9 +28,8 @@ struct SurfaceFace {
 
 struct SurfaceEdge {
   std::array<std::uint32_t, 2> vertices;
-  std::array<std::uint32_t, 2>
-      faces;       ///< the second is kNoFeature at a border, both are for a wire
-  Vec3 direction;  ///< unit, from the first vertex to the second
+  std::array<std::uint32_t, 2> faces;  ///< second kNoFeature at a border, both for a wire
+  Vec3 direction;                      ///< unit, from the first vertex to the second
   double length = 0.0;
   EdgeKind kind = EdgeKind::kFlat;
   std::array<bool, 2> forward = {true, false};  ///< per face: true if the face runs along the edge
@@ -46,9 +45,9 @@ struct SurfaceFeatures {
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
   std::vector<Vec3> vertex_normals;  ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  std::vector<std::uint8_t>
-      is_pointed_vertex;  ///< true for a vertex that can be in contact: the end of a convex edge
-                          ///< without a collinear continuation
+  /// True for a vertex that can be in contact: the end of a convex edge without a collinear
+  /// continuation.
+  std::vector<std::uint8_t> is_pointed_vertex;
   std::vector<std::uint32_t>
       edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
   std::vector<std::uint32_t> edges_at_vertex;  ///< sorted

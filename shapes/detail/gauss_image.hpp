@@ -55,8 +55,7 @@ class GaussImage {
   std::vector<Vec3> vertices_;
   std::vector<Edge> edges_;
   double radius_;
-  Eigen::MatrixX3d coordinates_, normals_,
-      weighted_normals_;  ///< weighted by area
+  Eigen::MatrixX3d coordinates_, normals_, weighted_normals_;  ///< the last by area
   Eigen::VectorXd areas_, along_, slopes_;
   std::vector<std::uint8_t> up_;     ///< per face: true if it faces along the direction
   std::vector<std::uint32_t> next_;  ///< per vertex of the outline: the next vertex

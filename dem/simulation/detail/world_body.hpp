@@ -77,8 +77,7 @@ struct WorldBody {
   const BodyShape* shape;
   RigidBodyIntegrator integrator;
   bool fixed;
-  std::optional<ConfinedBodies>
-      confined;              ///< if it is a confining wall: the bodies that it may touch
+  std::optional<ConfinedBodies> confined;  ///< for a confining wall: the bodies that it holds
   bool inactive = false;     ///< true if it left the terrain or was removed; it keeps its last pose
   bool off_terrain = false;  ///< true if it left the terrain in the last step
   BodyMotion motion;         ///< its motion over the last step

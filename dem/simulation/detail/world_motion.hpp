@@ -155,8 +155,7 @@ class WorldMotion {
     RigidState state;
     bool free = false;
   };
-  std::vector<StartState>
-      start_states_;  ///< states of the moving bodies; only if there is an observer
+  std::vector<StartState> start_states_;  ///< of moving bodies, if there is an observer
 
   // Sleeping bodies should cost next to nothing, so a step works on these lists only.
   bool listed_ = false;                ///< true if both lists and the active pairs are up to date
