@@ -36,8 +36,8 @@ struct ContactLoad {
   Vec3 force = Vec3::Zero();            ///< on the block
   Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
   Vec3 torque_on_other = Vec3::Zero();  ///< on the other body, about its own centre of mass
-  /// Energy in the impact of the contacts, per block mass, J/kg: what they absorb or return, or
-  /// will lose at reversal (docs/theory.md, Time step).
+  /// Energy of an impact, per block mass, J/kg: what the contacts absorb or return, or will lose at
+  /// reversal (docs/theory.md, Time step).
   double impact = 0.0;
   /// Impulse to apply once, at the end of this step (`RigidBodyIntegrator::apply_event_impulse`).
   std::unique_ptr<EventImpulse> event;
@@ -106,7 +106,7 @@ class ContactForces {
   }
 
  private:
-  /// Force and torque of a patch whose total normal force is one, by the weights of its points.
+  /// Force and torque of a patch for a unit normal force, distributed by the weights of its points.
   struct PatchWrench {
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
@@ -178,7 +178,7 @@ class ContactForces {
 
   const ContactModel& model_;
   const SurfaceFeatures& block_;
-  double near_;  ///< maximum distance at which a contact may continue one of other features, m
+  double near_;  ///< largest distance over which a contact may continue on other features, m
   ContactPatches patches_;
   std::vector<Contact> contacts_;
   std::size_t deepest_ = 0;  ///< index of the contact with the largest overlap

@@ -35,8 +35,7 @@ struct Contact {
 class ContactHistory {
  public:
   /// Matches each point with at most one contact of the previous step.
-  /// @param max_distance  maximum distance at which a point may continue a contact of other
-  ///                      features, m
+  /// @param max_distance  largest distance over which a contact may continue on other features, m
   void match_contacts(const std::vector<ContactPoint>& points, const std::vector<Contact>& before,
                       double max_distance);
   /// Returns the contact of the previous step that a point continues; null if the point is new.

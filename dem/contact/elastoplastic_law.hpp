@@ -6,9 +6,9 @@
 namespace clast {
 
 /// Normal force f on one ground zone, with overlap h and residual indentation p (docs/theory.md,
-/// Normal laws). Loading: f = k_1 h while h exceeds its previous maximum. Unloading: f = k_2 (h -
-/// p), and 0 if h < p. Reloading: f rises by k_3 dh up to k_1 h, so that a block comes to rest in
-/// its own indentation.
+/// Normal laws). During loading beyond the previous maximum, f = k_1 h. During unloading, f = k_2
+/// (h - p), and 0 if h < p. During reloading, f rises by k_3 dh up to k_1 h, so that a block comes
+/// to rest in its own indentation.
 struct ElastoplasticLaw {
   static constexpr const char* kName = "elastoplastic";
   static constexpr bool kNeedsEffectiveMass = false;
