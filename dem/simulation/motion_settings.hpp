@@ -14,7 +14,7 @@ struct MotionSettings {
   ContactLaw law;              ///< of all contacts; default: energy-restitution
   ContactWeighting weights = ContactWeighting::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
-  double rest_energy = 2e-4;    ///< largest kinetic energy of a body at rest, J/kg
+  double rest_energy = 2e-4;    ///< largest kinetic energy per mass of a body at rest, J/kg
   double rest_duration = 0.5;   ///< time for which a resting body must be slow and in contact, s
   double start_overlap = 1e-3;  ///< maximum initial overlap, as a fraction of the smallest side S
 

@@ -20,7 +20,7 @@ inline bool allows_longer_steps(const ContactStiffness& contact) {
 }
 
 /// True if more than a small fraction of the kinetic energy passes through the contacts.
-/// @param transferred_energy, kinetic  in J, or both in J/kg
+/// @param transferred_energy, kinetic  both in J or both in J/kg
 inline bool is_impact(double transferred_energy, double kinetic) {
   return transferred_energy > kImpactFraction * kinetic;
 }
