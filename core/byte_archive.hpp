@@ -1,8 +1,8 @@
 #pragma once
-/// Values as bytes and back, for what only the program reads that wrote it: journals, checkpoints,
-/// messages between processes.
+/// Serialisation of values to bytes and back. The format is private to one build of the program; it
+/// serves for journals, checkpoints and messages between processes.
 ///
-/// One list of what a class holds serves both ways, as a member or as a function beside it:
+/// A class lists its members once for writing and reading, in a member or free function:
 ///
 ///     template <class Bytes>
 ///     void serialize(Bytes& bytes) { bytes(first_, second_); }
@@ -31,7 +31,7 @@ class ByteWriter {
   static constexpr bool kReads = false;
 
   /// Writes to a buffer.
-  /// @param to  must outlive the writer
+  /// @param to  stream to write to; must outlive the writer
   explicit ByteWriter(std::ostream& to) : to_(to) {}
 
   template <class... Values>
@@ -41,7 +41,7 @@ class ByteWriter {
   void archive_bytes(const void* data, std::size_t size) {
     to_.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
-  /// Serialises the number of following elements.
+  /// Writes the number of the elements that follow.
   std::size_t archive_size(std::size_t size) {
     std::uint64_t stored = size;
     archive_bytes(&stored, sizeof stored);
@@ -57,7 +57,7 @@ class ByteReader {
   static constexpr bool kReads = true;
 
   /// Reads from bytes.
-  /// @param bytes  must outlive the reader
+  /// @param bytes  bytes to read; must outlive the reader
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
   /// Reads values.
@@ -82,7 +82,7 @@ class ByteReader {
   bool at_end() const { return bytes_.empty(); }
 
  private:
-  std::string_view bytes_;  ///< remaining bytes
+  std::string_view bytes_;  ///< bytes not yet read
 };
 
 template <class Bytes, class T>

@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Disjoint sets of the numbers 0..n-1; the smallest number represents a set.
+/// Disjoint sets of the numbers 0 to n - 1. A set is represented by its smallest number.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count);

@@ -1,6 +1,6 @@
 #pragma once
-/// Exceptions of clast. A message states what failed, the item, the values, and what to do next:
-/// "block B017: mesh has 3 open boundaries; repair it first".
+/// Exceptions of clast. A message names the item, what failed, the values, and what to do next.
+/// Example: "block B017: mesh has 3 open boundaries; repair it first".
 #include <stdexcept>
 #include <string>
 
@@ -18,7 +18,7 @@ class InputError : public Error {
   using Error::Error;
 };
 
-/// Error of a shape without a required property (closed, outward, not flat, ...).
+/// Error of a shape that lacks a required property, for example one that is open or flat.
 class GeometryError : public Error {
  public:
   using Error::Error;

@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// Calls `f` and returns its result. If `f` throws a clast error, its message is replaced by
-/// `rewrite(message)`; its type is kept.
+/// Calls `f` and returns its result. If `f` throws a clast error, it is thrown again with the same
+/// type and the message `rewrite(message)`.
 template <class Rewrite, class F>
 decltype(auto) with_rewritten_error(Rewrite&& rewrite, F&& f) {
   try {
@@ -30,7 +30,7 @@ decltype(auto) with_error_context(const std::string& name, F&& f) {
                               std::forward<F>(f));
 }
 
-/// Like `with_error_context`, but leaves messages unchanged that name the file already.
+/// Like `with_error_context`, but messages that already name the file are not changed.
 template <class F>
 decltype(auto) with_file_context(const std::string& path, F&& f) {
   return with_rewritten_error(

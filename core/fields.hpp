@@ -1,5 +1,5 @@
 #pragma once
-/// Named fields of option structs: one list for printing and hashing.
+/// Named fields of option structs, listed once for printing and hashing.
 ///
 /// Each struct has a function `visit_fields` beside it that uses a structured binding, so that a
 /// field missing in the list is a compile error:
@@ -21,7 +21,7 @@
 
 namespace clast {
 
-/// Marks a field that does not affect results, such as a number of threads; `format_field` omits
+/// Marks a field that does not affect results, such as a number of threads. `format_field` omits
 /// it.
 template <class T>
 struct ExcludedField {
@@ -36,7 +36,7 @@ concept HasFields = requires(const T& options) {
   visit_fields(options, [](const char*, const auto&) {});
 };
 
-/// Formats a text in quotes, with escaped quotes inside, so that no text looks like two fields.
+/// Formats a text in quotes. Quotes inside are escaped, so that no text looks like two fields.
 inline std::string format_field(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) {
@@ -92,8 +92,8 @@ std::string format_field(const std::array<T, n>& values) {
   return core_detail::comma_separated(values);
 }
 
-/// Formats all fields that affect results, including nested structs: "{unit=1, up="z", ...}". Equal
-/// texts mean equal options.
+/// Formats all fields that affect results, including nested structs: "{unit=1, up="z", ...}".
+/// Options with equal texts give equal results.
 template <HasFields T>
 std::string format_field(const T& options) {
   std::string text;

@@ -13,7 +13,7 @@ struct NamedUnit {
   double factor;  ///< value in SI units
 };
 
-/// Length units; the micro sign exists twice in Unicode, as itself and as the Greek letter.
+/// Length units. The micro sign is listed twice, because Unicode has it also as the Greek letter.
 inline constexpr std::array<NamedUnit, 9> kLengthUnits = {{{"um", 1e-6},
                                                            {"\xC2\xB5m", 1e-6},
                                                            {"\xCE\xBCm", 1e-6},
@@ -27,9 +27,9 @@ inline constexpr std::array<NamedUnit, 9> kLengthUnits = {{{"um", 1e-6},
 /// Allowed range of the length unit of a scan or table, m.
 inline constexpr NumberRange kLengthUnit{1e-12, 1e6, "m"};
 
-/// Parses the option `units`: a name of `kLengthUnits` or a factor in `kLengthUnit`. Returns metres
-/// per unit.
-/// @throws InputError  for any other text
+/// Parses the option `units`, which is a name of `kLengthUnits` or a number of metres in
+/// `kLengthUnit`. Returns metres per unit.
+/// @throws InputError  if the text is neither
 double parse_length_unit(const std::string& text);
 
 }  // namespace clast

@@ -3,10 +3,10 @@
 
 namespace clast {
 
-/// Rounds up to the next such number; 1 unless value > 0.
+/// Rounds up to 1, 2 or 5 times a power of ten; 1 if the value is not positive.
 double round_up_to_nice(double value);
 
-/// Rounds down to the previous such number.
+/// Rounds down to 1, 2 or 5 times a power of ten.
 /// @param value  positive
 double round_down_to_nice(double value);
 

@@ -8,15 +8,15 @@
 
 namespace clast {
 
-/// Parses a text that is exactly one number, without spaces; empty if it is not, or out of range
-/// for a double. A leading "+", "nan" and "inf" are accepted.
+/// Parses a text that is exactly one number, without spaces. A leading "+", "nan" and "inf" are
+/// accepted. Empty if the text is not a number or is out of the range of a double.
 std::optional<double> parse_number(std::string_view text);
 
 /// Formats a number with significant digits and without trailing zeros: "0.0254".
 std::string format_significant(double value, int digits);
 
-/// Formats a number with significant digits and trailing zeros, with an exponent only from 1e7 and
-/// below 1e-4.
+/// Formats a number with significant digits and trailing zeros. An exponent is used only from 1e7
+/// on and below 1e-4.
 std::string format_rounded(double value, int digits = 4);
 /// Formats a number with fixed decimals; never "-0.0".
 std::string format_decimals(double value, int decimals);
@@ -28,7 +28,7 @@ std::string format_count(std::size_t count, const std::string& noun);
 /// Formats a count of a noun with an irregular plural.
 std::string format_count(std::size_t count, const std::string& singular, const std::string& plural);
 
-/// Formats a point as "(x, y, z)" with nine significant digits each: to the centimetre on a map.
+/// Formats a point as "(x, y, z)" with nine significant digits, a centimetre in map coordinates.
 std::string format_point(const Vec3& point);
 /// Formats a point in map coordinates to the millimetre: "x 652013.250, y 5203000.000, z 1824.310".
 std::string format_map_point(const Vec3& point);

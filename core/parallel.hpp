@@ -8,24 +8,24 @@ namespace clast {
 
 /// Calls `body(i)` for every i in [0, count) on up to `threads` threads (0: one per core).
 ///
-/// Items are handed out in order, one at a time. `body` must write only what belongs to item i.
-/// If items throw, the exception of the smallest such i is rethrown once all threads stopped; no
-/// new item is started after the first exception.
+/// Items are started in order, one at a time. `body(i)` must write only data of item i. After an
+/// exception no new item is started. When all threads have stopped, the exception with the smallest
+/// i is rethrown.
 void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t)>& body);
 
 /// Returns `threads`, or the number of cores if it is 0.
 unsigned resolve_thread_count(unsigned threads);
 
-/// Pool of waiting threads, for loops too short for starting threads. One loop at a time.
+/// Pool of waiting threads, for loops too short to start threads. Runs one loop at a time.
 class ThreadPool {
  public:
   /// Starts the threads.
-  /// @param threads  including the calling thread; 0: one per core
+  /// @param threads  number of threads including the calling one; 0: one per core
   explicit ThreadPool(unsigned threads);
   ~ThreadPool();
 
-  /// Runs a loop like `parallel_for`, with `chunk` consecutive items per assignment.
+  /// Runs a loop like `parallel_for`. A thread takes `chunk` consecutive items at a time.
   void run(std::size_t count, std::size_t chunk, const std::function<void(std::size_t)>& body);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Rigid transforms, named destination_from_source and read right to left.
+/// Rigid transforms. Their names have the form destination_from_source and read from right to left.
 #include "core/types.hpp"
 
 namespace clast {

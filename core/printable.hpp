@@ -5,10 +5,10 @@
 
 namespace clast {
 
-/// Escapes everything but visible UTF-8 characters on one line: control characters ("\u001b",
-/// "\n"), characters that change the text direction or end a line ("\u202e"), and invalid bytes
-/// ("\xff"). Names in files could otherwise clear a screen, hide text or forge messages.
-/// Backslashes are unchanged.
+/// Escapes everything except visible UTF-8 characters: control characters ("\u001b", "\n"),
+/// characters that change the text direction or end a line ("\u202e"), and invalid bytes ("\xff").
+/// Otherwise names in files could clear the screen, hide text or forge messages. Backslashes are
+/// not changed.
 std::string escape_nonprintable(std::string_view text);
 
 }  // namespace clast

@@ -8,19 +8,19 @@
 namespace clast {
 
 struct ProgressUpdate {
-  std::size_t done = 0;         ///< out of `total` runs, scans, ...
-  std::size_t total = 0;        ///< 0 if unknown
-  std::size_t done_before = 0;  ///< of those done, in an earlier session
+  std::size_t done = 0;         ///< number of finished runs, scans, ...
+  std::size_t total = 0;        ///< total number; 0 if unknown
+  std::size_t done_before = 0;  ///< part of `done` from an earlier session
   std::string activity = {};    ///< current activity, such as "fitting B017"
-  bool is_slow = false;  ///< takes minutes, as COLMAP does, and is shown on a line of its own
+  bool is_slow = false;  ///< true if the activity takes minutes; it is shown on a line of its own
 };
 
-/// Called by a job at intervals, from one thread at a time. Its exceptions end the job; finished
-/// work is kept.
+/// Called by a job at intervals, from one thread at a time. An exception of the callback ends the
+/// job; finished work is kept.
 using ProgressCallback = std::function<void(const ProgressUpdate&)>;
 
-/// Exception by which a `ProgressCallback` ends a job. It is not an `Error`, so that batches do not
-/// treat it as the failure of one item.
+/// Exception that a `ProgressCallback` throws to end a job. It is not derived from `Error`, so that
+/// a batch does not treat it as the failure of one item.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}

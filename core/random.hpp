@@ -1,6 +1,6 @@
 #pragma once
-/// Seeded random numbers with equal bits on all machines. Every draw comes from a generator passed
-/// as an argument.
+/// Seeded random numbers, which have equal bits on all machines. Functions take the generator as an
+/// argument.
 #include <cstdint>
 
 #include "core/types.hpp"

@@ -5,8 +5,8 @@
 
 namespace clast {
 
-/// Text table with columns as wide as their longest entry. The first column is left-aligned text;
-/// other columns are right-aligned if they contain numbers. Non-printable characters are escaped.
+/// Text table. A column is as wide as its longest entry. The first column is left-aligned; other
+/// columns are right-aligned if they contain numbers. Non-printable characters are escaped.
 struct TextTable {
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> rows;

@@ -1,5 +1,5 @@
 #pragma once
-/// Vectors, matrices and quaternions used throughout: double precision, fixed size.
+/// Vectors, matrices and quaternions of double precision and fixed size.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -8,7 +8,7 @@ namespace clast {
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
-/// Unit quaternion, in the order (w, x, y, z).
+/// Unit quaternion. Its components are written in the order (w, x, y, z).
 using Quat = Eigen::Quaterniond;
 
 /// Returns the z component of the cross product of two plan vectors.

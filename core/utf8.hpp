@@ -12,19 +12,19 @@ struct DecodedCharacter {
   std::size_t length = 0;
 };
 
-/// Decodes the first character of a text; size 0 if its first bytes are not UTF-8.
+/// Decodes the first character of a text. Its size is 0 if the first bytes are not UTF-8.
 /// @cite rfc3629
 DecodedCharacter decode_first_character(std::string_view text);
 
-/// True if a text is valid UTF-8: no stray bytes, overlong forms, surrogates, or codes above
-/// U+10FFFF.
+/// True if a text is valid UTF-8. Stray bytes, overlong forms, surrogates and codes above U+10FFFF
+/// are not valid.
 /// @cite rfc3629
 bool is_utf8(std::string_view text);
 
 /// Returns the text with A to Z in lower case; other bytes are unchanged.
 std::string lower_case_ascii(std::string_view text);
 
-/// Converts Windows-1252 (a superset of printable Latin-1) to UTF-8. The five undefined bytes
+/// Converts Windows-1252, a superset of printable Latin-1, to UTF-8. Its five undefined bytes
 /// become Latin-1 control characters.
 std::string utf8_from_latin1(std::string_view text);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Intersections of vertical lines with a core and its offset layer.
+/// Intersections of vertical lines (along z) with a core and its offset layer.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,18 +19,18 @@ struct HeightPlane {
   double height_at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
-/// Convex pieces, prepared for intersection with vertical lines and sorted by their lowest y, so
-/// that rows of lines access neighbouring memory.
+/// Convex pieces prepared for intersection with vertical lines. They are sorted by their lowest y.
 class VerticalLinePieces {
  public:
   VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius);
 
   std::size_t size() const { return pieces_.size(); }
-  /// Range of y of a piece; lower ends are ascending.
+  /// Returns the range of y of a piece. The lower ends are ascending.
   LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
-  /// Range of x in which lines at `y` can intersect the piece.
+  /// Returns the range of x in which vertical lines at `y` can intersect the piece.
   LineInterval x_range(std::size_t piece, double y) const;
-  /// Intersection of the line at (x, y) with the piece; x must be within `reach`.
+  /// Returns the interval of z in which the vertical line through (x, y) is in the piece. x must be
+  /// in `x_range`.
   LineInterval clip_line(std::size_t piece, double x, double y) const;
 
  private:
@@ -39,8 +39,8 @@ class VerticalLinePieces {
     OffsetPiece::CurvedFace round;
     Vec3 centre,
         axis;  ///< zero for balls, for which the cylinder formulas give the chord of the ball
-    /// Offsets in `height_planes_` of the lower bounds, the upper bounds and the sides of the
-    /// projection along z, given as at(x, y) <= 0.
+    /// Offsets in `height_planes_` of the lower bounds, the upper bounds and the sides. A line
+    /// passes between the sides if height_at(x, y) <= 0 for all of them.
     std::uint32_t lower, upper, sides, end;
   };
 
@@ -54,8 +54,8 @@ class VerticalLinePieces {
   std::vector<HeightPlane> height_planes_;
 };
 
-/// Triangles of the core, prepared for intersection with vertical lines and sorted by their lowest
-/// y.
+/// Triangles of the core prepared for intersection with vertical lines. They are sorted by their
+/// lowest y.
 class VerticalLineTriangles {
  public:
   explicit VerticalLineTriangles(const TriangleMesh& core);
@@ -64,17 +64,17 @@ class VerticalLineTriangles {
   LineInterval y_range(std::size_t triangle) const;
   LineInterval x_range(std::size_t triangle, double y) const;
 
-  /// Returns +1 if the upward line at (x, y) leaves the core through the triangle, -1 if it enters,
-  /// 0 if it misses. Each edge is evaluated from its smaller vertex index, so that adjacent
-  /// triangles agree exactly and no line hits both or neither.
+  /// Returns +1 if the upward line through (x, y) leaves the core through the triangle, -1 if it
+  /// enters there, and 0 if it misses the triangle. A line through a shared edge hits exactly one
+  /// of the two triangles.
   int crossing_sign(std::size_t triangle, double x, double y) const;
-  /// Height at which the line at (x, y) crosses the triangle.
+  /// Returns the height at which the vertical line through (x, y) crosses the triangle.
   double crossing_height(std::size_t triangle, double x, double y) const;
 
  private:
   struct Triangle {
     std::array<Vec3, 3> corner;
-    std::array<bool, 3> reversed;  ///< edge i runs from the larger to the smaller vertex index
+    std::array<bool, 3> reversed;  ///< edge runs from the larger to the smaller index
     HeightPlane plane;
     Bounds box;
   };

@@ -4,7 +4,8 @@
 
 namespace clast {
 
-/// Mass properties of a homogeneous solid; `inertia` is about `centre`, in the axes of `centre`.
+/// Mass properties of a homogeneous solid. `inertia` is about `centre`, with the axes of the frame
+/// in which `centre` is given.
 struct MassProperties {
   double volume = 0.0;          ///< m^3
   double mass = 0.0;            ///< kg

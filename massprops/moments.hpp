@@ -18,7 +18,7 @@ struct Moments {
     second += other.second;
     return *this;
   }
-  /// Adds a multiple of the moments of another solid; -1 subtracts.
+  /// Adds `factor` times the moments of another solid.
   void add_scaled(const Moments& other, double factor) {
     volume += factor * other.volume;
     first += factor * other.first;
@@ -30,15 +30,14 @@ struct Moments {
 /// mirtich1996
 Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Returns the moments of a closed mesh, with vertices relative to `origin`.
+/// Returns the moments of a closed mesh about `origin`.
 Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
 
-/// Returns the mean of the used vertices, summed relative to the first to keep precision; zero
-/// without triangles.
+/// Returns the mean of the used vertices; zero if there are no triangles.
 Vec3 vertex_mean(const TriangleMesh& mesh);
 
-/// Converts moments about `origin`, along axes that `rotation` (source_from_local) rotates to the
-/// source's, to mass properties.
+/// Converts moments about `origin` along local axes to mass properties in the source frame.
+/// @param rotation  source_from_local
 MassProperties to_mass_properties(const Moments& moments, const Vec3& origin, const Mat3& rotation,
                                   double density);
 
@@ -46,7 +45,8 @@ MassProperties to_mass_properties(const Moments& moments, const Vec3& origin, co
 /// @throws InputError  if it is not positive and finite
 void check_density(double density);
 
-/// Checks that a mesh bounds a solid; `what` names the mesh in the message.
+/// Checks that a mesh bounds a solid.
+/// @param what  name of the mesh in the message
 /// @throws GeometryError  if it is open, non-manifold or inconsistently oriented
 void check_closed(const TriangleMesh& mesh, const char* what);
 

@@ -8,12 +8,11 @@ namespace clast {
 struct PrincipalFrame {
   Vec3 moments = Vec3::Zero();          ///< kg m^2, ascending
   Quat rotation = Quat::Identity();     ///< source_from_body; its columns are the principal axes
-  bool has_near_equal_moments = false;  ///< two or three axes are set by convention
+  bool has_near_equal_moments = false;  ///< true if two or three axes are set by convention
 };
 
 /// Computes the principal moments, ascending, and their axes. The component of largest magnitude of
-/// the first two axes is positive (the first one of equal components); the third axis makes the
-/// frame right-handed.
+/// the first two axes is positive. The third axis makes the frame right-handed.
 ///
 /// Moments are nearly equal if they differ by less than 1e-6 of the largest or by less than the
 /// stated error of the tensor. Their axes are then set by convention. If all three are equal, they

@@ -5,8 +5,8 @@
 
 namespace clast {
 
-/// Integrates exactly over the solid bounded by `mesh`, by the divergence theorem about a local
-/// origin, which keeps full precision for map coordinates of 5e6 m.
+/// Computes the exact mass properties of the solid bounded by `mesh`, by the divergence theorem. A
+/// local origin keeps full precision for map coordinates of 5e6 m.
 /// @param mesh     closed, with outward orientation; vertices in m
 /// @param density  kg/m^3, positive
 /// @throws GeometryError  if the mesh is open or non-manifold, or its signed volume is not positive

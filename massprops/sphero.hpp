@@ -5,18 +5,18 @@
 
 namespace clast {
 
-/// Computes the mass properties of a rounded convex core in closed form, as the sum of polyhedron,
-/// face prisms, edge wedges and vertex cones. A single vertex (ball) and two vertices (capsule) are
-/// valid cores.
+/// Computes the mass properties of a rounded convex core in closed form. They are the sums over
+/// polyhedron, face prisms, edge wedges and vertex cones. A core may be a single vertex (ball) or
+/// two vertices (capsule).
 /// @throws GeometryError  if the core is open, oriented inward or has an edge that is reflex by
 ///                        more than 1e-9 rad
 MassProperties convex_sphero_mass_properties(const SpheroPolyhedron& body, double density);
 
-/// Computes the mass properties of any rounded core, also of cores that touch or intersect
-/// themselves. The closed form of convex cores is corrected by the volume that its pieces count
-/// more than once near reflex edges and self-contacts. This volume is integrated along columns that
-/// are refined until four interleaved grids of half the density agree within `accuracy`. Convex
-/// bodies are exact.
+/// Computes the mass properties of any rounded core, also of one that touches or intersects itself.
+/// The closed form for convex cores counts some volume more than once near reflex edges and
+/// self-contacts. This volume is integrated along columns and subtracted. The columns are refined
+/// until four interleaved grids of half the density agree within `accuracy`. Convex bodies are
+/// exact.
 /// @param accuracy  relative to the volume and, for the inertia tensor, to the smallest principal
 ///                  moment; in [1e-9, 0.1]. `relative_error` is the largest deviation of the four
 ///                  grids from their mean. It can exceed `accuracy` only if the surface intersects
@@ -26,9 +26,8 @@ MassProperties convex_sphero_mass_properties(const SpheroPolyhedron& body, doubl
 MassProperties sphero_mass_properties(const SpheroPolyhedron& body, double density,
                                       double accuracy = 1e-4);
 
-/// Surface area of the rounded body, m^2: the derivative of its volume with respect to the radius.
-/// It is exact for convex cores (A + 2 M r + 4 pi r^2, where M is the integrated mean curvature),
-/// otherwise accurate to about 1e-3.
+/// Returns the surface area of the rounded body, m^2: the derivative of its volume with respect to
+/// the radius. It is exact for convex cores, otherwise accurate to about 1e-3.
 /// @throws GeometryError  if the core is open or its volume is not positive
 double sphero_surface_area(const SpheroPolyhedron& body);
 

@@ -4,9 +4,9 @@
 
 namespace clast {
 
-/// Computes the alpha wrap of a triangle soup: a closed, oriented 2-manifold without
-/// self-intersections that encloses it.
-/// @param soup  triangles with an area; they may intersect, overlap and leave gaps
+/// Computes the alpha wrap of a triangle soup. It is a closed, oriented 2-manifold without
+/// self-intersections that encloses the soup.
+/// @param soup  non-degenerate triangles; they may intersect, overlap and leave gaps
 /// @param alpha  size of the smallest cavity that the wrap enters, m, positive
 /// @param offset  distance of the wrap from the soup, m, positive
 /// @cite portaneri2022

@@ -17,23 +17,24 @@ struct CoordinateColumns {
   std::vector<LengthUnitDeclaration> lengths = {};
 };
 
-/// Parses a coordinate heading such as "x", "Easting", "Rechtswert", "Points:0" or "Quota (m)" in
-/// English, German, French, Italian or Spanish; returns 0, 1 or 2 for x, y or z, or nothing for
+/// Parses a coordinate heading in English, German, French, Italian or Spanish, such as "x",
+/// "Easting", "Rechtswert", "Points:0" or "Quota (m)". Returns 0, 1 or 2 for x, y or z; empty for
 /// other names.
 std::optional<int> parse_coordinate_axis(std::string_view heading);
 
-/// Finds the columns of x, y and z by their headings: all three letters, otherwise one name each
+/// Finds the columns of x, y and z by their headings: the three letters, or otherwise one name each
 /// for easting, northing and height.
-/// @param headings  without quotes
-/// @return empty unless each axis is named once
-/// @throws InputError  if the headings name longitude and latitude in degrees; without the file
-///                     name
+/// @param headings  headings without quotes
+/// @return columns; empty unless exactly one heading names each axis
+/// @throws InputError  if the headings name longitude and latitude in degrees; the message does not
+///                     name the file
 std::optional<CoordinateColumns> find_coordinate_columns(
     const std::vector<std::string_view>& headings);
 
-/// Selects columns by name or 1-based number, in the order x, y, z.
-/// @param headings  empty if the table has none
-/// @throws InputError  if there are not three different existing columns; without the file name
+/// Selects columns by name or by number from 1, in the order x, y, z.
+/// @param headings  headings of the table; empty if it has none
+/// @throws InputError  if there are not three different existing columns; the message does not name
+///                     the file
 CoordinateColumns select_coordinate_columns(const std::vector<std::string>& columns,
                                             const std::vector<std::string_view>& headings,
                                             std::size_t fields);

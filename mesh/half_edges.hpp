@@ -1,6 +1,6 @@
 #pragma once
 /// Half-edges of triangles and polygons, sorted by edge. Neighbours, fans, borders, components and
-/// topology are all derived from them.
+/// topology are derived from them.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -19,14 +19,15 @@ struct HalfEdge {
 
   std::uint32_t from() const { return forward ? low : high; }
   std::uint32_t to() const { return forward ? high : low; }
-  /// Corners at both vertices and opposite: corner 3 t + k is vertex k of triangle t.
+  /// Corners of the triangle at both vertices and opposite. Corner 3 t + k is vertex k of triangle
+  /// t.
   std::uint32_t low_corner() const { return 3 * triangle + (side + (forward ? 0 : 1)) % 3; }
   std::uint32_t high_corner() const { return 3 * triangle + (side + (forward ? 1 : 0)) % 3; }
   std::uint32_t opposite_corner() const { return 3 * triangle + (side + 2) % 3; }
   bool is_same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// Vertices of an edge, the smaller index first, as a map key.
+/// Vertices of an edge as a map key, the smaller index first.
 using EdgeKey = std::array<std::uint32_t, 2>;
 
 inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
@@ -38,7 +39,7 @@ inline bool has_repeated_vertex(const TriangleMesh::Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Returns the half-edges sorted by edge, then triangle; triangles with a repeated vertex are
+/// Returns the half-edges, sorted by edge, then triangle. Triangles with a repeated vertex are
 /// skipped.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 
@@ -46,7 +47,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 /// itself are included, with `low` equal to `high`.
 std::vector<HalfEdge> sorted_half_edges(std::span<const std::vector<std::uint32_t>> polygons);
 
-/// Calls `use(sides)` with the half-edges of each edge, in order.
+/// Calls `use(sides)` for each edge in order; `sides` are its half-edges.
 template <class Use>
 void for_each_edge(std::span<const HalfEdge> sorted, Use&& use) {
   for (std::size_t begin = 0; begin < sorted.size();) {
@@ -57,13 +58,13 @@ void for_each_edge(std::span<const HalfEdge> sorted, Use&& use) {
   }
 }
 
-/// True if the half-edges are those of an interior edge of an oriented manifold.
+/// True if these are the half-edges of an interior edge of an oriented manifold.
 inline bool is_interior_edge(std::span<const HalfEdge> sides) {
   return sides.size() == 2 && sides[0].forward != sides[1].forward && sides[0].low != sides[0].high;
 }
 
-/// Returns the fan of each corner, 3 t + k: triangles around a vertex connected over shared edges,
-/// identified by their smallest corner.
+/// Returns the fan of each corner 3 t + k. A fan is a set of triangles around a vertex that shared
+/// edges connect. It is identified by its smallest corner.
 std::vector<std::uint32_t> corner_fans(const TriangleMesh& mesh, std::span<const HalfEdge> sorted);
 
 }  // namespace clast

@@ -14,8 +14,8 @@ struct Plane {
   double signed_distance(const Vec3& point) const { return normal.dot(point) - distance; }
 };
 
-/// Clips a convex polygon to the part on or below a plane; fewer than three vertices if it is
-/// empty.
+/// Clips a convex polygon to the part on or below a plane. The result has fewer than three vertices
+/// if this part is empty.
 /// @cite sutherland1974
 std::vector<Vec3> clip_below(const std::vector<Vec3>& polygon, const Plane& plane);
 

@@ -6,10 +6,10 @@
 
 namespace clast {
 
-/// Accumulates weighted planes, given by unit normal and distance from a start point, and computes
-/// the minimum-norm step to their least-squares intersection. Singular values below `kCut` of the
-/// largest are ignored, so that coplanar faces give a step along their normal and faces along a
-/// ridge one perpendicular to it.
+/// Computes the shortest step from a start point to the least-squares intersection of weighted
+/// planes. A plane is given by its unit normal and its distance from the start point. Singular
+/// values below `kCut` of the largest are ignored. Coplanar faces then give a step along their
+/// normal, and faces along a ridge a step perpendicular to the ridge.
 class PlaneQuadric {
  public:
   void add_plane(const Vec3& normal, double distance, double weight) {

@@ -13,34 +13,34 @@ namespace clast {
 
 /// Batch of points of a cloud, in the units and axes of its file.
 struct PointBatch {
-  std::vector<Vec3> points;           ///< number of points passed on
-  std::vector<std::uint8_t> classes;  ///< ASPRS classes of a LAS file; otherwise empty
+  std::vector<Vec3> points;           ///< points in the order of the file
+  std::vector<std::uint8_t> classes;  ///< ASPRS class of each point of a LAS file; otherwise empty
 };
 
 /// ASPRS class of ground points (LAS 1.4 R15, table 17).
 inline constexpr std::uint8_t kGroundClass = 2;
 
 struct CloudSummary {
-  std::size_t points = 0;      ///< handed over
-  std::size_t non_finite = 0;  ///< skipped points with a non-finite coordinate
-  std::size_t withheld = 0;    ///< skipped points that are withheld or classified as noise (LAS)
+  std::size_t points = 0;      ///< number of points passed on
+  std::size_t non_finite = 0;  ///< number of skipped points with a non-finite coordinate
+  std::size_t withheld = 0;    ///< number of skipped points that are withheld or noise (LAS)
   std::string crs;             ///< "EPSG:25832", otherwise WKT; empty if unknown
   std::vector<LengthUnitDeclaration> lengths = {};
 };
 
-/// Reads a cloud in batches, in file order, so that it need not fit into memory: .xyz, .txt, .csv,
-/// .pts, .asc (text), .las (1.0 to 1.4), .pcd (ascii, binary, compressed), .ply and other meshes
-/// (their vertices).
+/// Reads a cloud in batches, in file order, so that it need not fit into memory. Formats are text
+/// (.xyz, .txt, .csv, .pts, .asc), .las (1.0 to 1.4), .pcd (ascii, binary, compressed), and the
+/// vertices of .ply and other meshes.
 ///
-/// Text: the separator of the first line of points (a semicolon, tab or comma, otherwise blanks)
-/// determines the columns; decimal commas are accepted unless commas separate. A heading, also in a
-/// comment, names x, y and z (`find_coordinate_columns`); otherwise they are the first three
-/// columns. Lines starting with # or // and lines with only the number of points of the next scan
-/// are skipped.
-/// @param columns  of a text: names or 1-based numbers of x, y and z; empty: by the heading
+/// In text, columns are separated by semicolons, tabs, commas or blanks, as in the first line of
+/// points. Decimal commas are accepted unless commas separate the columns. A heading, which may be
+/// in a comment, names x, y and z (`find_coordinate_columns`). Without heading, they are the first
+/// three columns. Comments (# or //) and point counts before scans are skipped.
+/// @param columns  names or numbers (from 1) of the columns x, y and z of a text; if empty, the
+///                 heading decides
 /// @throws InputError  if the file is missing, corrupt, truncated, compressed (.laz) or without
-///                     points; the heading does not name x, y and z; or `columns` is given for
-///                     another format; names the file, and the line of a text
+///                     points, if the heading does not name x, y and z, or if `columns` is given
+///                     for a format other than text; the message gives file and line
 CloudSummary stream_cloud(const std::filesystem::path& path,
                           const std::function<void(const PointBatch&)>& consume,
                           const std::vector<std::string>& columns = {});
@@ -49,7 +49,7 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
 /// @throws InputError  as `stream_cloud`
 std::vector<Vec3> read_cloud(const std::filesystem::path& path);
 
-/// Returns formats that contain points only, as lower-case extensions with the dot.
+/// Returns the extensions of formats that contain only points, in lower case with the dot.
 const std::vector<std::string>& cloud_extensions();
 
 }  // namespace clast

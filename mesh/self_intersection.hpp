@@ -8,8 +8,9 @@
 
 namespace clast {
 
-/// Finds pairs of triangles that intersect other than in a shared vertex or edge, or fold onto a
-/// neighbour; smaller index first, sorted. Uses exact predicates; degenerate triangles are skipped.
+/// Finds pairs of triangles that intersect outside a shared vertex or edge, or that fold onto a
+/// neighbour. The pairs are sorted, with the smaller index first. Predicates are exact. Degenerate
+/// triangles are skipped.
 /// @throws GeometryError  if the mesh is not a consistently oriented 2-manifold (borders are
 ///                        allowed)
 std::vector<std::array<std::uint32_t, 2>> find_self_intersections(const TriangleMesh& mesh);

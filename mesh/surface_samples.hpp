@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Samples points uniformly over the area, stratified into equal areas. Fixed seed: deterministic.
+/// Samples points uniformly over the area, one in each of `count` equal parts. The seed is fixed.
 std::vector<Vec3> sample_surface(const TriangleMesh& mesh, std::size_t count);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Triangle mesh, used throughout.
+/// Triangle mesh: type, bounds, area and volume.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -12,8 +12,8 @@ namespace clast {
 /// Index value for "no vertex", "no triangle" or "no component".
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
-/// Triangle mesh: vertices in metres and triangles as vertex indices, counter-clockwise seen from
-/// outside. Plain data without guarantees; see `inspect_mesh`.
+/// Triangle mesh. Vertices are in metres. Triangles are vertex indices, counter-clockwise seen from
+/// outside. Nothing is guaranteed; see `inspect_mesh`.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
   std::vector<Vec3> vertices;
@@ -35,11 +35,11 @@ struct Bounds {
 Bounds bounds(const TriangleMesh& mesh);
 double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);  ///< m^2
 double surface_area(const TriangleMesh& mesh);                                           ///< m^2
-/// Returns the enclosed volume, m^3, summed about the centre of the bounds: negative if triangles
-/// face inwards, meaningless if the mesh is open.
+/// Returns the enclosed volume, m^3. It is negative if the triangles face inwards, and meaningless
+/// if the mesh is open.
 double signed_volume(const TriangleMesh& mesh);
 TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from);
-TriangleMesh scaled(TriangleMesh mesh, double factor);  ///< about the origin; factor > 0
+TriangleMesh scaled(TriangleMesh mesh, double factor);  ///< scales about the origin; factor > 0
 TriangleMesh merged(TriangleMesh mesh, const TriangleMesh& other);
 
 }  // namespace clast

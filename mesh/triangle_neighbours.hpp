@@ -17,7 +17,7 @@ struct TriangleNeighbours {
   /// Neighbour across each side; kNoIndex at borders and non-manifold edges.
   std::vector<std::array<std::uint32_t, 3>> neighbour;
   std::size_t border_edges = 0;
-  std::size_t non_manifold_edges = 0;    ///< edges of more than two triangles
+  std::size_t non_manifold_edges = 0;    ///< edges with more than two triangles
   EdgeKey first_non_manifold_edge = {};  ///< undefined if there is none
 
   bool is_border_side(std::uint32_t triangle, std::size_t side) const {
@@ -34,18 +34,16 @@ TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const
 std::size_t find_edge_side(const TriangleMesh::Triangle& triangle, std::uint32_t a,
                            std::uint32_t b);
 
-/// Returns the component of each triangle, connected over manifold edges only, numbered by first
-/// triangle.
+/// Returns the component of each triangle. Components are connected over manifold edges and
+/// numbered in the order of their first triangles.
 std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbours);
 
 /// Triangles that must be flipped for a consistent orientation.
 struct ConsistentOrientation {
-  /// Triangles of each manifold component in breadth-first order from its smallest index, over
-  /// edges of smaller vertices first.
+  /// Triangles of each manifold component, in breadth-first order from the smallest index.
   std::vector<std::vector<std::uint32_t>> components;
-  std::vector<bool> is_flipped;  ///< faces the other way than the first triangle of its component
-  /// Vertex of the first edge where orientations conflict, because the surface is non-orientable;
-  /// empty if it is orientable.
+  std::vector<bool> is_flipped;  ///< faces opposite to the first triangle of its component
+  /// Vertex of the first edge at which orientations conflict; empty if the surface is orientable.
   std::optional<std::uint32_t> conflict_vertex;
 };
 

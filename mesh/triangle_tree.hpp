@@ -13,31 +13,31 @@ namespace clast {
 class TriangleTree {
  public:
   /// Builds the tree.
-  /// @param mesh  not empty; closed and outward for `signed_distance`
+  /// @param mesh  not empty; for signed distances also closed, with outward normals
   explicit TriangleTree(const TriangleMesh& mesh);
 
   struct Closest {
     Vec3 point = Vec3::Zero();
     double squared_distance = 0.0;
     std::uint32_t triangle = 0;
-    int feature = 0;  ///< 0: inside the triangle; 1..3: vertex k - 1; 4..6: side k - 4
+    int feature = 0;  ///< 0: the face; 1 to 3: vertex 0 to 2; 4 to 6: side 0 to 2
   };
-  /// Returns the closest point.
-  /// @param hint  index of a probably near triangle; only affects the speed
+  /// Returns the closest point of the mesh.
+  /// @param hint  index of a triangle that is probably near; affects only the speed
   Closest closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
   double distance_to(std::uint32_t triangle, const Vec3& point) const;
-  const Vec3& first_vertex(std::uint32_t triangle) const {  ///< the first
+  const Vec3& first_vertex(std::uint32_t triangle) const {
     return mesh_.vertices[mesh_.triangles[triangle][0]];
   }
   const Vec3& face_normal(std::uint32_t triangle) const { return face_normals_[triangle]; }
 
-  /// True if part of the surface within `radius` of `centre` is above the plane normal.x = height.
-  /// Triangles count as a whole if part of their box is within the radius.
+  /// True if some triangle near `centre` reaches above the plane normal . x = height. A triangle is
+  /// near if its bounding box is partly within `radius`.
   bool has_point_above(const Vec3& normal, double height, const Vec3& centre, double radius) const;
 
-  /// Returns the signed distance, negative inside; the sign is that of the angle-weighted normal of
-  /// the closest face, edge or vertex.
+  /// Returns the signed distance, negative inside. The sign follows from the angle-weighted normal
+  /// of the closest face, edge or vertex.
   /// @cite baerentzen2005
   double signed_distance(const Vec3& point, std::uint32_t hint = 0) const;
 
@@ -55,8 +55,8 @@ class TriangleTree {
     double distance;
     std::uint32_t triangle;
   };
-  /// Returns the first triangle that the ray from `origin` along `direction` (unit) leaves through,
-  /// other than the excluded one.
+  /// Returns the first triangle through which the ray from `origin` along `direction` (unit) leaves
+  /// the solid. The triangle `ignored` is skipped.
   std::optional<RayHit> first_exit(const Vec3& origin, const Vec3& direction,
                                    std::uint32_t ignored) const;
 

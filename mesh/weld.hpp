@@ -8,16 +8,16 @@
 
 namespace clast {
 
-/// Returns the target of each vertex: the first retained vertex within `tolerance` (m), or itself.
-/// A tolerance below the rounding of the coordinates joins equal vertices only.
+/// Returns the target of each vertex: the first remaining vertex within `tolerance` (m), or itself.
+/// A tolerance below the rounding error of the coordinates merges only equal vertices.
 /// @throws InputError  if the tolerance is negative or not finite
 std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance);
 
-/// Merges vertices closer than `tolerance` (m) at the position of the first; degenerate and exactly
-/// duplicate triangles and unused vertices are removed. The order is kept.
+/// Merges vertices closer than `tolerance` (m) to the first of them. Degenerate triangles, exact
+/// duplicates and unused vertices are removed. The order is kept.
 TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance);
 
-/// Triangles with equal vertices that count as duplicates.
+/// Condition under which triangles with equal vertices are duplicates.
 enum class WindingMatch {
   kSame,   ///< equal winding
   kEither  ///< equal or opposite winding
@@ -28,7 +28,7 @@ struct DuplicateTriangle {
   std::uint32_t before = 0, again = 0;
 };
 
-/// Finds all duplicates, sorted by vertices, then index.
+/// Finds all duplicate triangles, sorted by vertices, then index.
 std::vector<DuplicateTriangle> find_duplicate_triangles(
     std::span<const TriangleMesh::Triangle> triangles, WindingMatch turn);
 

@@ -9,23 +9,24 @@
 
 namespace clast {
 
-/// Bounded convex polyhedron with shared vertices, so that it stays closed when clipped.
+/// Bounded convex polyhedron. Faces share vertices, so that it stays closed when clipped.
 class ConvexCell {
  public:
   explicit ConvexCell(const Bounds& box);
 
-  /// Returns the part below a plane; empty if there is none. Vertices within `tolerance`, m, count
-  /// as on the plane.
+  /// Returns the part below a plane; empty if there is none. Vertices within `tolerance` (m) of the
+  /// plane count as on it.
   std::optional<ConvexCell> clipped_below(const Plane& plane, double tolerance) const;
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
-  /// Returns the planes of its faces, normals outwards.
+  /// Returns the planes of the faces, with outward normals.
   std::vector<Plane> planes() const;
   Bounds box() const;
   double volume() const;  ///< m^3
-  Vec3 centre() const;    ///< mean of the vertices, inside
+  Vec3 centre() const;    ///< mean of the vertices, which is inside
   TriangleMesh mesh() const;
-  /// Returns its hull without vertices that coincide to 1e-4 of its size; empty if it is flat.
+  /// Returns the cell as a mesh, with vertices merged that are within 1e-4 of its size; empty if it
+  /// is flat.
   std::optional<TriangleMesh> cleaned_mesh() const;
 
  private:
@@ -34,10 +35,10 @@ class ConvexCell {
   std::vector<std::vector<std::uint32_t>> faces_;  ///< counter-clockwise seen from outside
 };
 
-/// Returns the largest rounded body inside a convex polyhedron, with rounded edges and vertices:
-/// its core is the set at depth `radius` or more below all faces.
+/// Returns the largest rounded body inside a convex polyhedron. Its core is the set of points at
+/// least `radius` below all faces.
 /// @param polyhedron  closed, outward, convex
-/// @return empty if no point is that deep
+/// @return body; empty if no point is that deep
 std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyhedron,
                                                        double radius);
 

@@ -7,27 +7,26 @@
 
 namespace clast {
 
-/// Computes the hull as a closed, outward mesh of the extreme points. Faces of more than three
-/// vertices are fans from the first of them. Same bits for any order of the points.
-/// @throws GeometryError  if there are fewer than four points, or all are coplanar (to 1e-12 of
-///                        their extent)
+/// Computes the hull as a closed, outward-facing mesh of the extreme points. Faces with more than
+/// three vertices are fans of triangles. The result is bit-identical for any order of the points.
+/// @throws GeometryError  if there are fewer than four points, or if all are coplanar to 1e-12 of
+///                        their extent
 TriangleMesh convex_hull(std::span<const Vec3> points);
 
-/// Affine span of points: 0 (one point or none), 1 (line), 2 (plane) or 3, to 1e-12 of their
-/// extent.
+/// Affine span of points, to 1e-12 of their extent. The dimension is 0 for one point or none, 1 for
+/// a line, 2 for a plane, otherwise 3.
 struct AffineSpan {
   int dimension = 0;
-  Mat3 axes = Mat3::Identity();  ///< columns: along the line; perpendicular in the plane; normal
+  Mat3 axes = Mat3::Identity();  ///< columns: along the line, across it in the plane, normal
 };
 
 AffineSpan affine_span(std::span<const Vec3> points);
 
-/// Returns the unique points in ascending order of x, y, z, which makes results independent of the
+/// Returns the distinct points in ascending order of x, y, z. Results then do not depend on the
 /// input order.
 std::vector<Vec3> sorted_unique_points(std::span<const Vec3> points);
 
-/// Returns the sorted vertices of the convex hull, which may be three-, two- or one-dimensional or
-/// a point.
+/// Returns the sorted vertices of the convex hull, which may have any dimension from 0 to 3.
 /// @throws GeometryError  if a point is not finite
 std::vector<Vec3> extreme_points(std::span<const Vec3> points);
 

@@ -4,19 +4,19 @@
 
 namespace clast {
 
-/// Flatness for shapes in files: the error of single precision or eight digits, negligible for
-/// contacts.
+/// Flatness tolerance for shapes from files: the rounding error of single precision or eight
+/// digits.
 inline constexpr double kFileFlatness = 1e-7;
 
-/// Merges connected coplanar faces to polygons and removes vertices inside them and on straight
-/// edges, so that the contact cost depends on the shape and not on the mesh. Faces around a hole,
-/// and those that touch themselves at a vertex, are unchanged.
+/// Merges connected coplanar faces to polygons. Vertices inside polygons and on straight edges are
+/// removed. The cost of contacts then depends on the shape, not on the mesh. Faces that would have
+/// a hole or touch themselves at a vertex are not merged.
 ///
-/// The largest face defines the plane. Polygons may be concave; each starts at a convex vertex with
-/// two non-degenerate sides, from which some readers compute the normal. Shapes without faces are
-/// unchanged.
-/// @param flatness  largest distance of a vertex from a plane or straight edge, relative to the
-///                  core's diagonal; the default changes a volume by less than 1e-11
+/// The largest face defines the plane. Polygons may be concave. Each starts at a convex vertex with
+/// two non-degenerate sides, because some readers compute the normal there. Shapes without faces
+/// are unchanged.
+/// @param flatness  largest distance of a vertex from its plane or straight edge, relative to the
+///                  diagonal of the core; the default changes the volume by less than 1e-11 of it
 SpheroPolyhedron merge_coplanar_faces(const SpheroPolyhedron& shape, double flatness = 1e-12);
 
 }  // namespace clast

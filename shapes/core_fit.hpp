@@ -7,18 +7,18 @@ namespace clast {
 
 struct CoreFitOptions {
   int rounds = 30;
-  double good_enough = 0.0;  ///< largest distance at which the fit stops, m
-  double hopeless = 1e300;   ///< stop if this distance cannot be reached, m
+  double good_enough = 0.0;  ///< stop if the largest distance is at most this, m
+  double hopeless = 1e300;   ///< stop if this largest distance cannot be reached, m
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Moves the core vertices to minimise the largest distance between rounded surface and scan in
-/// either direction: damped least squares over points of both surfaces, reweighted towards the
-/// largest distances (the norm rises from 2 to 8). At sharp corners core vertices move outwards
-/// until both deviations are equal. Edges that block the motion are collapsed. Returns the best
-/// core found, with no more vertices than the first and no new self-intersections. Deterministic.
-/// @param start  closed core with a radius, near the scan: see `inset_core`
+/// Moves the core vertices to minimise the largest distance between rounded surface and scan, in
+/// both directions. The method is damped least squares over points of both surfaces. Weights
+/// increase towards the largest distances, as for a p-norm with p rising from 2 to 8. Edges that
+/// block the motion are collapsed. Returns the best core found. It has no more vertices than
+/// `start` and no new self-intersections. The result is deterministic.
+/// @param start  closed core with a radius, near the scan, for example from `inset_core`
 /// @cite lawson1961
 SpheroPolyhedron fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
                           const CoreFitOptions& options = {});

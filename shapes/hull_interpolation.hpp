@@ -9,9 +9,9 @@
 
 namespace clast {
 
-/// Moves vertices along their rays from the star's centre towards the hull. Once all are on the
-/// hull, edges below it are flipped one by one. Seen from the centre, the triangles always cover
-/// each direction once, so that no intermediate surface intersects itself.
+/// Moves vertices along their rays from the star's centre towards the hull. When all are on the
+/// hull, the edges still below it are flipped one by one. Seen from the centre, the triangles
+/// always cover each direction once. Therefore no intermediate surface intersects itself.
 class HullInterpolation {
  public:
   /// Prepares the interpolation.
@@ -21,13 +21,13 @@ class HullInterpolation {
 
   std::size_t edge_flips() const { return edge_flips_.size(); }
   /// Returns an intermediate surface.
-  /// @param fraction  0: the surface itself; 1: all vertices on the hull
+  /// @param fraction  0 for the surface itself, 1 for all vertices on the hull
   /// @param edge_flips  number of flipped edges, at most `edge_flips()`
   TriangleMesh interpolate(double fraction, std::size_t edge_flips) const;
   double hull_volume() const { return hull_volume_; }  ///< m^3
 
  private:
-  /// Two adjacent triangles and their replacements with the other diagonal.
+  /// Two adjacent triangles and the two triangles that replace them.
   struct EdgeFlip {
     std::uint32_t first, second;
     TriangleMesh::Triangle new_first, new_second;

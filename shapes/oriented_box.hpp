@@ -1,5 +1,5 @@
 #pragma once
-/// Bounding boxes of a body, and the axes L >= I >= S on which shape classes are measured.
+/// Bounding boxes of a body, with the axes L >= I >= S by which shape classes are defined.
 #include <span>
 
 #include "shapes/sphero_polyhedron.hpp"
@@ -15,21 +15,22 @@ struct OrientedBox {
   double volume() const { return lengths.prod(); }
 };
 
-/// True if `a` is smaller: by volume; by area if volumes agree to 1e-11, then by L.
+/// True if the volume of `a` is smaller. If volumes agree to 1e-11, areas are compared, then L.
 bool is_smaller(const OrientedBox& a, const OrientedBox& b);
 
-/// Computes the box of smallest volume around the points, each swept by a ball of `radius`: the
-/// search includes 2 radius in the extents, so the result is the smallest box of the rounded body.
-/// The result is bit-identical for any order of the points; ties are broken by area, then by L.
-/// Coplanar, collinear or coincident points have a flat box.
-/// @throws GeometryError  for no points
+/// Computes the box of smallest volume around balls of `radius` at the points. It is the smallest
+/// box of the rounded body with these core vertices. The result is bit-identical for any order of
+/// the points. Ties are broken as in `is_smaller`. Coplanar, collinear or coincident points have a
+/// flat box.
+/// @throws GeometryError  if there are no points
 /// @cite orourke1985
 OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);
 
 OrientedBox smallest_box(const SpheroPolyhedron& body);
 
-/// Returns the box along given axes (columns, orthonormal), with sides sorted L >= I >= S. Extents
-/// below 1e-12 of the largest are rounding and count as zero.
+/// Returns the box along given axes, with sides sorted L >= I >= S. Sides below 1e-12 of the
+/// largest are set to zero.
+/// @param axes  columns, orthonormal
 OrientedBox box_with_axes(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Reference bodies for shape studies.
+/// Reference bodies of simple shapes, for shape studies.
 #include <string>
 #include <vector>
 
@@ -13,9 +13,9 @@ enum class ReferenceShape {
   kBox,
   kEllipsoid,
   kSuperellipsoid,  ///< |x/a|^n + |y/b|^n + |z/c|^n = 1
-  kCylinder,        ///< elliptic, axis along the side that differs most from I
-  kEota111,         ///< test cube of rockfall nets: all edges chamfered, 24 vertices
-  kEota221,         ///< test plate of the same, 2 by 2 by 1
+  kCylinder,        ///< elliptic cylinder; its axis is along the side that differs most from I
+  kEota111,         ///< test cube for rockfall nets, with chamfered edges and 24 vertices
+  kEota221,         ///< test plate for rockfall nets, with side ratios 2 : 2 : 1
 };
 
 /// Returns all names: "sphere", "box", "ellipsoid", "superellipsoid", "cylinder", "eota-111",
@@ -23,22 +23,22 @@ enum class ReferenceShape {
 const std::vector<std::string>& reference_shape_names();
 std::string name_of(ReferenceShape form);
 /// Parses the name of a reference shape.
-/// @throws InputError  if it is unknown; the message lists all names
+/// @throws InputError  if the name is unknown; the message lists all names
 ReferenceShape parse_reference_shape(const std::string& name);
 
 struct ReferenceBodyOptions {
-  BoxRatios ratios;           ///< of the smallest box; ignored for sphere and EOTA bodies
-  double radius_share = 0.0;  ///< Minkowski radius over S; ignored for the sphere
+  BoxRatios ratios;           ///< ratios of the smallest box; ignored for sphere and EOTA bodies
+  double radius_share = 0.0;  ///< Minkowski radius divided by S; ignored for the sphere
   double exponent = 4.0;      ///< n of the superellipsoid, 1 to 20
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Makes the body with L = 1 m about the origin, L along x and S along z, with edges rounded
-/// inwards by the radius. The box ratios are met within 1e-4. The sphere is exact; other curved
-/// surfaces have 162 vertices, cylinders 32 around.
+/// Makes the body about the origin with L = 1 m along x and S along z. Its edges are rounded
+/// without enlarging it. The box ratios are met within 1e-4. The sphere is exact. Cylinders have 32
+/// vertices around each end, other curved surfaces 162 vertices.
 /// @throws InputError  as `ReferenceBodyOptions::check`
-/// @throws GeometryError  if the radius leaves no core
+/// @throws GeometryError  if no core remains for the radius
 /// @cite etag027
 SpheroPolyhedron make_reference_body(ReferenceShape form, const ReferenceBodyOptions& options);
 

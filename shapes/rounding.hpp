@@ -6,15 +6,16 @@
 
 namespace clast {
 
-/// Makes the core of a closed scan by moving vertices inwards so that face planes move by
-/// `minkowski_radius` (least squares for more than three planes, singular values below 15 % of the
-/// largest cut). Flipped triangles are collapsed.
-/// @param scan  closed, outward, simplified: edges not much shorter than the radius
-/// @throws GeometryError  if the mesh is open, or the radius so large that the core would vanish or
-///                        invert; the message states the largest possible radius
+/// Makes the core of a closed scan. Vertices move inwards so that the planes of their faces move by
+/// `minkowski_radius`. If a vertex has more than three planes, this holds in the least-squares
+/// sense (`PlaneQuadric`). Flipped triangles are collapsed.
+/// @param scan  closed, outward-facing and simplified; edges should not be much shorter than the
+///              radius
+/// @throws GeometryError  if the mesh is open, or if the radius is so large that the core would
+///                        vanish or invert; the message gives the largest possible radius
 SpheroPolyhedron inset_core(const TriangleMesh& scan, double minkowski_radius);
-/// Makes the core, or returns empty if the radius is too large. Cheaper than `inset_core`, which
-/// searches the largest possible radius for its message.
+/// Makes the core as `inset_core`, but returns empty if the radius is too large. It is cheaper
+/// then, because it does not search the largest possible radius.
 /// @throws GeometryError  if the mesh is open
 std::optional<SpheroPolyhedron> try_inset_core(const TriangleMesh& scan, double minkowski_radius);
 

@@ -8,11 +8,11 @@ namespace clast {
 
 class TriangleTree;
 
-/// Distance tree of a scan, shared by all bodies that are compared with it. Refers to the mesh,
-/// which must outlive it.
+/// Distance tree of a scan, shared by all bodies that are compared with the scan. The mesh must
+/// outlive it.
 class ScanSurface {
  public:
-  /// Implicit, so that a mesh can be passed where a scan surface is needed.
+  /// Builds the tree. The conversion is implicit, so that a mesh can be passed as a scan surface.
   /// @param mesh  closed, outward
   /// @throws GeometryError  if the mesh has no triangles
   ScanSurface(const TriangleMesh& mesh);  // NOLINT(google-explicit-constructor)

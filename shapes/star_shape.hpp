@@ -6,9 +6,9 @@
 
 namespace clast {
 
-/// Finds the centroid of the kernel, from which each triangle is seen from inside: the region below
-/// the planes of all triangles. Moving vertices along rays from it causes no self-intersection.
-/// Empty if the surface is not star-shaped, or only within rounding.
+/// Finds the centroid of the kernel, which is the region below the planes of all triangles. From
+/// there, all triangles are visible from inside. Moving vertices along rays from it causes no
+/// self-intersection. Empty if the surface is not star-shaped beyond rounding errors.
 /// @param mesh  closed, outward
 std::optional<Vec3> find_kernel_point(const TriangleMesh& mesh);
 

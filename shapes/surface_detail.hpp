@@ -5,9 +5,9 @@
 namespace clast {
 
 struct SurfaceDetailOptions {
-  /// Factor of the detail: 0 gives the coarse shape, 1 the unchanged surface.
+  /// Factor by which the detail is scaled: 0 gives the coarse shape, 1 the unchanged surface.
   double gain = 0.0;
-  /// Largest spherical-harmonic degree of the coarse shape; shorter waves are detail.
+  /// Largest spherical-harmonic degree of the coarse shape. Higher degrees are detail.
   int degree = 6;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -20,17 +20,16 @@ struct DetailedSurface {
   CoarseShape coarse = CoarseShape::kHarmonics;
 };
 
-/// Scales the surface detail; a gain of 1 returns the mesh unchanged.
+/// Scales the surface detail. A gain of 1 returns the mesh unchanged.
 ///
-/// For star-shaped surfaces, the radius r(u) about the star's centre is fitted by real spherical
-/// harmonics up to `degree`, weighted by solid angle; the residual is the detail, and vertices move
-/// along their rays. Otherwise the coarse shape is the surface after a bilaplacian filter, 1/(1 +
-/// (k/k0)^2) for Laplacian eigenvalue k, where k0 is that of the same degree on a sphere of equal
-/// area.
+/// For star-shaped surfaces, the radius about the star's centre is fitted by real spherical
+/// harmonics up to `degree`, weighted by solid angle. The residual is the detail; vertices move
+/// along their rays. For other surfaces, the coarse shape is found by the filter 1/(1 + (k/k0)^2)
+/// for Laplacian eigenvalue k, where k0 is the eigenvalue of `degree` on a sphere of equal area.
 /// @param mesh  closed, outward, one component
-/// @throws InputError  as `SurfaceDetailOptions::check`, or if there are too few vertices for the
+/// @throws InputError  as `SurfaceDetailOptions::check`, and if there are too few vertices for the
 ///                     degree
-/// @throws GeometryError  if a vertex would come too near the centre, or the surface would
+/// @throws GeometryError  if a vertex would come too near the centre, or if the surface would
 ///                        intersect itself
 /// @cite garboczi2002
 DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options);

@@ -28,8 +28,8 @@ class PlanIndex {
  public:
   explicit PlanIndex(std::span<const PlanBox> boxes);
 
-  /// Returns the ascending indices of the boxes in the cell of a point, including all that contain
-  /// the point.
+  /// Returns the ascending indices of all boxes listed in the cell of a point. Every box that
+  /// contains the point is among them.
   std::span<const std::uint32_t> boxes_near(const Vec2& point) const;
   /// Returns the ascending indices of the boxes that may overlap `box`.
   std::vector<std::uint32_t> boxes_near(const PlanBox& box) const;
@@ -49,8 +49,8 @@ class PlanIndex {
 
 std::vector<PlanBox> plan_boxes(const TriangleMesh& mesh);
 
-/// Returns the height of a triangle above a plan point; empty outside (edges belong to the
-/// triangle) and for vertical triangles.
+/// Returns the height of a triangle at a plan point, m; empty if the point is outside or the
+/// triangle is vertical. Edges belong to the triangle.
 std::optional<double> height_on_triangle(const TriangleMesh& mesh, std::uint32_t triangle,
                                          const Vec2& at);
 

@@ -14,10 +14,10 @@ struct RawSurface {
   std::vector<std::uint16_t> source;  ///< per triangle: index of the surface file
   std::string crs;
   std::vector<std::string> notes;
-  double cell = 0.0;  ///< shorter cell size of its grid, m; 0 for meshes
+  double cell = 0.0;  ///< smaller cell size of its grid, m; 0 for meshes
 };
 
-/// Keeps only the marked triangles and used vertices.
+/// Removes all triangles that are not marked in `keep`, and vertices without triangles.
 /// @pre one flag per triangle
 void retain_triangles(RawSurface& surface, const std::vector<bool>& keep);
 
@@ -35,9 +35,9 @@ struct HeightGrid {
   }
 };
 
-/// Triangulates a grid: two triangles between any four adjacent cell centres with heights, with
-/// alternating diagonals to avoid a directional bias.
-/// @throws InputError  if there are no such four cells; names `path`
+/// Triangulates a grid. Any four adjacent cell centres with heights are joined by two triangles.
+/// Diagonals alternate to avoid a directional bias.
+/// @throws InputError  if there are no such four cells; the message names `path`
 TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

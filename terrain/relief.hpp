@@ -25,17 +25,19 @@ struct Relief {
   std::vector<std::uint16_t> zone;
 };
 
-/// Samples the surface at cell centres of `window` (local frame), `columns` cells wide.
+/// Samples the surface at the centres of square cells in `window` (local frame).
+/// @param columns  number of cells along x
 Relief sample_relief(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns);
 
 inline constexpr Rgb kContourColour = {122, 98, 69};
 
-/// Returns the colour of a zone: the colour in its name, otherwise the n-th of a pale palette.
+/// Returns the colour after which a zone is named ("red"), otherwise the n-th of a pale palette.
 Rgb zone_colour(const std::string& name, std::size_t n);
 
-/// Renders the relief as a PNG file, lit from the north-west at 45 degrees (Horn's slopes), with
-/// zone colours and contour lines; transparent without ground.
-/// @param first_height  map z of local z 0, so that contours are at round map heights, m
+/// Renders the relief as a PNG file with zone colours and contour lines. Light comes from the
+/// north-west at 45 degrees; slopes are computed by Horn's method. Cells without ground are
+/// transparent.
+/// @param first_height  map z of local z = 0, m; contours are at round map heights
 /// @param contour_interval  m
 /// @cite horn1981
 std::string render_relief_png(const Relief& relief, const std::vector<std::string>& zone_names,

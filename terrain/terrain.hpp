@@ -10,8 +10,8 @@
 
 namespace clast {
 
-/// Map position of the local frame: map = local + origin. The terrain is near the local origin, so
-/// that large map coordinates keep their precision.
+/// Map position of the local frame: map = local + origin. The local origin is near the terrain, so
+/// that no precision is lost by large map coordinates.
 struct MapFrame {
   Vec3 origin = Vec3::Zero();  ///< m
   std::string crs;             ///< "EPSG:2154" or WKT; empty if unknown
@@ -26,19 +26,19 @@ struct TerrainReport {
   std::size_t welded_vertices = 0;
   std::size_t removed_degenerate = 0;
   std::size_t removed_duplicates = 0;
-  std::size_t flipped_triangles = 0;   ///< normals that pointed down
+  std::size_t flipped_triangles = 0;   ///< triangles whose normal pointed down
   std::size_t closed_cracks = 0;       ///< border vertices moved onto an adjacent border
-  std::size_t filled_holes = 0;        ///< of a mesh or a cloud's grid
-  std::size_t open_holes = 0;          ///< larger holes of a mesh
-  std::size_t levelled_spikes = 0;     ///< single vertices, including pits
-  std::size_t removed_components = 0;  ///< small ones that overlapped other ground
+  std::size_t filled_holes = 0;        ///< filled holes of a mesh or of a cloud's grid
+  std::size_t open_holes = 0;          ///< holes of a mesh that were too large to fill
+  std::size_t levelled_spikes = 0;     ///< levelled vertices, including pits
+  std::size_t removed_components = 0;  ///< small components that overlapped other ground
   std::size_t slivers = 0;             ///< triangles with a height below 1 mm, kept
-  std::size_t boundary_edges = 0;      ///< outer border and holes
+  std::size_t boundary_edges = 0;      ///< edges at the outer border and at holes
   std::size_t components = 0;
   std::vector<std::string> notes;  ///< sentences with counts and positions
 };
 
-/// Terrain surface: triangles with upward normals, z up, in the local frame, each in a zone.
+/// Terrain surface in the local frame, z up. Triangle normals point out of the ground.
 struct Terrain {
   TriangleMesh surface;
   std::vector<std::uint16_t> zone;  ///< per triangle: index into zone_names

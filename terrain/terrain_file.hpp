@@ -15,17 +15,19 @@ inline constexpr const char* kTerrainFormat = "clast terrain";
 void write_terrain(const std::filesystem::path& path, const Terrain& terrain,
                    const OverwritePolicy& rules = {.kind = kTerrainFormat});
 /// Reads a terrain file.
-/// @throws InputError  if it is missing, not a terrain, damaged, or of a newer schema
+/// @throws InputError  if the file is missing, damaged, not a terrain or of a newer schema
 Terrain read_terrain_file(const std::filesystem::path& path);
 
-/// Exports the surface by extension: .ply, .obj, .vtp in map coordinates (double); .stl and .glb
-/// (floats) in map coordinates minus the local origin, stated in "<path>.origin.txt" if not zero;
-/// .tif, the highest surface at the centres of square cells, as GeoTIFF with the coordinate system.
-/// @param up  "z"; "y", which rotates (x, y, z) to (x, z, -y); or "auto", y for .glb and z for
-///            others; rasters are z up
-/// @param cell  of .tif, m
-/// @throws InputError  if the extension or axis is unknown, the cell is not positive or far too
-///                     small; or as `OutputFile`
+/// Exports the surface. The extension of `path` selects the format:
+/// - .ply, .obj, .vtp: map coordinates in double precision.
+/// - .stl, .glb: local coordinates in single precision. If the local origin is not zero, it is
+///   written to "<path>.origin.txt".
+/// - .tif: GeoTIFF of the highest surface at the centres of square cells.
+/// @param up  up axis: "z"; "y", which rotates (x, y, z) to (x, z, -y); or "auto", which is y for
+///            .glb and z for others. Rasters are always z up
+/// @param cell  cell size of a .tif, m
+/// @throws InputError  if the extension or axis is unknown, or if the cell is not positive or far
+///                     too small; or as `OutputFile`
 void export_terrain(const std::filesystem::path& path, const Terrain& terrain,
                     const std::string& up, double cell = 0.5, const OverwritePolicy& rules = {});
 

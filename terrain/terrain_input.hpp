@@ -15,42 +15,45 @@ struct TerrainOptions {
   /// Surface files: meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.las,
   /// .xyz, .txt, .csv, .pts, .pcd), or one terrain file (.h5).
   std::vector<std::filesystem::path> surface = {};
-  /// One name per mesh, a zone raster, or a file of polygons (GeoJSON, GeoPackage, Shapefile) with
-  /// property "zone". Class numbers of a raster are the names, or are mapped by
-  /// "zones.asc:1=blue,2=gray". Or rules, the first match applies: "rock=slope>60",
-  /// "scree=height<1450&slope>=30", "soil=else". Empty: one zone, "ground".
-  std::vector<std::string> zones = {};  ///< as in TerrainOptions
-  /// Up axis of meshes and clouds: "z"; "y", which rotates (x, y, z) to (x, -z, y); or "auto", y
-  /// for glTF files and z for others.
+  /// Ground zones in one of four forms. If empty, there is one zone, "ground".
+  /// - One name per mesh.
+  /// - A file of polygons (GeoJSON, GeoPackage, Shapefile) with the property "zone".
+  /// - A raster of class numbers. The numbers are the names unless "zones.asc:1=blue,2=gray" maps
+  ///   them.
+  /// - Rules "rock=slope>60", "scree=height<1450&slope>=30", "soil=else". The first match applies.
+  std::vector<std::string> zones = {};
+  /// Up axis of meshes and clouds: "z"; "y", which rotates (x, y, z) to (x, -z, y); or "auto",
+  /// which is y for glTF files and z for others.
   std::string up = "auto";
-  /// Columns x, y and z of text clouds, by name or 1-based number; empty: by the heading.
+  /// Columns x, y and z of text clouds, by name or number from 1. If empty, the heading decides.
   std::vector<std::string> columns = {};
-  /// Cell size, m: of the grid of clouds (default: about four points per cell), of a coarsened
-  /// raster, or of the grid to which a mesh without walls and overhangs is resampled.
+  /// Cell size, m. Clouds are gridded with it (default: about four points per cell), rasters are
+  /// coarsened to it, and meshes without walls and overhangs are resampled to it.
   std::optional<double> resolution = {};
-  /// Height of a cloud's cell: this percentile of its points, 0 the lowest, 100 the highest; empty:
-  /// their mean.
+  /// Percentile of the point heights that gives the height of a cloud's cell: 0 the lowest, 100 the
+  /// highest. If empty, their mean is used.
   std::optional<double> percentile = {};
-  /// Points of a cloud farther than this from the median of the surrounding ground (5 x 5 cells)
-  /// are outliers, m. Must exceed the relief within a cell; empty: no outliers.
+  /// Largest distance of a cloud's point from the median of the surrounding 5 x 5 cells, m; other
+  /// points are outliers. It must exceed the relief within a cell. If empty, no point is an
+  /// outlier.
   std::optional<double> outliers = {};
-  /// Holes up to this length and width are filled, m. Empty: three cells for clouds, three median
-  /// edges for meshes, none for rasters.
+  /// Largest length and width of holes that are filled, m. If empty: three cells for clouds, three
+  /// median edges for meshes; holes of rasters are not filled.
   std::optional<double> fill = {};
-  /// Cracks between mesh tiles are closed up to this width, m; 0: none.
+  /// Largest width of cracks between mesh tiles that are closed, m.
   double crack = 0.01;
-  /// Single vertices farther from the plane through their neighbours than this multiple of their
-  /// mean distance are levelled; 0: none.
+  /// Spikes are levelled: vertices farther from the plane through their neighbours than this
+  /// multiple of the neighbours' mean distance. If 0, none is.
   double spike_steepness = 3.0;
-  /// Number of smoothing rounds, each halfway to the plane through the neighbours.
+  /// Number of smoothing rounds. Each moves vertices halfway to the plane through their neighbours.
   int smoothing = 0;
-  /// Vertical tolerance of simplification, m, valid everywhere on the surface. Overhangs are
-  /// unchanged. Empty: no simplification.
+  /// Largest vertical distance between the simplified and the original surface, m. Overhangs are
+  /// unchanged. If empty, the surface is not simplified.
   std::optional<double> tolerance = {};
   /// Files of lines with heights (GeoJSON, GeoPackage, Shapefile) that become edges of a raster or
   /// cloud surface.
   std::vector<std::filesystem::path> breaklines = {};
-  /// Split triangles along polygon borders.
+  /// If true, triangles are split along polygon borders.
   bool cut_zones = false;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -59,37 +62,37 @@ struct TerrainOptions {
 /// Zone file: a raster of class numbers or polygons with property "zone".
 struct ZoneFile {
   std::filesystem::path path;
-  std::map<long, std::string> names = {};  ///< of class numbers; empty: the number is the name
+  std::map<long, std::string> names = {};  ///< by class number; if empty, the number is the name
 
   std::vector<std::string> option_texts() const;  ///< as in TerrainOptions
 };
 
-/// Parses `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", polygons.geojson); empty
-/// if they are plain names. A list split at commas is joined again.
+/// Parses `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", "polygons.geojson");
+/// empty if they are plain names. A mapping that was split at its commas is joined again.
 /// @throws InputError  if a mapping is invalid
 std::optional<ZoneFile> parse_zone_file(const std::vector<std::string>& zones);
 
 /// Checks a zone name.
-/// @throws InputError  if it is empty, or has "=" or a control character, which ground tables, zone
-///                     lists and rules cannot represent
+/// @throws InputError  if it is empty, or if it contains "=" or a control character
 void check_zone_name(const std::string& name);
 
-/// True if `zones` are rules by slope and height.
+/// True if `zones` are rules for slope and height.
 bool are_zone_rules(const std::vector<std::string>& zones);
 
-/// Reads a terrain: rotates to z up, checks and repairs it, orients normals upwards, and assigns
-/// zones. Meshes: vertices are welded, degenerate and duplicate triangles removed, cracks closed,
-/// holes filled. Rasters: cell centres are joined by two triangles per cell, none at nodata. Clouds
-/// are streamed into a grid. Repairs are reported with count and position. A triangle has the zone
-/// that covers most of its plan area.
-/// @throws InputError  if a file cannot be read or a zone source does not fit
+/// Reads a terrain, checks and repairs it, and assigns zones. The result is z up, with normals out
+/// of the ground. Repairs are reported with count and position.
+/// - Meshes: vertices are welded, invalid triangles removed, cracks closed and holes filled.
+/// - Rasters: four adjacent cell centres with data are joined by two triangles.
+/// - Clouds: points are streamed into a grid, which is triangulated like a raster.
+/// @throws InputError  if a file cannot be read, or if a zone source does not fit the terrain
 /// @throws GeometryError  if the surface cannot be repaired (non-manifold, non-orientable,
-///                        duplicate ground), or triangles have no zone, with a position
+///                        duplicate ground), or if triangles have no zone; the message gives a
+///                        position
 Terrain read_terrain(const TerrainOptions& options);
 
-/// Reads the vertices of lines of a GeoJSON, GeoPackage or Shapefile, in the map system of the
-/// terrain, m.
-/// @throws InputError  if the file cannot be read, is empty, or has other geometries
+/// Reads the vertices of GeoJSON, GeoPackage or Shapefile lines, in the terrain's map coordinates,
+/// m.
+/// @throws InputError  if the file cannot be read, is empty, or has geometries other than lines
 std::vector<std::vector<Vec2>> read_barrier_lines(const std::filesystem::path& path,
                                                   const Terrain& terrain);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Allowed ranges of terrain options, for `TerrainOptions`, campaign files and command lines.
+/// Allowed ranges of terrain options. `TerrainOptions`, campaign files and command lines use them.
 #include "core/number_range.hpp"
 
 namespace clast {

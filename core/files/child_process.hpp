@@ -13,18 +13,18 @@ struct ProcessResult {
   bool timed_out = false;  ///< true if the time limit was exceeded
 };
 
-/// Runs a program with no input and both outputs written to `log`. It and its children are killed
-/// at the time limit and when this program ends.
+/// Runs a program without input and writes its outputs (stdout and stderr) to `log`. The program
+/// and its children are killed at the time limit, and when this program ends.
 /// @param command  path of the program and its arguments
 /// @param environment  additional environment variables
-/// @throws InputError  if it cannot be started
+/// @throws InputError  if the program cannot be started
 ProcessResult run_child_process(const std::vector<std::string>& command,
                                 const std::vector<std::pair<std::string, std::string>>& environment,
                                 const std::filesystem::path& log, double time_limit,
                                 const std::function<void()>& on_wait = {});
 
-/// Finds an executable on PATH; returns the name itself if it contains a slash, and an empty path
-/// if nothing is found.
+/// Finds an executable on PATH. A name with a slash is returned unchanged; the path is empty if
+/// nothing is found.
 std::filesystem::path find_executable(const std::string& name);
 
 }  // namespace clast

@@ -12,26 +12,26 @@ namespace clast {
 /// Parsed heading: "Coord. X [ft]" has the name "coord. x", the word "x" and the unit ft.
 struct ColumnHeading {
   std::string name;  ///< lower case, without unit
-  /// Alphanumeric words in lower case without accents ("Höhe": "hohe"). Generic words such as
-  /// "coordinate" and "value" are dropped if others remain.
+  /// Alphanumeric words in lower case without accents ("Höhe" gives "hohe"). Generic words such as
+  /// "coordinate" and "value" are left out if other words remain.
   std::vector<std::string> words;
   std::optional<NamedUnit> length;  ///< length unit in brackets or at the end
   std::string unit;                 ///< any unit as written; empty if there is none
-  std::string bracketed;            ///< final text in brackets, lower case
+  std::string bracketed;            ///< text in brackets at the end, lower case
 
-  /// Returns the word of a heading with exactly one word; otherwise empty.
+  /// Returns the only word of the heading; empty if it has none or several.
   std::string single_word() const { return words.size() == 1 ? words.front() : std::string(); }
   /// Returns the words joined by underscores: "start_x".
   std::string snake_case() const;
 };
 
 /// Parses a heading.
-/// @param field  without quotes, as returned by `DelimitedTextReader`
+/// @param field  heading without quotes, as returned by `DelimitedTextReader`
 ColumnHeading parse_heading(std::string_view field);
 
 enum class SummaryLabel {
   kNone,
-  kAmbiguous,  ///< one or two letters that may also be an item name: "SD", "n"
+  kAmbiguous,  ///< one or two letters that may also name an item: "SD", "n"
   kCertain
 };
 
@@ -39,8 +39,8 @@ enum class SummaryLabel {
 /// "Mittelwert", "Écart-type", "Totale", "Máx.".
 SummaryLabel detect_summary_label(std::string_view text);
 
-/// True if a row can be a heading: no field is a number, and, if blanks separate fields, none looks
-/// like part of a sentence.
+/// True if a row can be a heading: none of its fields is a number. If blanks separate the fields,
+/// the row must also not look like a sentence.
 bool is_possible_heading(const std::vector<std::string_view>& fields, char separator);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// SHA-256 digests, by which outputs identify their inputs.
+/// SHA-256 digests. Outputs identify their inputs by them.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -17,7 +17,7 @@ class Sha256 {
   Sha256& operator=(Sha256&&) noexcept;
 
   void add(std::string_view bytes);
-  /// Finishes the digest; no bytes may be added afterwards.
+  /// Finishes the digest. No bytes may be added afterwards.
   /// @returns 64 lower-case hexadecimal digits
   std::string finish();
 
@@ -28,7 +28,7 @@ class Sha256 {
 
 std::string sha256(std::string_view bytes);
 
-/// Returns the digest of a file, which is read in chunks.
+/// Returns the SHA-256 of a file. The file is read in chunks.
 /// @throws InputError  if the file cannot be read
 std::string sha256_of_file(const std::filesystem::path& path);
 

@@ -11,14 +11,14 @@ inline constexpr const char* kCampaignKind = "campaign";
 /// Kind of HTML pages written by clast.
 inline constexpr const char* kPageKind = "page of clast";
 
-/// Detects the kind of a file by its content: the format of an HDF5 file written by clast ("clast
-/// terrain"), otherwise "HDF5", "PNG", "SVG", `kPageKind` or "HTML", "TIFF", "SQLite"
-/// (GeoPackages), "glTF", "PLY", "STL", "VTK", "origin of coordinates" (beside a mesh),
-/// `kCampaignKind`, "text" or "binary". Empty if the file is missing or empty.
+/// Detects the kind of a file by its content; empty if the file is missing or empty. For an HDF5
+/// file written by clast, the kind is its format ("clast terrain"). Other kinds are "HDF5", "PNG",
+/// "SVG", `kPageKind`, "HTML", "TIFF", "SQLite" (GeoPackages), "glTF", "PLY", "STL", "VTK", "origin
+/// of coordinates" (beside a mesh), `kCampaignKind`, "text" and "binary".
 std::string detect_file_kind(const std::filesystem::path& path);
 
-/// Returns the kind that clast writes under a file name, by its extension, as in
-/// `detect_file_kind`. HDF5 files are identified by format only.
+/// Returns the kind (`detect_file_kind`) of the files that clast writes with the extension of
+/// `path`. The extension does not tell the format of an HDF5 file.
 std::string file_kind_by_extension(const std::filesystem::path& path);
 
 }  // namespace clast

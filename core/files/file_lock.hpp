@@ -13,20 +13,18 @@ struct FileLockOptions {
   std::function<void()> on_wait = {};
 };
 
-/// Holds the lock on `target` for its lifetime: an exclusive flock(2) on ".NAME.lock" beside it,
-/// because the target itself is replaced by renames. The kernel releases the lock when a process
-/// ends.
+/// Holds a lock on `target` for its lifetime. It is an exclusive flock(2) on the file ".NAME.lock"
+/// beside the target, because the target itself is replaced by renames. The kernel releases the
+/// lock when a process ends.
 ///
-/// The holder removes the lock file; one that remains after a kill is harmless. A process that had
-/// opened a removed lock file detects this and locks the new one. Lock files of other users are
-/// opened read-only, which suffices. Network file systems work as far as flock does (NFS on Linux:
-/// between machines, too). Links are resolved, so that all names of a file share one lock. Threads
-/// exclude each other like processes.
+/// The holder removes the lock file. A lock file that remains after a kill is harmless. Links are
+/// resolved, so that all names of a file share one lock. Threads exclude each other like processes.
+/// Network file systems work if they support flock, as NFS on Linux does.
 class FileLock {
  public:
-  /// Acquires the lock; creates missing parent folders.
-  /// @throws InputError  if the lock is not obtained within `timeout`, or the lock file cannot be
-  ///                     created or read
+  /// Waits for the lock and acquires it. Creates missing parent folders.
+  /// @throws InputError  if the lock is not obtained within `timeout`, or if the lock file cannot
+  ///                     be created or read
   explicit FileLock(const std::filesystem::path& target, const FileLockOptions& options = {});
   /// Tries to acquire the lock without waiting; null if another process or thread holds it.
   /// @throws InputError  as the constructor, except for the timeout

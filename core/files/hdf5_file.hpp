@@ -1,11 +1,10 @@
 #pragma once
-/// HDF5 files as groups of typed arrays and attributes, without HDF5 types in the interface. Used
-/// for block libraries, terrains and results.
+/// HDF5 files as groups of typed arrays and attributes, without HDF5 types in the interface. Block
+/// libraries, terrains and results are such files.
 ///
-/// Files have the format of HDF5 1.8, which stays readable up to the last `flush` after a kill and
-/// protects its structures by checksums. Each group and dataset has an additional checksum of its
-/// attributes and values (docs/formats.md), which readers verify; files of older versions without
-/// checksums are read without. Children are ordered by name. Not thread-safe.
+/// Files have the format of HDF5 1.8. After a kill, they are readable up to the last `flush`. Each
+/// group and dataset has a checksum of its attributes and values (docs/formats.md), which readers
+/// verify if it exists. Children are ordered by name. Not thread-safe.
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -15,12 +14,12 @@
 
 namespace clast {
 
-/// Open group. Copies share the handle, which is closed with the last copy.
+/// Open group. Copies share a handle, which is closed with the last copy.
 ///
 /// Element types: double, float, std::int64_t, std::int32_t, std::uint32_t, std::uint16_t,
-/// std::uint8_t, std::string (UTF-8, stored at the width of the longest). Readers throw InputError
-/// naming file and dataset if something is missing, of another type, truncated, or has a wrong
-/// checksum.
+/// std::uint8_t, and std::string (UTF-8, stored at the width of the longest). Readers throw
+/// InputError if something is missing, truncated, of another type or has a wrong checksum. The
+/// message names file and dataset.
 class Hdf5Group {
  public:
   bool contains(const std::string& name) const;
@@ -28,11 +27,11 @@ class Hdf5Group {
   std::vector<std::string> child_names() const;
   Hdf5Group open_group(const std::string& name) const;
   Hdf5Group create_group(const std::string& name);
-  /// Unlinks a child; its space is reused when the file is rewritten.
+  /// Removes a child. Its space in the file is freed only when the file is rewritten.
   void remove(const std::string& name);
 
-  /// Writes an array; arrays above 4 kB are stored in compressed chunks. An empty shape means
-  /// one-dimensional.
+  /// Writes an array. Arrays above 4 kB are stored in compressed chunks. An empty shape stands for
+  /// one dimension.
   template <class T>
   void write(const std::string& name, std::span<const T> values,
              const std::vector<std::size_t>& shape = {});
@@ -61,26 +60,26 @@ class Hdf5Group {
   std::shared_ptr<Handle> handle_;
 };
 
-/// Open HDF5 file with a schema: attributes `format` (such as "clast block library"),
-/// `schema_version` (integer) and `program_version` on its root.
+/// Open HDF5 file with a schema. Its root has the attributes `format` (such as "clast block
+/// library"), `schema_version` (integer) and `program_version`.
 class Hdf5File {
  public:
   /// Creates or truncates the file and writes format, schema and program version.
   static Hdf5File create(const std::filesystem::path& path, const std::string& format,
                          int schema_version);
   /// Opens a file.
-  /// @throws InputError  if it is missing, not HDF5, truncated, of another format or of a newer
-  ///                     schema; names file, found and expected values
+  /// @throws InputError  if the file is missing, not HDF5, truncated, of another format or of a
+  ///                     newer schema; the message names file, found and expected values
   static Hdf5File open(const std::filesystem::path& path, const std::string& format,
                        int newest_schema_version, bool writable = false);
 
-  /// Reads only the format of a file: "clast terrain". Empty if it is not HDF5, not written by
-  /// clast, or damaged.
+  /// Reads only the format of a file, for example "clast terrain"; empty if the file is not HDF5,
+  /// not written by clast, or damaged.
   static std::string read_format(const std::filesystem::path& path);
 
   Hdf5Group root() const;
-  /// Flushes all data to the operating system. Call before closing, which cannot report a full
-  /// disk.
+  /// Flushes all data to the operating system. Should be called before closing, which cannot report
+  /// a full disk.
   /// @throws InputError  if the disk is full or not available
   void flush();
 

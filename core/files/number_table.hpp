@@ -13,30 +13,30 @@
 namespace clast {
 
 struct NumericRow {
-  std::size_t line = 0;  ///< in the file, from 1
+  std::size_t line = 0;  ///< line in the file, from 1
   std::vector<double> values;
 };
 
 struct NumericTableSpec {
-  /// Names of the columns in the required order; each has one or several lower-case names.
+  /// Lower-case names by which each column is recognised, in the required order.
   std::vector<std::vector<std::string>> names;
   NumberRange range;
-  std::string meaning;  ///< completes "a line must be ...": "three numbers, x y z"
-  /// Finds the columns in a heading; returns empty if some are missing. By default, uses `names`.
-  /// @throws InputError  without the file name
+  std::string meaning;  ///< end of messages "a line must be ...": "three numbers, x y z"
+  /// Finds the columns in a heading; empty if some are missing. If not set, `names` are searched.
+  /// @throws InputError  if the heading is invalid; the message does not name the file
   std::function<std::optional<std::vector<std::size_t>>(const std::vector<std::string_view>&)>
       find = {};
 };
 
-/// Returns the lower-case name of a length column without unit: "X_m" gives "x".
+/// Returns the lower-case name of a length column without its unit: "X_m" gives "x".
 std::string strip_unit(std::string_view field);
 
-/// Reads a table with `DelimitedTextReader`; text after # is ignored. If the first row names all
-/// columns ("X", "y_m"), these columns are read and others ignored. Without such a heading, each
-/// row must have as many numbers as there are columns; a title is skipped.
-/// @throws InputError  if the file, its text or all rows are missing; the heading lacks columns; a
-///                     row has another number of fields, a field that is not a number or out of
-///                     range, or is a summary row; names file, line and text
+/// Reads a table of numbers. Text after # is ignored. If the first row names all required columns
+/// ("X", "y_m"), these columns are read and others ignored. Without such a heading, each row must
+/// have as many numbers as there are columns; a title is skipped.
+/// @throws InputError  if the file is missing or has no rows, if the heading lacks columns, if a
+///                     field is not a number or out of range, if the number of fields differs, or
+///                     if a row is a summary row; the message names file, line and text
 std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
                                            const NumericTableSpec& table);
 

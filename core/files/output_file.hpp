@@ -14,50 +14,50 @@ namespace clast {
 
 /// Rules for replacing an existing file.
 struct OverwritePolicy {
-  /// Kind of the output (`detect_file_kind`); an existing file of another kind is an error. Empty:
-  /// any kind, for files that only clast uses. An empty file, as created by a shell or a job queue,
+  /// Kind of the output (`detect_file_kind`). An existing file of another kind is never replaced.
+  /// An empty `kind` stands for any kind, for files that only clast uses. An existing empty file
   /// counts as of every kind.
   std::string kind = {};
-  /// True: an existing file of this kind is replaced. False: no existing file is.
+  /// If true, an existing file of this kind is replaced. If false, no existing file is.
   bool replace = true;
 };
 
-/// Output file that is written beside its target and renamed over it by `commit`, with the
-/// permissions of the replaced file. Without `commit` the temporary file is removed and the target
-/// stays unchanged. Links are resolved.
+/// Output file that is written beside its target. `commit` renames it to the target and keeps the
+/// permissions of a replaced file. Without `commit`, the temporary file is removed and the target
+/// does not change. Links are resolved.
 class OutputFile {
  public:
   /// Creates missing parent folders and the temporary file.
-  /// @throws InputError  if the target is empty, a folder, a device, write-protected, a dangling or
-  ///                     circular link, or must be kept by the rules; or if its folder cannot be
-  ///                     created or written
+  /// @throws InputError  if the target path is empty, a folder, a device, or a dangling or circular
+  ///                     link, if the target is write-protected or `rules` do not allow to replace
+  ///                     it, or if its folder cannot be created or written
   explicit OutputFile(std::filesystem::path target, const OverwritePolicy& rules = {});
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Returns the path to write to, with the target's extension, by which some writers choose their
-  /// format.
+  /// Returns the path to write to. It has the extension of the target, because some writers choose
+  /// their format by it.
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
   const std::filesystem::path& target_path() const { return target_; }
   /// Writes the whole content to `temporary_path`.
-  /// @throws InputError  if the disk is full or the file too large
+  /// @throws InputError  if the disk is full or the file is too large
   void write(std::string_view content);
-  /// Applies the rules again and renames. If nothing may be replaced, both are one atomic step.
-  /// @throws InputError  if the rename failed, or another program has meanwhile written a file that
-  ///                     must be kept
+  /// Checks the rules again and renames the file. Both are one atomic step if `replace` is false.
+  /// @throws InputError  if the rename failed, or if another program has meanwhile written a file
+  ///                     that must be kept
   void commit();
 
  private:
   std::filesystem::path target_;
   std::unique_ptr<StagingPath> staging_;
   OverwritePolicy rules_;
-  bool absent_ = false;  ///< the target did not exist at the start
+  bool absent_ = false;  ///< true if the target did not exist at the start
   bool committed_ = false;
 };
 
 /// Writes a whole file through an `OutputFile`.
-/// @throws InputError  as its members
+/// @throws InputError  as the members of `OutputFile`
 void write_output(const std::filesystem::path& target, std::string_view content,
                   const OverwritePolicy& rules);
 
@@ -65,18 +65,18 @@ void write_output(const std::filesystem::path& target, std::string_view content,
 /// @throws InputError  as `OutputFile`
 void check_output_target(const std::filesystem::path& target, const OverwritePolicy& rules);
 
-/// Checks that files of the given sizes (bytes) fit on the target's disk, and each below the file
-/// size limit of the shell.
-/// @throws InputError  if they do not; names the needed and available sizes
+/// Checks that files of the given sizes (bytes) fit on the disk of the target, and that none
+/// exceeds the file size limit of the process.
+/// @throws InputError  if they do not; the message gives the needed and available sizes
 void check_disk_space(const std::filesystem::path& target,
                       std::initializer_list<std::uint64_t> files);
 
-/// Returns the file that a link leads to, existing or not; other paths unchanged.
+/// Returns the path to which a link leads, which need not exist; other paths unchanged.
 /// @throws InputError  if the link is circular
 std::filesystem::path resolve_link(const std::filesystem::path& target);
 
-/// Renames a file or folder, or returns `file_exists` if the new name exists; atomic if the file
-/// system supports it.
+/// Renames a file or folder, or returns `file_exists` if the new name exists. This is atomic if the
+/// file system supports it.
 std::error_code rename_without_replacing(const std::filesystem::path& from,
                                          const std::filesystem::path& to);
 

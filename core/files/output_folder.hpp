@@ -9,34 +9,35 @@
 
 namespace clast {
 
-/// Properties by which a folder of one kind is recognised.
+/// Kind of an output folder, and properties by which such a folder is recognised.
 struct FolderKind {
   std::string name;         ///< for messages: "comparison"
   std::string marker_file;  ///< file in every such folder: "provenance.json"
-  std::string mark;         ///< text in that file
-  /// Returns true if a file, given relative to the folder, belongs to the report. Other files are
-  /// kept.
+  std::string mark;         ///< text that `marker_file` contains
+  /// Returns true if a file is part of the output. Its path is relative to the folder. Other files
+  /// are never changed.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };
 
-/// Output folder that is filled beside its target and exchanged with it by `commit`. Without
-/// `commit` it is removed and the target stays unchanged. Links are resolved.
+/// Output folder that is filled beside its target. `commit` exchanges it with the target. Without
+/// `commit`, it is removed and the target does not change. Links are resolved.
 class OutputFolder {
  public:
   /// Creates missing parent folders and the temporary folder.
-  /// @param replace  replace an existing folder of this kind
-  /// @throws InputError  if the target is empty, a file, or the root of a disk; contains files with
-  ///                     names of this kind without being of it; is of it and `replace` is false;
-  ///                     or if nothing can be created beside it
+  /// @param replace  true if an existing folder of this kind may be replaced
+  /// @throws InputError  if the target path is empty, a file or the root of a disk; if the target
+  ///                     is of this kind and `replace` is false; if it is not of this kind but has
+  ///                     files with names of this kind; or if nothing can be created beside it
   OutputFolder(const std::filesystem::path& target, FolderKind kind, bool replace);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
-  /// Replaces the files of this kind in the target; other files are kept.
-  /// @throws InputError  if another file would be overwritten, a rename failed, or another program
-  ///                     has meanwhile written what must be kept. The target is then unchanged
+  /// Replaces the output files in the target. Other files in it are kept.
+  /// @throws InputError  if another file would be overwritten, if a rename failed, or if another
+  ///                     program has meanwhile written a file that must be kept; the target does
+  ///                     not change then
   void commit();
 
  private:

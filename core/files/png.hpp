@@ -12,15 +12,15 @@ namespace clast {
 /// Colour: red, green, blue.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Encodes palette indices, row-major from the top, as a PNG file. Colour 0 of the palette is
-/// transparent.
+/// Encodes an image of palette indices as a PNG file. Pixels are row-major from the top; colour 0
+/// of the palette is transparent.
 /// @param palette  1 to 256 colours
 /// @cite png3
 std::string encode_palette_png(std::uint32_t width, std::uint32_t height,
                                std::span<const std::uint8_t> pixels,
                                const std::vector<Rgb>& palette);
 
-/// Encodes colours, row-major from the top, as a PNG file.
+/// Encodes an image as a PNG file. Pixels are row-major from the top.
 /// @cite png3
 std::string encode_rgb_png(std::uint32_t width, std::uint32_t height, std::span<const Rgb> pixels);
 

@@ -7,20 +7,20 @@
 
 namespace clast {
 
-/// Empty file ".STEM.partPID.EXTENSION" or folder ".NAME.partPID" beside a target, with a unique
-/// name, also between containers with equal process ids. Holds a `FileLock` on it if the file
+/// Temporary file ".STEM.partPID.EXTENSION" or folder ".NAME.partPID" beside a target. Its name is
+/// unique even between containers with equal process ids. A `FileLock` on it is held if the file
 /// system has locks.
 class StagingPath {
  public:
   enum class Kind { kFile, kFolder };
 
-  /// Creates the path, after removing those left by ended programs (`remove_stale_staging`).
-  /// @param target  in an existing folder
+  /// Creates an empty file or folder, after `remove_stale_staging`.
+  /// @param target  output path, in an existing folder
   /// @throws InputError  if it cannot be created
   StagingPath(const std::filesystem::path& target, Kind kind);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Releases the lock; call when the path no longer exists.
+  /// Releases the lock. Call it once the path no longer exists.
   void unlock() { lock_.reset(); }
   /// Returns the path for files moved out of the target meanwhile: ".NAME.partPID.former".
   std::filesystem::path backup_path() const;
@@ -30,8 +30,8 @@ class StagingPath {
   std::filesystem::path path_;
 };
 
-/// Removes unlocked temporary paths of a target, left by killed programs. A backup folder whose
-/// target is missing becomes the target again.
+/// Removes temporary paths of a target without a lock, which killed programs have left. A backup
+/// folder whose target is missing becomes the target again.
 void remove_stale_staging(const std::filesystem::path& target, StagingPath::Kind kind);
 
 }  // namespace clast

@@ -1,6 +1,6 @@
 #pragma once
-/// Tables with columns declared once: for CSV, map layers, groups of rows, and docs/formats.md,
-/// which a test compares.
+/// Tables whose columns are declared once. The declaration serves CSV files, map layers and groups
+/// of rows. A test compares it with docs/formats.md.
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -14,15 +14,15 @@
 
 namespace clast {
 
-/// Cell value: a count, a number (not finite if unknown), or a text.
+/// Cell value: a count, a number or a text. Unknown numbers are not finite.
 using TableCell = std::variant<std::uint64_t, double, std::string>;
 
 template <class Row>
 struct TableColumn {
-  std::string name;  ///< with unit: "speed_m_s"
-  std::string unit;  ///< "m/s"; empty if there is none
-  std::string
-      meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line in the docs
+  std::string name;     ///< with unit: "speed_m_s"
+  std::string unit;     ///< "m/s"; empty if there is none
+  std::string meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line in
+                        ///< docs/formats.md
   std::function<TableCell(const Row&)> value;
 };
 
@@ -39,7 +39,7 @@ const TableColumn<Row>& find_column(const TableColumns<Row>& columns, const std:
   throw std::out_of_range("no column " + name);
 }
 
-/// Returns the columns of the given names, in their order.
+/// Returns the columns with the given names, in the order of the names.
 template <class Row>
 TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
                                    const std::vector<std::string>& names) {
@@ -48,7 +48,7 @@ TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
   return result;
 }
 
-/// Adapts columns of a part to rows that contain it: the part is `part(row)`.
+/// Makes columns of whole rows from columns of a part of a row. `part(row)` returns that part.
 template <class Row, class PartRow, class Part>
 TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part& part) {
   TableColumns<Row> result;
@@ -59,7 +59,7 @@ TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part
   return result;
 }
 
-/// Makes columns of equal unit and meaning: column `names[i]` has the value `values(row)[i]`.
+/// Makes columns with equal unit and meaning. Column `names[i]` has the value `values(row)[i]`.
 template <class Row, class Values>
 TableColumns<Row> array_columns(const std::vector<std::string>& names, const std::string& unit,
                                 const std::string& meaning, const Values& values) {

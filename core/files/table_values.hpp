@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// One column of values. Numbers are doubles if any of them is; NaN if unknown.
+/// One column of values. All numbers are doubles if one of them is. Unknown numbers are NaN.
 struct ColumnValues {
   std::string name;     ///< with unit: "speed_m_s"
   std::string unit;     ///< "m/s"; empty if there is none

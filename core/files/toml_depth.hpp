@@ -5,10 +5,10 @@
 
 namespace clast {
 
-/// Checks that lists, tables and dotted keys are not nested deeper than clast needs. Parsers need
-/// stack for each level, and 50,000 dots in a key would crash the program.
-/// @param name  of the file, for messages
-/// @throws InputError  naming file, line and the allowed depth
+/// Checks that lists, tables and dotted keys are not nested too deep. The parser needs stack for
+/// each level, so that a key with 50,000 dots would crash the program.
+/// @param name  name of the file, for messages
+/// @throws InputError  if the nesting is too deep; the message gives file, line and allowed depth
 void check_toml_depth(std::string_view text, const std::string& name);
 
 }  // namespace clast

@@ -1,6 +1,6 @@
 #pragma once
-/// Checked reading of TOML files: errors name file, line, key, value and expectation. toml++ is
-/// used in the .cpp only.
+/// Checked reading of TOML files. Error messages name file, line, key, value and expected value.
+/// toml++ is used in the .cpp file only.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ struct TomlNode {
   enum class Kind { kBoolean, kInteger, kFloat, kString, kList, kTable, kDate };
   Kind kind = Kind::kTable;
   std::size_t line = 1;
-  std::string source_text;  ///< as in the file, on one line
+  std::string source_text;  ///< text of the value in the file, on one line
   bool boolean = false;
   std::int64_t integer = 0;
   double number = 0.0;  ///< also for integers
@@ -40,15 +40,15 @@ struct TomlEntry {
 };
 
 /// Parses a TOML text.
-/// @param name  of the file, for messages
-/// @throws InputError  if it is not TOML or nested too deep; names file, line and problem
+/// @param name  name of the file, for messages
+/// @throws InputError  if the text is not TOML or nested too deep; names file, line and problem
 TomlNode parse_toml(const std::string& text, const std::string& name);
 
-/// Removes the backticks around field names of a library message, for files with equal key names.
+/// Removes the backticks around field names in a message, for files with equal key names.
 std::string remove_backticks(std::string message);
 
-/// TOML table. Unknown keys are reported before missing ones, so that a misspelt key is answered
-/// with its correct spelling.
+/// TOML table. Unknown keys are reported before missing ones, so that the message for a misspelt
+/// key suggests the correct one.
 class TomlTable {
  public:
   /// Makes the table and checks its keys.
@@ -62,8 +62,9 @@ class TomlTable {
   /// Returns the value of a required key.
   /// @throws InputError  if it is missing
   const TomlNode& require_key(const std::string& key, const std::string& expected) const;
-  /// Reads a text; empty if the key is absent. The same holds for the following readers.
-  /// @throws InputError  if the type is wrong, a text is empty, or a number is out of range
+  /// Reads a text; empty if the key is absent. The following functions read other types in the same
+  /// way.
+  /// @throws InputError  if the value has the wrong type, is an empty text, or is out of range
   std::optional<std::string> text(const std::string& key) const;
   std::optional<bool> boolean(const std::string& key) const;
   std::optional<double> number(const std::string& key, const NumberRange& range) const;
@@ -72,18 +73,18 @@ class TomlTable {
   /// Reads a text or a list of texts, none of them empty.
   std::optional<std::vector<std::string>> text_list(const std::string& key) const;
   /// Reads a vector.
-  /// @param range  of each component
+  /// @param range  allowed range of each component
   std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;
   std::optional<Vec3> vec3(const std::string& key, const NumberRange& range) const;
 
-  /// Reads a list of `least` to `most` numbers in `range`; `node` is the value of `key` or inside
-  /// it.
+  /// Reads a list of `least` to `most` numbers in `range`. `node` is the value of `key` or a part
+  /// of it.
   std::vector<double> numbers(const std::string& key, const TomlNode& node, std::size_t least,
                               std::size_t most, const std::string& expected,
                               const NumberRange& range) const;
 
-  /// Calls `check` and returns its result; if it throws an InputError, the key is refused with that
-  /// message.
+  /// Calls `check` and returns its result. If `check` throws an InputError, the key is refused with
+  /// that message.
   /// @param key  must exist
   /// @param subject  start of the message
   template <class Check>

@@ -7,13 +7,13 @@
 
 namespace clast {
 
-/// Resolves the up axis to "y" or "z": "auto" is y for .glb and .gltf files (glTF 2.0, section 3.4)
-/// and z for others.
+/// Resolves the up axis to "y" or "z". "auto" is y for .glb and .gltf files (glTF 2.0, section
+/// 3.4), and z for others.
 /// @param up  "auto", "y" or "z"
-/// @throws InputError  for any other text
+/// @throws InputError  if `up` is any other text
 std::string resolve_up_axis(const std::string& up, const std::filesystem::path& file);
 
-/// Rotates a point from a y-up to a z-up frame: a quarter turn about x.
+/// Rotates a point from a y-up to a z-up frame, by a quarter turn about x.
 inline Vec3 y_up_to_z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
 /// Rotates a point from a z-up to a y-up frame.
 inline Vec3 z_up_to_y_up(const Vec3& p) { return {p.x(), p.z(), -p.y()}; }

@@ -1,6 +1,6 @@
 #pragma once
-/// Statistics of axial directions in a plane, where a and a + pi are equal. Angles are doubled to
-/// directions on the full circle.
+/// Statistics of axial directions in a plane. The angles a and a + pi are the same axis. Doubled
+/// angles are directions on the full circle.
 /// @cite mardia2000
 #include <cmath>
 #include <cstdint>
@@ -11,30 +11,32 @@
 
 namespace clast {
 
-/// Wraps an angle to that of an axis.
+/// Wraps an angle to the range of axial angles.
 /// @return in (-pi/2, pi/2]
 double wrap_axial_angle(double angle);
 
 struct AxialMean {
   std::size_t count = 0;
-  double direction = NAN;  ///< rad, in (-pi/2, pi/2]; NaN without a preferred direction
-  double resultant = 0.0;  ///< mean resultant length of the doubled angles: 0 uniform, 1 parallel
+  double direction = NAN;  ///< rad, in (-pi/2, pi/2]; NaN if there is no preferred direction
+  double resultant = 0.0;  ///< mean resultant length of the doubled angles, 1 for parallel axes
 };
 /// Computes the axial mean.
-/// @param angles  rad, of one end of each axis
+/// @param angles  direction of one end of each axis, rad
 AxialMean axial_mean(std::span<const double> angles);
 
-/// Returns the p-value of Rayleigh's test of uniformity for independent axes, from the modified
-/// statistic (1 - 1/(2 n)) 2 n R^2 + n R^4/2, chi-squared with two degrees of freedom to O(1/n^2).
-/// @return 1 without axes
+/// Returns the p-value of Rayleigh's test of uniformity for n independent axes with mean resultant
+/// length R. The modified statistic (1 - 1/(2 n)) 2 n R^2 + n R^4/2 is chi-squared with two degrees
+/// of freedom to O(1/n^2).
+/// @return 1 if there are no axes
 double rayleigh_p_value(const AxialMean& mean);
 
-/// Returns the p-value for axes dependent within clusters: each cluster is rotated by a random
-/// angle; p = (1 + number of resultants at least as large)/(1 + draws).
+/// Returns the p-value of uniformity for axes that are dependent within clusters. In each draw,
+/// each cluster is rotated by a random angle. p = (1 + number of draws with at least the observed
+/// resultant)/(1 + draws).
 /// @param angles  rad
 /// @param clusters  number of clusters
-/// @param draws  positive
-/// @return empty if fewer than two clusters have axes
+/// @param draws  number of random draws, positive
+/// @return p-value; empty if fewer than two clusters have axes
 /// @cite phipson2010
 std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles,
                                                  std::size_t clusters, std::uint64_t seed,

@@ -8,15 +8,16 @@
 
 namespace clast {
 
-/// Kolmogorov-Smirnov distance D of two samples of clustered values, with a permutation p-value:
-/// the values of a cluster shared by both samples are permuted within it; a cluster of one sample
-/// is assigned to either sample as a whole. If group membership has no effect within clusters, all
-/// such permutations are equally likely. p is (1 + permutations with at least D)/(1 + draws), or
-/// the smaller p of two_sample_ks_test, which is conservative here, if no permutation reaches D and
-/// all clusters are shared. With one cluster it is two_sample_ks_test.
+/// Kolmogorov-Smirnov test of two samples of clustered values, with a permutation p-value. Values
+/// of a cluster in both samples are permuted within the cluster. A cluster in only one sample is
+/// assigned to either sample as a whole. If the samples do not differ within clusters, all such
+/// permutations are equally likely. p = (1 + permutations with at least the observed distance D)/(1
+/// + draws). If no permutation reaches D and all clusters are in both samples, the p of
+/// `two_sample_ks_test` is used if it is smaller; it is conservative here. It is also used if there
+/// is only one cluster.
 /// @param clusters  number of clusters
-/// @param draws  positive
-/// @return empty if a sample is empty
+/// @param draws  number of random permutations, positive
+/// @return D and p; empty if a sample is empty
 /// @cite smirnov1939, phipson2010
 std::optional<TestResult> clustered_ks_test(const ClusteredValues& a, const ClusteredValues& b,
                                             std::size_t clusters, std::uint64_t seed,

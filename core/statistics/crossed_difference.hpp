@@ -1,6 +1,6 @@
 #pragma once
-/// Difference of two groups with two crossed kinds of clusters, equivalence test, power and sample
-/// size.
+/// Difference of two groups of values in two crossed kinds of clusters, with equivalence test,
+/// power and sample size.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,35 +9,35 @@
 
 namespace clast {
 
-/// Values of units (blocks) from points (release points).
+/// Values of units (blocks) at points (release points).
 struct CrossedSample {
   std::vector<double> values;
   std::vector<bool> high;             ///< per value: true for the second group
   std::vector<std::uint32_t> units;   ///< one per value
   std::vector<std::uint32_t> points;  ///< one per value
-  /// Stratum of each value; only values of one stratum are compared.
+  /// Stratum of each value. Only values of the same stratum are compared.
   std::vector<std::uint32_t> strata;
 };
 
-/// Mean of the second group minus mean of the first; the standard error is zero without scatter.
+/// Mean of the second group minus mean of the first. Without scatter, the standard error is zero.
 struct CrossedDifference : Contrast {
   double scatter = 0.0;  ///< standard deviation of values within group and stratum
-  /// Variance of the difference over that of independent values.
+  /// Variance of the difference divided by its variance for independent values.
   double design_effect = 1.0;
 };
 
-/// Computes the difference within strata by least squares with a mean per stratum and one
-/// difference. The variance uses two-way clustering: sums over units plus sums over points minus
-/// sums over pairs, at least the larger of the first two. Degrees of freedom are combined by
-/// Satterthwaite's formula; interval and p-value are Student's t.
-/// @return empty if no stratum has both groups, fewer than two units are in each group and none in
-///          both, or there are fewer than two units
+/// Computes the difference by least squares, with a mean for each stratum and one common
+/// difference. Its variance is clustered in two ways: the part of units plus the part of points
+/// minus the part of their pairs, but at least the larger of the first two. Degrees of freedom
+/// follow Satterthwaite's formula; interval and p-value are by Student's t.
+/// @return empty if no stratum has both groups, if there are fewer than two units, or if no unit is
+///         in both groups and a group has fewer than two units
 /// @throws InputError  if list lengths differ
 /// @cite cameron2011 @cite satterthwaite1946
 std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample);
 
-/// Returns the p-value of two one-sided equivalence tests. Below 0.05 the difference is within the
-/// margin at the 5 % level.
+/// Returns the p-value of two one-sided equivalence tests. If it is below 0.05, the difference is
+/// within the margin at the 5 % level.
 /// @param margin  positive
 /// @cite schuirmann1987
 double equivalence_p_value(const Contrast& contrast, double margin);
@@ -50,13 +50,13 @@ inline constexpr double kDefaultPower = 0.8;
 /// @param standard_error  positive
 double test_power(double difference, double standard_error, double degrees_of_freedom);
 /// Returns the minimum detectable difference at power `kDefaultPower`.
-/// @return zero if the standard error is zero
+/// @return detectable difference; zero if the standard error is zero
 double minimum_detectable_difference(double standard_error, double degrees_of_freedom);
 
-/// Returns the total sample size, half per group, to detect a difference at power `kDefaultPower`:
-/// 4 D s^2 (z_0.975 + z_0.8)^2 / x^2.
+/// Returns the total sample size, half of it per group, to detect a difference x at power
+/// `kDefaultPower`: 4 D s^2 (z_0.975 + z_0.8)^2 / x^2, with normal quantiles z.
 /// @param difference  x, not zero
-/// @param scatter  s
+/// @param scatter  standard deviation s of the values
 /// @param design_effect  D
 double required_sample_size(double difference, double scatter, double design_effect);
 

@@ -4,42 +4,42 @@
 
 namespace clast {
 
-/// Correlation function at scaled distance r, with one length scale per coordinate.
+/// Correlation as a function of the scaled distance r. Each coordinate has its own length scale.
 enum class Kernel {
   kMatern52,            ///< (1 + sqrt(5) r + 5 r^2/3) exp(-sqrt(5) r): twice differentiable
   kSquaredExponential,  ///< exp(-r^2/2): infinitely smooth
 };
 
-/// Hyperparameters of a process; variance and mean follow in closed form.
+/// Hyperparameters of a process. Its variance and mean follow from them in closed form.
 struct GaussianProcessHyperparameters {
   Eigen::VectorXd length_scales;  ///< one per coordinate, in units of the cube side
-  double nugget = 0.0;            ///< noise variance over process variance
+  double nugget = 0.0;            ///< noise variance divided by process variance
 };
 
 struct GaussianProcessOptions {
   Kernel kernel = Kernel::kMatern52;
-  double min_length_scale = 0.05;  ///< bounds of the length scales
-  double max_length_scale = 20.0;  ///< beyond this the function is nearly linear
-  double min_nugget = 1e-8;        ///< keeps nearly coincident points numerically apart
+  double min_length_scale = 0.05;  ///< smallest length scale
+  double max_length_scale = 20.0;  ///< largest length scale; the function is then nearly linear
+  double min_nugget = 1e-8;        ///< smallest nugget, which keeps the correlation matrix regular
   double max_nugget = 1e3;
-  /// Strength of the prior that coordinates have little influence: the likelihood is multiplied by
-  /// exp(-shrinkage/length) for each, so that noise is not fitted.
+  /// Strength of the prior that coordinates have little influence. The likelihood is multiplied by
+  /// exp(-shrinkage/length scale) for each coordinate, so that noise is not fitted.
   double shrinkage = 1.0;
-  int iterations = 100;  ///< maximum, from each start
+  int iterations = 100;  ///< maximum number of iterations from each start
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Gaussian process fitted to values at points, with an estimated constant mean; equivariant to
-/// shifting and scaling of the values.
+/// Gaussian process fitted to values at points, with an estimated constant mean. If the values are
+/// shifted or scaled, so are the predictions.
 /// @cite rasmussen2006
 class GaussianProcess {
  public:
-  /// Maximises the penalised marginal likelihood over length scales and nugget by Rprop from two
-  /// fixed starts; deterministic. Equal values give a constant without error.
-  /// @param points  one column each, coordinates in [0, 1]
+  /// Maximises the penalised marginal likelihood over length scales and nugget, by Rprop from two
+  /// fixed starts. The result is deterministic. Equal values give a constant without error.
+  /// @param points  one point per column, coordinates in [0, 1]
   /// @param values  one per point, finite
-  /// @throws InputError  if there are fewer than three points, or the sizes differ
+  /// @throws InputError  if there are fewer than three points, or if the sizes differ
   /// @cite riedmiller1994, blum2013, fuglstad2019
   GaussianProcess(const Eigen::MatrixXd& points, const Eigen::VectorXd& values,
                   const GaussianProcessOptions& options = {});
@@ -53,20 +53,20 @@ class GaussianProcess {
   /// Returns the restricted log marginal likelihood, up to a constant.
   double log_likelihood() const { return log_likelihood_; }
 
-  /// Predictions at points: mean, and variance without noise.
+  /// Predictions at points.
   struct Prediction {
     Eigen::VectorXd mean;
-    Eigen::VectorXd variance;  ///< predictive variance, including noise
+    Eigen::VectorXd variance;  ///< variance of the function, without noise
   };
   Prediction predict(const Eigen::MatrixXd& points) const;
-  /// Predicts the means only, which is much cheaper.
+  /// Predicts only the means, which is much cheaper.
   Eigen::VectorXd predict_mean(const Eigen::MatrixXd& points) const;
 
   /// Leave-one-out predictions in closed form, with unchanged hyperparameters.
   /// @cite dubrule1983
   struct LeaveOneOut {
-    Eigen::VectorXd error;     ///< value minus prediction from the others
-    Eigen::VectorXd variance;  ///< that it should have, noise and all
+    Eigen::VectorXd error;     ///< value minus its prediction from the other values
+    Eigen::VectorXd variance;  ///< predicted variance of the error, including noise
   };
   LeaveOneOut leave_one_out() const;
 

@@ -8,19 +8,20 @@
 
 namespace clast {
 
-/// Maximum relative standard deviation due to rounding; values are then equal.
+/// Largest relative standard deviation that rounding can cause. Values with less count as equal.
 inline constexpr double kRoundingFraction = 1e-9;
 
-/// Returns the 95 % interval of the mean: t s/sqrt(n) to either side, with n - 1 degrees of
-/// freedom.
-/// @return empty below two values, or if all values are equal, so that their scatter is unknown
+/// Returns the 95 % interval of the mean: mean +- t s/sqrt(n), with sample standard deviation s and
+/// n - 1 degrees of freedom.
+/// @return interval; empty if there are fewer than two values, or if all are equal
 /// @param possible  range of possible means, to which the interval is clipped
 /// @cite student1908
 std::optional<Interval> mean_interval(const Summary& values,
                                       const Interval& possible = {-INFINITY, INFINITY});
 
 /// Computes the difference of two means by Welch's t-test with Satterthwaite's degrees of freedom.
-/// @return the estimate only, if a group has fewer than two values or all values of each are equal
+/// @return contrast; only its estimate is set if a group has fewer than two values, or if all
+///         values in each group are equal
 /// @cite welch1947 @cite satterthwaite1946
 Contrast welch_difference(const Summary& first, const Summary& second);
 

@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Summary of a sample; all zero if it is empty.
+/// Summary of a sample. All members are zero if it is empty.
 struct Summary {
   std::size_t count = 0;
   double mean = 0.0;
@@ -17,7 +17,7 @@ struct Summary {
 };
 
 /// Summarises a sample.
-/// @param values  finite; summed in their order, so that equal input gives equal bits
+/// @param values  finite values; summed in their order, so that equal input gives equal bits
 Summary summarise(std::span<const double> values);
 
 /// Returns a quantile, linear between order statistics.
@@ -26,29 +26,29 @@ Summary summarise(std::span<const double> values);
 /// @cite hyndman1996
 double quantile(std::span<const double> sorted, double p);
 
-/// Returns the arithmetic mean, summed in the order of the values; not empty.
+/// Returns the arithmetic mean of at least one value, summed in the order of the values.
 double arithmetic_mean(std::span<const double> values);
 
-/// Returns the median; the larger of the two middle values for even sizes. Not empty.
+/// Returns the median of at least one value; for even sizes, the larger of the two middle values.
 double upper_median(std::vector<double> values);
 
-/// Interval; by default that of an unknown probability.
+/// Interval. The default is [0, 1], for an unknown probability.
 struct Interval {
   double low = 0.0;
   double high = 1.0;
 };
 
-/// Returns the significant decimals of a value with an interval: the interval is at least five
-/// units of the last decimal wide.
+/// Returns how many decimals of a value with a given interval are significant. The interval is then
+/// at least five units of the last decimal wide.
 int justified_decimals(const Interval& interval, int max_decimals);
 
-/// Returns Wilson's 95 % interval of a probability after `hits` of `trials` independent trials; [0,
-/// 1] without trials.
+/// Returns Wilson's 95 % interval of a probability, after `hits` successes in `trials` independent
+/// trials; [0, 1] if there are no trials.
 /// @cite wilson1927
 Interval wilson_interval(std::size_t hits, std::size_t trials);
 
-/// Returns Wilson's interval of an observed proportion with an effective, possibly fractional
-/// number of trials.
+/// Returns Wilson's interval of an observed proportion for an effective number of trials, which may
+/// be fractional.
 /// @param trials  positive
 Interval wilson_interval_of_proportion(double proportion, double trials);
 

@@ -11,33 +11,33 @@ namespace clast {
 
 /// Variance fraction of one factor, or of all interactions.
 struct VarianceFraction {
-  /// First-order Sobol index of the design itself; exact for these levels.
+  /// First-order Sobol index of the design itself, which is exact for its levels.
   double design_fraction = 0.0;
-  /// Estimate for the population from which the levels were drawn.
+  /// Estimated variance fraction in the population from which the levels were drawn.
   double estimate = 0.0;
-  Interval interval;  ///< 95 %, of the estimate
+  Interval interval;  ///< 95 % interval of `estimate`
 };
 
 struct VarianceDecomposition {
-  double variance = 0.0;                  ///< estimated variance of a value at new levels
+  double variance = 0.0;                  ///< estimated variance of a value at newly drawn levels
   std::vector<VarianceFraction> factors;  ///< main effects, in the order of the design
-  VarianceFraction interactions;          ///< of two and more factors
+  VarianceFraction interactions;          ///< all interactions of two and more factors
 };
 
 /// Decomposes the variance of a full factorial design with one value per combination.
 ///
-/// The sum of squares splits exactly into factors and interactions; divided by the total these are
-/// the Sobol indices of the design [sobol2001]. Estimates are variance components of the
-/// random-effects model from the mean squares [searle1992], negative ones set to zero. Intervals
-/// are generalised confidence intervals [weerahandi1993] with 2,000 draws of the mean squares as
-/// degrees of freedom times the observed one over a chi-squared number: exact for normal effects in
-/// large samples, with verified coverage (docs/theory.md).
-/// @param values  the last factor varies fastest
+/// The sum of squares splits exactly into parts of the factors and of the interactions. Divided by
+/// the total, they are the Sobol indices of the design [sobol2001]. Estimates are variance
+/// components of the random-effects model from the mean squares [searle1992]; negative ones are set
+/// to zero. Intervals are generalised confidence intervals [weerahandi1993] from 2,000 random draws
+/// of the mean squares. They are exact for normal effects in large samples; their coverage was
+/// verified (docs/theory.md).
+/// @param values  one per combination; the level of the last factor varies fastest
 /// @param levels  number of levels of each factor, at least two; their product is the number of
 ///                values
-/// @return all zero if all values are equal
-/// @throws InputError  if there is no factor or more than six, a factor has one level, or the sizes
-///                     differ
+/// @return decomposition; all members are zero if all values are equal
+/// @throws InputError  if there is no factor or more than six, if a factor has only one level, or
+///                     if the sizes differ
 /// @cite sobol2001 @cite searle1992 @cite weerahandi1993
 VarianceDecomposition decompose_variance(std::span<const double> values,
                                          std::span<const std::size_t> levels,

@@ -9,17 +9,17 @@
 namespace clast::dem_detail {
 namespace {
 
-/// A contact may continue another on other features when it is closer than this share of the
+/// Largest distance over which a contact may continue on other features, as a fraction of the
 /// block's smallest side.
 constexpr double kNearFraction = 0.03;
-/// A list of contacts may have room for half as many more as it holds, or for this many in all.
+/// Spare capacity of a list of contacts: half its size, or up to this number in total.
 constexpr std::size_t kFewContacts = 2;
 
 bool is_event(const NormalResponse& response) {
   return response.impulse != 0.0 || response.moment != 0.0;
 }
 
-/// Adds what the law does inside the step beyond the scheme's own forces.
+/// Adds the correction impulse of the law for an event inside the step.
 void add_law_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
                    const RelativeMotion& motion) {
   if (!load.event) load.event = std::make_unique<EventImpulse>();
@@ -56,7 +56,7 @@ double ContactForces::PairWrench::power_over_previous_step(const RelativeMotion&
 }
 
 double ContactForces::PairWrench::power_over_next_step(const RelativeMotion& motion) const {
-  // Events may have shifted the bodies since.
+  // Events may have shifted the bodies since then.
   const Vec3 arm = centre - motion.block.begin_position;
   const Vec3 arm_of_other = centre_of_other - motion.other.begin_position;
   return power_over_previous_step(motion) +
@@ -150,7 +150,7 @@ void ContactForces::assign_weights(const std::vector<ContactPoint>& points,
 
 void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scratch& scratch) const {
   auto& [now, history, patch_wrenches] = scratch;
-  // The unit force of a patch acts through all its points: how easily that moves both bodies.
+  // The effective mass of a patch is that against a unit force through all its points.
   const BodyMotion &block = motion.block, &other = motion.other;
   patch_wrenches.assign(now.size(), {});
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -196,7 +196,7 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   StepStart start = previous ? step_start_of_continued(contact, *previous, motion)
                              : step_start_of_new(contact, kinematics, law, motion);
   if constexpr (Law::kIsPlastic) {
-    // On ground that unloads otherwise the force goes on, and with it the dent that it stands for.
+    // If the zone has changed, the new law continues with the old force.
     if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
       start.normal = law.initial_state(start.path.before, 0.0, 0.0, previous->normal);
     }
@@ -223,7 +223,7 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   contact.tangential = sliding.load;
   contact.rolling = rolling.load;
 
-  // Eq. 6: the loads of a point count by its weight.
+  // The loads of a point are multiplied by its weight (Eq. 6).
   const double drop = law.force_drop(contact.point.overlap, contact.normal);
   const double restored_ratio =
       kinematics.approach_speed > 0.0 ? 1.0 : law.unloading_ratio(model_.stiffness.normal);
@@ -235,8 +235,8 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   load.torque += kinematics.arm.cross(force) + w * contact.rolling;
   if (start.continuous && is_event(response)) add_law_event(load, response, contact, motion);
 
-  // With the mean weight of the step. What the forces took beyond these losses and what is stored,
-  // because weights, zones, normals or the contacts changed, is booked apart.
+  // Losses are weighted with the mean weight of the step. The rest of the change of energy comes
+  // from changes of weights, zones, normals or contacts and is booked as reassigned.
   const double mean_weight = 0.5 * (start.weight + w);
   const double stored_by_normal =
       law.stored_energy(contact.point.overlap, contact.residual_indentation);
@@ -266,7 +266,7 @@ void ContactForces::end_contact(const Contact& contact, const Law& law,
   const OverlapPath path{duration, overlap, overlap - velocity.dot(n) * duration,
                          -motion.start_velocity_at(contact.position).dot(n)};
   double own = 0.0;
-  if (path.after <= 0.0) {  // parted; else it slid off and its law never came to an end
+  if (path.after <= 0.0) {  // separated; otherwise it slid off while still loaded
     const NormalResponse response =
         law.integrate(path, {contact.normal, contact.residual_indentation}, contact.effective_mass);
     if (is_event(response)) add_law_event(load, response, contact, motion);
@@ -294,7 +294,7 @@ void ContactForces::update_overlaps(const std::vector<Law>& laws, const EventImp
     const double before = contact.stored;
     const double overlap = contact.point.overlap;
     contact.point.overlap = std::max(0.0, overlap - moved.dot(contact.point.normal));
-    // The force stays, and with it what is pressed beyond the dent.
+    // The force does not change, and so neither does the overlap beyond the indentation.
     if constexpr (Law::kIsPlastic) contact.residual_indentation += contact.point.overlap - overlap;
     contact.stored = contact_stored_energy(contact, laws[contact.zone]);
     energy_balance.reassigned -= contact.stored - before;
@@ -384,7 +384,7 @@ std::optional<ContactForces::DeepestContact> ContactForces::deepest_contact() co
 }
 
 double ContactForces::compute_settled_depth() {
-  // A patch carries with its weighted mean overlap: that is the depth of Eq. 2.
+  // The depth of a patch in Eq. 2 is its weighted mean overlap.
   std::vector<double> depth(contacts_.size(), 0.0);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const ContactPoint& point = contacts_[i].point;

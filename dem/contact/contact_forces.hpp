@@ -1,6 +1,6 @@
 #pragma once
-/// Contact forces of a pair of bodies by Eqs. 2-8 of the paper: normal force, friction and rolling
-/// resistance, weighted within contact patches.
+/// Contact forces of a pair of bodies by Eqs. 2-8 of the cited paper: normal force, friction and
+/// rolling resistance. The forces of the contact points are weighted within contact patches.
 /// @cite garcia2022
 #include <memory>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace clast::dem_detail {
 
-/// Correction impulse of contacts that begin, reverse or end inside a step, in world axes.
+/// Correction impulse for contacts that begin, reverse or end inside a step, in world axes.
 struct EventImpulse {
   Vec3 impulse = Vec3::Zero();          ///< on the block, N s
   Vec3 angular_impulse = Vec3::Zero();  ///< about its centre of mass, N m s
@@ -30,15 +30,14 @@ struct EventImpulse {
   }
 };
 
-/// Force and torque of a pair's contacts, in world axes. The other body receives the opposite
-/// force.
+/// Sum of the forces and torques of a pair's contacts, in world axes. The other body receives the
+/// opposite force.
 struct ContactLoad {
-  Vec3 force = Vec3::Zero();   ///< on the block
-  Vec3 torque = Vec3::Zero();  ///< on the block about its centre of mass
-  Vec3 torque_on_other =
-      Vec3::Zero();  ///< of the opposite force on the other body, about its centre of mass
-  /// Energy that the contacts are absorbing, returning, or will lose at reversal, per block mass,
-  /// J/kg (docs/theory.md, Time step).
+  Vec3 force = Vec3::Zero();            ///< on the block
+  Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
+  Vec3 torque_on_other = Vec3::Zero();  ///< on the other body, about its own centre of mass
+  /// Energy of an impact, per block mass, J/kg: what the contacts absorb or return, or will lose at
+  /// reversal (docs/theory.md, Time step).
   double impact = 0.0;
   /// Impulse to apply once, at the end of this step (`RigidBodyIntegrator::apply_event_impulse`).
   std::unique_ptr<EventImpulse> event;
@@ -49,8 +48,9 @@ struct ContactLoad {
   }
 };
 
-/// Contacts of a block with the ground or another block over time: matched with the previous step,
-/// weighted within their patches, and loaded by the contact law.
+/// Contacts of a block with the ground or another block over time. In each step they are matched
+/// with those of the previous step and weighted within their patches. The contact law then gives
+/// their forces.
 class ContactForces {
  public:
   /// Makes an empty set of contacts.
@@ -58,24 +58,24 @@ class ContactForces {
   /// @param size  smallest side of the block, m
   ContactForces(const ContactModel& model, const BlockSurface& block, double size);
 
-  /// Computes the loads after a step of `duration` and books all energies of the step in
+  /// Computes the loads after a step of `duration` and adds the energies of the step to
   /// `energy_balance`.
-  /// @param points  in world axes
-  /// @param other  at rest for the ground
+  /// @param points  contact points at the end of the step, in world axes
+  /// @param other  motion of the other body; default `BodyMotion` for the ground
   ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
                      const BodyMotion& other, double duration, EnergyBalance& energy_balance);
 
   /// Stores the residual indentations of the current contacts in `soil`.
   void store_indentations(SoilMemory& soil) const;
 
-  /// Advances the time without contact and without `update`, s.
+  /// Adds a time without contact in which `update` was not called, s.
   void advance_time(double duration) { contactless_time_ += duration; }
 
   bool empty() const { return contacts_.empty(); }
   std::size_t count() const { return contacts_.size(); }
-  /// Returns the mobility of all contacts, 1/kg: with weighted springs of stiffness k, no natural
-  /// frequency of the block exceeds sqrt(k mobility).
-  /// @param vertex_mobilities  of the block (`vertex_mobilities`)
+  /// Returns an effective inverse mass of the block at its contacts, 1/kg. With weighted springs of
+  /// stiffness k at the contacts, no natural frequency of the block exceeds sqrt(k mobility).
+  /// @param vertex_mobilities  of the block, from `vertex_mobilities`
   double contact_mobility(std::span<const double> vertex_mobilities) const;
   /// Returns the sum of all contact weights.
   double weight() const;
@@ -89,13 +89,13 @@ class ContactForces {
   };
   /// Returns the contact with the largest overlap; empty without contacts.
   std::optional<DeepestContact> deepest_contact() const;
-  /// Returns the largest vertical depth of the load-bearing patches, m. A wedge between steep walls
-  /// is tight but not deep.
+  /// Returns the largest weighted mean overlap of a patch, m. Only vertical components count, so
+  /// that a block wedged between steep walls is not deep.
   double compute_settled_depth();
-  /// True if the law leaves residual indentations, so that impacts rather than the weight determine
-  /// the settled depth.
+  /// True if the law leaves residual indentations. The settled depth then depends on impacts rather
+  /// than on the weight.
   bool is_plastic() const;
-  /// Returns the smallest static stiffness of the current contacts, or k_n without contacts, N/m.
+  /// Returns the smallest static stiffness of the current contacts, N/m; k_n without contacts.
   double static_stiffness() const;
 
   /// Serialises the state that determines future loads.
@@ -106,26 +106,26 @@ class ContactForces {
   }
 
  private:
-  /// Force and torque of a patch's unit force through all its points.
+  /// Force and torque of a patch for a unit normal force, distributed by the weights of its points.
   struct PatchWrench {
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
     Vec3 torque_on_other = Vec3::Zero();
   };
 
-  /// Total contact force and torque at the end of the last step, in world axes: `force` on the
-  /// block and its opposite on the other body.
+  /// Total contact force and torque at the end of the last step, in world axes. `force` acts on the
+  /// block, its opposite on the other body.
   struct PairWrench {
     PairWrench() = default;
     PairWrench(const ContactLoad& load, const RelativeMotion& motion);
-    /// Returns the power taken from the mean motion over the previous step, W.
+    /// Returns the power that the wrench takes from the mean motion over the previous step, W.
     double power_over_previous_step(const RelativeMotion& motion) const;
-    /// Returns the power taken from the mean motion over the next step, W.
+    /// Returns the power that the wrench takes from the mean motion over the next step, W.
     double power_over_next_step(const RelativeMotion& motion) const;
 
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
-    Vec3 torque_on_other = Vec3::Zero();  ///< the opposite of that on the other body, about its own
+    Vec3 torque_on_other = Vec3::Zero();  ///< on the other body about its centre, negated
     Vec3 centre = Vec3::Zero(), centre_of_other = Vec3::Zero();
 
     template <class Bytes>
@@ -146,19 +146,18 @@ class ContactForces {
   ContactLoad apply_law(const std::vector<Law>& laws, const std::vector<ContactPoint>& points,
                         const RelativeMotion& motion, Scratch& scratch,
                         EnergyBalance& energy_balance);
-  /// Decays the slip of earlier contacts by the memory of the touched ground.
+  /// Reduces the slip of earlier contacts by the slip memory of the touched zone.
   void decay_slip(std::uint16_t zone);
   /// Accumulates the slip of this step, averaged over the contacts.
   void accumulate_slip();
   void add_drag(const RelativeMotion& motion, ContactLoad& load, EnergyBalance& energy_balance);
-  /// Stores `now` as the current contacts with little spare capacity; swapping buffers between
-  /// pairs would grow each to the longest list.
+  /// Copies `now` to the current contacts, with little spare capacity.
   void store_contacts(std::vector<Contact>& now);
-  /// Lists the current contacts with their weights (Eqs. 6-8).
+  /// Fills `now` with the current contacts and their weights (Eqs. 6-8).
   void assign_weights(const std::vector<ContactPoint>& points, const RelativeMotion& motion,
                       std::vector<Contact>& now);
   void compute_effective_masses(const RelativeMotion& motion, Scratch& scratch) const;
-  /// Sets new contacts to the mean force of the continued contacts of their patch.
+  /// Gives each new contact the mean normal force of the continued contacts of its patch.
   void initialise_new_forces(Scratch& scratch) const;
   /// Computes the load of a contact (Eqs. 2, 4, 5) and adds it to both bodies.
   template <NormalLaw Law>
@@ -179,16 +178,15 @@ class ContactForces {
 
   const ContactModel& model_;
   const SurfaceFeatures& block_;
-  double near_;  ///< maximum distance of contacts that may continue each other on different
-                 ///< features, m
+  double near_;  ///< largest distance over which a contact may continue on other features, m
   ContactPatches patches_;
   std::vector<Contact> contacts_;
-  std::size_t deepest_ = 0;  ///< contact with the largest overlap, the first of such
+  std::size_t deepest_ = 0;  ///< index of the contact with the largest overlap
   PairWrench last_wrench_;
   std::unique_ptr<ScarDrag> drag_;  ///< null if the ground has no scar drag
-  double slip_ = 0.0;               ///< how far the block has slid lately, m
-  double slipped_ = 0.0;           ///< in this step, summed over the contacts with their weights, m
-  double contactless_time_ = 0.0;  ///< time since the last contact, s
+  double slip_ = 0.0;               ///< slip distance of the block, reduced by the slip memory, m
+  double slipped_ = 0.0;            ///< weighted sum of the contacts' slip in this step, m
+  double contactless_time_ = 0.0;   ///< time since the last contact, s
 };
 
 }  // namespace clast::dem_detail

@@ -7,10 +7,11 @@
 namespace clast::dem_detail {
 namespace {
 
-/// A contact continues another only when their normals are within 45 degrees.
+/// A contact continues another only if their normals differ by at most 45 degrees.
 constexpr double kContinuesCosine = 0.7071067811865476;
 
-/// A vector perpendicular to `before` turned to be perpendicular to `normal`, as long as it was.
+/// Rotates a vector perpendicular to `before` so that it is perpendicular to `normal`. Keeps its
+/// length.
 Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& normal) {
   if (normal == before) return vector;
   const double length = vector.norm();
@@ -26,8 +27,8 @@ void ContactHistory::match_contacts(const std::vector<ContactPoint>& points,
   previous_of_.assign(points.size(), -1);
   continued_.assign(before.size(), 0);
   if (match_features(points, before) == points.size()) return;
-  // The same block feature on the next ground feature, or the same ground feature under the next
-  // block feature; then whatever continues at the same place.
+  // First the same block feature on another ground feature, or the same ground feature under
+  // another block feature. Then any contact near the same position.
   match_by_relation(points, before, [](const ContactPoint& a, const ContactPoint& b) {
     return a.kind == b.kind &&
            (a.block_feature == b.block_feature ||
@@ -40,7 +41,7 @@ void ContactHistory::match_contacts(const std::vector<ContactPoint>& points,
 
 std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& points,
                                            const std::vector<Contact>& before) {
-  // Both lists are in the same order, so the search goes on where the last one ended.
+  // Both lists have the same order, so that each search starts where the last one ended.
   std::size_t next = 0, found = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t tried = 0; tried < before.size(); ++tried) {
@@ -108,7 +109,7 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
     const SpringTransfer& transfer = spring_transfers_[patches.find_patch(i)];
     if (!(transfer.lost > 0.0)) continue;
     Contact& contact = now[i];
-    // What more is gained than lost keeps the point's own springs.
+    // If more weight is gained than lost, the surplus keeps the springs of its own point.
     const double taken = more / std::max(transfer.gained, transfer.lost);
     const double own = 1.0 - taken * transfer.lost / contact.weight;
     const Vec3 tangential = own * contact.tangential + taken / contact.weight * transfer.tangential;

@@ -1,5 +1,5 @@
 #pragma once
-/// Contact history: matching of contacts between steps, and transfer of the friction and rolling
+/// Contact history: matches contacts between steps and transfers their friction and rolling
 /// springs.
 #include <vector>
 
@@ -16,7 +16,7 @@ struct Contact {
   std::uint16_t zone = 0;
   double weight = 0.0;
   double normal = 0.0;                ///< N
-  Vec3 tangential = Vec3::Zero();     ///< of the decreased weights, N
+  Vec3 tangential = Vec3::Zero();     ///< spring load that belongs to the lost weights, N
   Vec3 rolling = Vec3::Zero();        ///< N m
   Vec3 position = Vec3::Zero();       ///< point of application
   double effective_mass = 0.0;        ///< of its patch, kg; only for laws that need it
@@ -30,15 +30,15 @@ struct Contact {
   }
 };
 
-/// Matches contacts of two consecutive steps. Stateless between matches, so that one object can
-/// serve many pairs.
+/// Matches contacts of two consecutive steps. It keeps no state between matches, so that one object
+/// can serve many pairs.
 class ContactHistory {
  public:
   /// Matches each point with at most one contact of the previous step.
-  /// @param max_distance  of contacts that may continue each other on different features, m
+  /// @param max_distance  largest distance over which a contact may continue on other features, m
   void match_contacts(const std::vector<ContactPoint>& points, const std::vector<Contact>& before,
                       double max_distance);
-  /// Returns the previous contact that a point continues, null if the point is new.
+  /// Returns the contact of the previous step that a point continues; null if the point is new.
   const Contact* previous_contact(std::size_t point, const std::vector<Contact>& before) const {
     return previous_of_[point] >= 0 ? &before[previous_of_[point]]
                                     : nullptr;  ///< index of the previous contact, -1 if new
@@ -46,13 +46,14 @@ class ContactHistory {
   /// True if a contact of the previous step is continued.
   bool is_continued(std::size_t contact) const { return continued_[contact]; }
 
-  /// Transfers springs to the continued contacts, and with the weights that moved within a patch
-  /// (docs/theory.md, Springs move with the weights).
+  /// Transfers the springs of the previous contacts to those that continue them. If weights move
+  /// between the points of a patch, springs move with them (docs/theory.md, Springs move with the
+  /// weights).
   void transfer_springs(std::vector<Contact>& now, const std::vector<Contact>& before,
                         const ContactPatches& patches);
 
  private:
-  /// Springs transferred between the points of a patch when weights change.
+  /// Springs to transfer between the points of a patch when their weights change.
   struct SpringTransfer {
     double gained = 0.0, lost = 0.0;  ///< sums of the weight increases and decreases
     Vec3 tangential = Vec3::Zero();   ///< of the lost weights, N
@@ -71,11 +72,11 @@ class ContactHistory {
     continued_[contact] = 1;  ///< per contact of the previous step
   }
 
-  std::vector<int> previous_of_;  ///< contact of the step before, -1 for none
-  std::vector<char> continued_;   ///< contacts of the step before
+  std::vector<int> previous_of_;  ///< per point: index of the contact that it continues, -1 if none
+  std::vector<char> continued_;   ///< per contact of the previous step: 1 if a point continues it
   // Kept to spare the allocations.
   std::vector<SpringTransfer> spring_transfers_;  ///< per patch
-  std::vector<double> gained_;                    ///< weight change of each point
+  std::vector<double> gained_;  ///< weight change of each point since the previous step
 };
 
 }  // namespace clast::dem_detail

@@ -8,7 +8,7 @@ namespace clast {
 
 namespace {
 
-/// Calls `visit` with a default-made law of every kind.
+/// Calls `visit` with a default-constructed law of each type.
 template <std::size_t Index = 0, class Visit>
 void for_each_law(const Visit& visit) {
   if constexpr (Index < std::variant_size_v<ContactLaw>) {

@@ -13,8 +13,8 @@
 
 namespace clast {
 
-/// Available normal laws; friction and rolling resistance are common to all. A further law is a
-/// struct that satisfies `NormalLaw`, in its own file, listed here.
+/// Available normal laws. Friction and rolling resistance are common to all of them. To add a law,
+/// write a struct that satisfies `NormalLaw` and list it here.
 template <NormalLaw... Laws>
 using LawVariant = std::variant<Laws...>;
 using ContactLaw = LawVariant<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
@@ -23,13 +23,13 @@ using ContactLaw = LawVariant<EnergyRestitutionLaw, SpringDashpotLaw, Elastoplas
 /// @throws InputError  if the name is unknown; the message lists the laws
 ContactLaw parse_contact_law(const std::string& name);
 std::string name_of(const ContactLaw& law);
-/// Returns the names of all laws in the order of the variant.
+/// Returns the names of all laws, in the order of the variant.
 std::vector<std::string> contact_law_names();
 
-/// Weighting of the contact stiffness over the points of a block.
+/// Distribution of the contact stiffness over the contact points of a block.
 enum class ContactWeighting {
-  kPatch,    ///< by overlap within each contact patch; weights of a patch sum to 1
-  kOverlap,  ///< by overlap over all points of the block (Eq. 8)
+  kPatch,    ///< proportional to overlap within each contact patch; the weights of a patch sum to 1
+  kOverlap,  ///< proportional to overlap over all points of the block (Eq. 8)
   kCount,    ///< equal for all points of the block (Eq. 7)
   kNone,     ///< each point has the full stiffness
 };
@@ -44,9 +44,9 @@ struct ContactStiffness {
   double normal = 0.0;      ///< k_n, N/m
   double tangential = 0.0;  ///< k_t, N/m
   double rolling = 0.0;     ///< k_r on ground without rolling length, N m/rad
-  double time_step = 0.0;   ///< step that resolves an impact, s
-  /// Step between impacts, s, limited by the block's most mobile point. If it is below `time_step`,
-  /// all steps have the length `time_step`.
+  double time_step = 0.0;   ///< time step that resolves an impact, s
+  /// Time step between impacts, s, for contact at the block's most mobile point. If it is below
+  /// `time_step`, all steps have the length `time_step`.
   double max_time_step = 0.0;
 };
 

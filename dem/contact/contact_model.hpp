@@ -15,10 +15,10 @@ namespace clast::dem_detail {
 class ContactModel {
  public:
   /// Makes the laws of all zones.
-  /// @param zone_parameters  per ground zone; these, `face_zones` and `soil_memory` must outlive
-  ///                         the model
-  /// @param face_zones  zone of each face of the reference body; empty: all are zone 0
-  /// @param soil_memory  residual indentations of earlier contacts; null: none
+  /// @param zone_parameters  parameters of each ground zone; must outlive the model, as must
+  ///                         `face_zones` and `soil_memory`
+  /// @param face_zones  zone of each face of the reference body; if empty, all are in zone 0
+  /// @param soil_memory  residual indentations of earlier contacts; null if there are none
   ContactModel(std::span<const GroundParameters> zone_parameters,
                std::span<const std::uint16_t> face_zones, const ContactStiffness& contact_stiffness,
                ContactWeighting weighting, const ContactLaw& law,
@@ -27,7 +27,7 @@ class ContactModel {
   std::uint16_t zone_of(std::uint32_t face) const {
     return zone_of_face.empty() ? std::uint16_t{0} : zone_of_face[face];
   }
-  /// Calls `visit` with the laws of the zones, which have one type.
+  /// Calls `visit` with the list of the zones' laws, which all have the same type.
   template <class Visit>
   decltype(auto) visit_laws(const Visit& visit) const {
     return std::visit([&](const auto& by_zone) -> decltype(auto) { return visit(by_zone.laws); },
@@ -40,10 +40,10 @@ class ContactModel {
   ContactWeighting weights;
   const SoilMemory* soil;
   double tangential_compliance;                     ///< 1/k_t
-  std::vector<double> rolling, rolling_compliance;  ///< k_r and 1/k_r by zone
-  std::vector<double> drag_factors;                 ///< C_d rho/2 by zone, kg/m^3
-  bool has_slip_dependent_friction = false;         ///< on any zone
-  bool has_scar_drag = false;                       ///< on any zone
+  std::vector<double> rolling, rolling_compliance;  ///< k_r and 1/k_r of each zone
+  std::vector<double> drag_factors;                 ///< C_d rho/2 of each zone, kg/m^3
+  bool has_slip_dependent_friction = false;         ///< true if any zone has it
+  bool has_scar_drag = false;                       ///< true if any zone has it
 
  private:
   template <class Law>

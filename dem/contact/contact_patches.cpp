@@ -9,15 +9,15 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Normals within a patch differ by at most 30 degrees: smoothly curved, not a ridge.
+/// Normals within a patch differ by at most 30 degrees. Larger angles are ridges.
 constexpr double kPatchCosine = 0.8660254037844386;
-/// How far a point of a patch may stand above the tangent plane of another, as a sine: 3 degrees.
-/// More is a valley, and its two sides carry the block apart.
+/// Largest height of a point of a patch above the tangent plane of another, as a sine (3 degrees).
+/// If it is larger, the ground is a valley whose two sides carry the block separately.
 constexpr double kPatchRise = 0.052;
-/// A plane of the block joins contact points when it faces the ground within 60 degrees.
+/// A plane of the block connects contact points if it faces the ground within 60 degrees.
 constexpr double kFacingCosine = 0.5;
 
-/// True where the ground between the two is flat or smoothly convex.
+/// True if the ground between two contacts is flat or smoothly convex.
 bool smooth_between(const ContactPoint& a, const ContactPoint& b) {
   if (a.normal.dot(b.normal) < kPatchCosine) return false;
   const Vec3 between = b.surface_point - a.surface_point;
@@ -25,14 +25,13 @@ bool smooth_between(const ContactPoint& a, const ContactPoint& b) {
   return a.normal.dot(between) <= rise && b.normal.dot(between) >= -rise;
 }
 
-/// True for two vertices that touch one face of the ground within it.
+/// True if two vertices touch the same face of the ground inside it.
 bool on_one_face(const ContactPoint& a, const ContactPoint& b) {
   return a.ground_face == b.ground_face && a.kind == ContactKind::kVertexGround &&
          b.kind == ContactKind::kVertexGround && a.normal == b.normal;
 }
 
-/// The last number noted for each joint of a block; joints of which none was noted since `begin`
-/// cost nothing.
+/// Last index stored for each feature group of a block. Clearing by `begin` costs nothing.
 class LastOnJoint {
  public:
   void begin(const SurfaceFeatures& block) {
@@ -40,7 +39,7 @@ class LastOnJoint {
     const std::size_t groups = block.faces.size() + block.edges.size();
     if (noted_.size() < groups) noted_.resize(groups);
   }
-  /// @return  what was noted before; kNoFeature: nothing
+  /// @return  index stored before; kNoFeature if none
   std::uint32_t note(std::uint32_t group, std::uint32_t index) {
     const Noted before = std::exchange(noted_[group], {round_, index});
     return before.round == round_ ? before.index : kNoFeature;
@@ -55,7 +54,7 @@ class LastOnJoint {
   std::uint64_t round_ = 0;
 };
 
-/// Scratch of one call, shared by all pairs of a thread.
+/// Temporary data of one call, shared by all pairs of a thread.
 struct Scratch {
   std::vector<double> point_weights, patch_overlap;
   std::vector<Vec3> normals_in_body;
@@ -73,7 +72,7 @@ std::span<const double> ContactPatches::compute_weights(const std::vector<Contac
   const std::size_t count = points.size();
   std::vector<double>&point_weights = scratch().point_weights,
   &patch_overlap = scratch().patch_overlap;
-  if (count < 2) {  // by whatever rule
+  if (count < 2) {  // under all rules
     patch_.assign(count, 0);
     point_weights.assign(count, 1.0);
     features_.clear();
@@ -122,7 +121,7 @@ bool ContactPatches::has_same_features(const std::vector<ContactPoint>& points) 
 void ContactPatches::list_candidate_links(const std::vector<ContactPoint>& points) {
   features_.clear();
   links_.clear();
-  if (group_points_.empty()) group_points_.shrink_to_fit();  // not asked for since the last change
+  if (group_points_.empty()) group_points_.shrink_to_fit();  // not used since the last change
   group_points_.clear();
   patch_.resize(points.size());
   LastOnJoint& last = scratch().last_on_joint;

@@ -3,17 +3,17 @@
 namespace clast {
 namespace {
 
-/// A force this close to a line of the law, relative to itself, is on it (the correction of events
-/// shifts the block by less).
+/// Relative distance up to which a force counts as on a line of the law. The correction of events
+/// shifts it by less.
 constexpr double kOnLine = 1e-5;
 
-/// When the overlap is at `level`, between two times of a monotonic piece that straddles it.
+/// Returns the time at which the overlap passes `level`. It must be monotonic from `from` to `to`.
 double time_at(const OverlapPath& path, double level, double from, double to) {
   return OverlapPath{path.duration, path.before - level, path.after - level, path.rate}
       .zero_crossing(from, to);
 }
 
-/// The law followed along monotonic pieces of a path.
+/// Applies the law along monotonic pieces of a path.
 class Follower {
  public:
   Follower(const ElastoplasticLaw& law, const OverlapPath& path, const NormalState& state)
@@ -37,7 +37,7 @@ class Follower {
 
  private:
   void grow(double from, double to, double first, double last) {
-    if (!(force_ > 0.0)) {  // through the dent, or the air, to where it touches
+    if (!(force_ > 0.0)) {  // no force until the overlap reaches the indentation
       const double touch = std::max(residual_indentation_, 0.0);
       if (last <= touch) return;
       if (first < touch) {
@@ -47,7 +47,7 @@ class Follower {
     }
     const double yield = law_.loading_stiffness;
     if (force_ < yield * first * (1.0 - kOnLine) && law_.reloading_stiffness > yield) {
-      // To where the rising force meets the line of first loading.
+      // Reloads up to the overlap at which the force reaches the line of first loading.
       const double meet =
           (law_.reloading_stiffness * first - force_) / (law_.reloading_stiffness - yield);
       const double until = meet < last ? time_at(path_, meet, from, to) : to;
@@ -60,7 +60,7 @@ class Follower {
         std::max(residual_indentation_, last - force_ / law_.unloading_stiffness);
   }
 
-  /// From the force at `first`, by a stiffness.
+  /// Raises the force from its value at overlap `first`, with the given stiffness.
   void press(double from, double to, double first, double last, double stiffness) {
     const double base = force_;
     integral_.add_interval(

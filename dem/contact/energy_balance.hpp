@@ -12,10 +12,10 @@ struct EnergyBalance {
   double normal = 0.0;      ///< dissipated by the normal law
   double friction = 0.0;    ///< dissipated by sliding and by scar drag
   double rolling = 0.0;     ///< dissipated by rolling resistance
-  double reassigned = 0.0;  ///< lost (or gained, < 0) if contacts or their weights change
+  double reassigned = 0.0;  ///< lost when contacts or their weights change; negative if gained
 
   double dissipated() const { return normal + friction + rolling + reassigned; }
-  /// Adds the dissipation of another part of the run.
+  /// Adds the dissipated and reassigned energy of another part of the run.
   EnergyBalance& operator+=(const EnergyBalance& part) {
     normal += part.normal;
     friction += part.friction;
@@ -32,8 +32,8 @@ struct EnergyBalance {
             std::max({std::abs(lost), 1e-3 * std::abs(drop), 1e-300});
   }
 
-  /// Relative error of the balance: |initial - final - dissipated| / max(dissipated, 1e-3 |kinetic
-  /// + drop|).
+  /// Relative error of the balance: |initial - final - lost| / max(|lost|, 1e-3 |drop|), where
+  /// `lost` is the dissipated and reassigned energy and `drop` the argument of `close_balance`.
   double error = 0.0;
 
   template <class Bytes>

@@ -79,8 +79,9 @@ struct EnergyRestitutionLaw {
   }
 
  private:
-  /// Relative distance below which a force is on the unloading line. The correction at reversal
-  /// shifts the block by (w dt)^4/24 of it; smaller values cause no events during unloading.
+  /// Relative distance up to which a force counts as on the unloading line. The correction at a
+  /// reversal shifts the force off this line by (w dt)^4/24; such a shift must not cause an event
+  /// during unloading.
   static constexpr double kOnLine = 1e-5;
 };
 

@@ -7,7 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// An impulse is at most doubled: one that hardly touched the block can't make up for others.
+/// An impulse is at most doubled, so that a weak contact does not correct the errors of others.
 constexpr double kMaxAdded = 1.0;
 
 Vec3 angular_momentum_of(const BodyMotion& motion) {
@@ -16,11 +16,11 @@ Vec3 angular_momentum_of(const BodyMotion& motion) {
   return rotation * Vec3(spin_in_body.cwiseQuotient(motion.inverse_moments));
 }
 
-/// Gives a block more or less of an impulse, for the energy that it is owed.
-/// @returns  what it was given, J: no more can be taken than there is along the impulse
+/// Applies a fraction of the impulse to a block so that it gains the energy it lacks.
+/// @returns  energy added, J; if negative, limited to the energy of the motion along the impulse
 double apply_scaled_impulse(RigidBodyIntegrator& body, const Vec3& impulse,
                             const Vec3& angular_impulse, double owed) {
-  // A share x more of the impulse gives the block the energy rate x + curve x^2.
+  // The fraction x of the impulse adds the energy rate x + curve x^2.
   const BodyMotion motion = body.current_motion();
   const double rate = impulse.dot(motion.velocity) + angular_impulse.dot(motion.angular_velocity);
   const double curve = 0.5 * (motion.inverse_mass * impulse.squaredNorm() +
@@ -54,8 +54,8 @@ bool ImpactEnergyCorrection::end_impact(RigidBodyIntegrator& body, double accoun
   }
   double owed = expected_energy_ - accounted;
   owed -= apply_scaled_impulse(body, impulse, angular_impulse, owed);
-  // A block that rocked has got impulses one way and the other. Its energy is then in the spin, and
-  // in the velocity along the impulse.
+  // A block that rocked has received impulses in opposite directions. Its energy is then in the
+  // rotation and in the velocity along the impulse.
   const BodyMotion motion = body.current_motion();
   const double squared = impulse.squaredNorm();
   const Vec3 along =

@@ -7,21 +7,21 @@
 
 namespace clast::dem_detail {
 
-/// Scales the impulse of each impact so that it returns the energy stated by the law.
+/// Scales the impulse of each impact so that the impact returns the energy that the law states.
 ///
-/// Forces weighted by overlap are not conservative: a block that lands on several points and leaves
-/// from one after the other gets back more or less than it gave (docs/theory.md, Weights and
-/// energy). If the ground returns more than half, an impact could accelerate a block; therefore the
-/// total impulse is scaled at its end.
+/// Forces weighted by overlap are not conservative. A block that lands on several points and leaves
+/// them one after the other gets back more or less energy than it gave (docs/theory.md, Weights and
+/// energy). If the ground returns more than half of the energy, an impact could accelerate the
+/// block. Therefore the total impulse is scaled at the end of the impact.
 /// @cite stronge1990
 class ImpactEnergyCorrection {
  public:
-  /// True if impacts on this ground are corrected: five points loaded together and unloaded one by
-  /// one return twice their energy.
+  /// True if impacts on this ground are corrected. The limit follows from the worst case: five
+  /// points loaded together and unloaded one by one return twice the energy of the law.
   static bool applies_to(const GroundParameters& zone) { return zone.energy_restitution > 0.5; }
 
   /// Starts the correction.
-  /// @param energy  of the block at the start of the run, J
+  /// @param energy  energy of the block at the start of the run, J
   explicit ImpactEnergyCorrection(double energy) : expected_energy_(energy) {}
 
   /// Records that the block touches a ground zone.
@@ -29,22 +29,23 @@ class ImpactEnergyCorrection {
   void add_contact_load(double duration, const ContactLoad& load);
   void add_event_impulse(const EventImpulse& event);
 
-  /// Ends an impact when the block has left the ground, and corrects the velocities of the block if
+  /// Ends an impact when the block has left the ground. Corrects the velocities of the block if
   /// necessary.
   /// @param accounted  energy of the block plus all dissipation since the start, J
   /// @returns true if the impact was corrected
   bool end_impact(RigidBodyIntegrator& body, double accounted);
-  /// Returns the expected accounted energy at the end of a corrected impact, J.
+  /// Returns the sum of energy and dissipation expected at the end of a corrected impact, J; empty
+  /// if the present impact is not corrected.
   std::optional<double> expected_energy() const {
     return applies_ ? std::optional(expected_energy_)
-                    : std::nullopt;  ///< accounted energy without reassignment, J
+                    : std::nullopt;  ///< expected energy of the block plus its dissipation, J
   }
 
  private:
   Vec3 impulse_ = Vec3::Zero();          ///< of all contacts in this impact, N s
   Vec3 angular_impulse_ = Vec3::Zero();  ///< about the centre of mass, N m s
-  bool applies_ = false;                 ///< it touches ground for that
-  double expected_energy_;               ///< what is accounted for where nothing is reassigned, J
+  bool applies_ = false;    ///< true if this impact touches ground to which the correction applies
+  double expected_energy_;  ///< energy of the block plus dissipation if no energy is reassigned, J
 };
 
 }  // namespace clast::dem_detail

@@ -16,15 +16,15 @@ namespace clast {
 /// - `kIsPlastic`: true if it leaves a residual indentation.
 /// - `on_ground(k_n, ground)`: the law with the coefficients of a ground zone; k_n in N/m.
 /// - `initial_state(overlap, rate, effective_mass, patch_force)`: the state of a contact that
-///   begins with an overlap which its speed does not explain; `rate` in m/s, `patch_force` is the
+///   begins with an overlap larger than its speed explains. `rate` is in m/s; `patch_force` is the
 ///   mean force of its contact patch, N.
-/// - `integrate(path, state, effective_mass)`: the response to the path of the overlap over a step.
+/// - `integrate(path, state, effective_mass)`: the response to the overlap over a step.
 /// - `stored_energy(overlap, h_p)`: elastic energy, J.
-/// - `static_stiffness()`: the force of a body at rest over its overlap, N/m.
-/// - `highest_frequency(w)`: the fastest rate of a contact whose spring alone has the frequency w,
-///   rad/s. The time step follows from it.
+/// - `static_stiffness()`: force divided by overlap of a body at rest, N/m.
+/// - `highest_frequency(w)`: the fastest rate of a contact, rad/s, if its spring alone has the
+///   angular frequency w. It limits the time step.
 /// - `force_drop(overlap, force)`: by how much the force falls when loading turns to unloading, N.
-/// - `unloading_ratio(k_n)`: the stiffness of unloading over k_n, for the energy that an impact
+/// - `unloading_ratio(k_n)`: unloading stiffness divided by k_n. It gives the energy that an impact
 ///   can still return.
 template <class Law>
 concept NormalLaw = requires(const Law& law, const GroundParameters& ground,

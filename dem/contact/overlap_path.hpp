@@ -5,8 +5,8 @@
 
 namespace clast {
 
-/// Overlap as a parabola in time, as the position in a velocity Verlet step; negative without
-/// contact.
+/// Overlap over a step as a parabola in time, like the position in a velocity Verlet step. It is
+/// negative without contact.
 struct OverlapPath {
   double duration = 0.0;  ///< s
   double before = 0.0;    ///< at the start, m
@@ -20,13 +20,15 @@ struct OverlapPath {
     return before + time * (rate + time * quadratic_coefficient());
   }
   double rate_at(double time) const { return rate + 2.0 * time * quadratic_coefficient(); }
-  /// Returns the time of the overlap's extremum; the end of the step if there is none.
+  /// Returns the time at which the overlap is largest or smallest, s; the end of the step if it has
+  /// no extremum inside.
   double reversal_time() const {
     const double end_rate_times_duration = 2.0 * (after - before) - rate * duration;
     if (!(rate * end_rate_times_duration < 0.0)) return duration;
     return std::min(-0.5 * rate / quadratic_coefficient(), duration);
   }
-  /// Returns the time of zero overlap between two times of a monotonic piece that brackets it.
+  /// Returns the time of zero overlap, s. It must lie between the two times, and the overlap must
+  /// be monotonic there.
   double zero_crossing(double from, double to) const {
     const double b = quadratic_coefficient();
     const double root = std::sqrt(std::max(0.0, rate * rate - 4.0 * b * before));
@@ -39,24 +41,24 @@ struct OverlapPath {
   }
 };
 
-/// State of a contact at the start of a step, as known to a law.
+/// State of a contact at the start of a step, as passed to a law.
 struct NormalState {
-  double force = 0.0;  ///< at the end, N, not negative
+  double force = 0.0;  ///< at the end of the previous step, N, not negative
   double residual_indentation =
-      0.0;  ///< part of the overlap that stays, m; only under a law that keeps one
+      0.0;  ///< part of the overlap that remains without load, m; only for plastic laws
 };
 
 /// Response of a law to a path, per unit weight.
 ///
-/// A Verlet step uses the initial force for the position and the mean of both end forces for the
-/// velocity. If a contact begins, reverses or ends inside the step, this has a first-order error,
-/// which `impulse` and `moment` compensate (docs/theory.md); otherwise they are zero.
+/// A Verlet step uses the initial force for the position, and the mean of initial and final force
+/// for the velocity. If a contact begins, reverses or ends inside the step, this has a first-order
+/// error. `impulse` and `moment` compensate it (docs/theory.md); otherwise they are zero.
 struct NormalResponse {
-  double force = 0.0;    ///< at the end, N, never negative
+  double force = 0.0;    ///< at the end of the step, N, never negative
   double work = 0.0;     ///< taken from the bodies along the path, J
-  double impulse = 0.0;  ///< integral of the force minus mean end force times step, N s
+  double impulse = 0.0;  ///< integral of the force, minus (initial + final force)/2 times step, N s
   double moment =
-      0.0;  ///< integral of force times remaining time minus that of the initial force, N s^2
+      0.0;  ///< integral of force times remaining time, minus the same for the initial force, N s^2
   double residual_indentation = 0.0;  ///< m; only for plastic laws
 };
 
@@ -66,8 +68,8 @@ class PathIntegral {
   PathIntegral(const OverlapPath& path, double first_force)
       : path_(path), first_force_(first_force) {}
 
-  /// Adds a piece on which `force(time)` is at most quadratic, for which two Gauss points are
-  /// exact.
+  /// Adds a piece of the path on which `force(time)` is at most quadratic. Two Gauss points are
+  /// then exact.
   template <class Force>
   void add_interval(double from, double to, const Force& force) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);

@@ -7,8 +7,9 @@
 namespace clast::dem_detail {
 namespace {
 
-/// What the search needs is dropped when the bounds are this share of the block's smallest side
-/// apart: farther than where it was made, so that a pair at the limit does not make it every step.
+/// The data of the narrow phase are dropped at this distance of the bounding volumes, as a fraction
+/// of the block's smallest side. They are made at a smaller distance, so that a pair near the limit
+/// does not make them in every step.
 constexpr double kDiscardFraction = 0.2;
 
 }  // namespace
@@ -57,7 +58,7 @@ double PairContactState::bounding_box_distance(const Vec3& block_centre) const {
 }
 
 double PairContactState::displacement_to(const Pose& pose) const {
-  // A turn by an angle a moves no point farther than 2 sin(a/2) times its distance.
+  // A rotation by an angle a moves no point farther than 2 sin(a/2) times its distance.
   const double turn = 2.0 * (near_->pose.rotation.conjugate() * pose.rotation).vec().norm();
   return near_->displacement + (pose.translation - near_->pose.translation).norm() +
          turn * block_.bounding_radius;
@@ -65,7 +66,7 @@ double PairContactState::displacement_to(const Pose& pose) const {
 
 const ContactLoad& PairContactState::update(const BodyMotion& reference, const BodyMotion& block,
                                             double duration) {
-  if (!near_ && bounding_sphere_distance(reference, block) > 0.0) return load_;  // which is none
+  if (!near_ && bounding_sphere_distance(reference, block) > 0.0) return load_;  // which is zero
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
   if (!near_) {

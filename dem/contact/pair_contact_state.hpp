@@ -13,8 +13,8 @@
 namespace clast::dem_detail {
 
 /// Contacts of a pair over time. The narrow phase runs in the frame of one of the two, the
-/// reference body. The relative displacement is computed from the poses; the narrow phase is
-/// skipped while it cannot cause contact, and its data are kept only while the bodies are near.
+/// reference body. It is skipped while the relative displacement is too small to cause contact. Its
+/// data are kept only while the bodies are near.
 class PairContactState {
  public:
   /// Makes a pair of bodies.
@@ -25,30 +25,30 @@ class PairContactState {
   PairContactState(const IndexedSurface& terrain, const BlockSurface& block, double size,
                    const ContactModel& model);
 
-  /// Computes the loads at the present poses after a step of `duration`; energies go to
+  /// Computes the loads at the present poses after a step of `duration`. Energies are added to
   /// `energy_balance()`.
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
-  /// Advances the time without contact and without `update`, s.
+  /// Adds a time without contact in which `update` was not called, s.
   void advance_time(double duration) {
     if (near_ && near_->forces.empty()) near_->forces.advance_time(duration);
   }
-  /// Ends all contacts, as when a body is removed; stored energy is booked in the energy balance.
+  /// Ends all contacts, as when a body is removed, and books their energy in the energy balance.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
-  /// Moves the residual indentations of the pair to `soil`, once the bodies have separated or if
-  /// `over`; until then the contact detection ignores them.
+  /// Moves the residual indentations of the pair to `soil` if the bodies have separated, or if
+  /// `over` is true. Until then they do not affect the contacts of other bodies.
   void store_indentations(bool over, SoilMemory& soil) {
     if (indentations_ && (over || !is_touching()) && !indentations_->empty())
       soil.merge(*indentations_);
   }
 
-  /// Clears the impulse of the last step, which has been applied; the other loads stay valid while
-  /// neither body moves.
+  /// Clears the event impulse of the last step once it has been applied. The other loads stay valid
+  /// while neither body moves.
   void clear_event_impulse() { load_.event.reset(); }
 
   /// Returns the relative displacement before the bodies can touch, m; 0 if unknown.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;
-  /// Returns the mobility of all contacts, as `ContactForces::mobility`.
+  /// Returns the mobility of all contacts, as `ContactForces::contact_mobility`.
   double contact_mobility(std::span<const double> vertex_mobilities) const {
     return near_ ? near_->forces.contact_mobility(vertex_mobilities) : 0.0;
   }
@@ -81,8 +81,8 @@ class PairContactState {
   }
 
  private:
-  /// Narrow phase of the pair. That of the terrain, one per block, is large compared with those of
-  /// other pairs.
+  /// Narrow phase of the pair. `TerrainNarrowPhase` is stored by pointer, because it is much larger
+  /// than the others.
   using NarrowPhase =
       std::variant<std::unique_ptr<TerrainNarrowPhase>, BlockNarrowPhase, RodNarrowPhase>;
   /// State of the narrow phase while the bodies are near.

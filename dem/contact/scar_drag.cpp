@@ -7,7 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Of a ball whose lowest point is `depth` below the plane: a segment of its circle.
+/// Embedded frontal area of a ball with its lowest point `depth` below the plane.
 EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double depth, const Vec3& up) {
   if (!(depth > 0.0)) return {};
   const double half = std::acos(std::max(-1.0, 1.0 - depth / radius));
@@ -17,10 +17,10 @@ EmbeddedFrontalArea embedded_ball(const Vec3& centre, double radius, double dept
   return {radius * radius * fraction, centre - below * up};
 }
 
-/// The part of a triangle below height 0.
+/// Part of a triangle below height 0.
 struct Below {
   double area = 0.0;
-  Vec3 moment = Vec3::Zero();  ///< area times middle
+  Vec3 moment = Vec3::Zero();  ///< area times centroid
 };
 Below part_below(const std::array<Vec3, 3>& corners, const std::array<double, 3>& heights) {
   std::array<Vec3, 4> kept;
@@ -83,7 +83,7 @@ Vec3 ScarDrag::update(const std::vector<Contact>& contacts, const RelativeMotion
 }
 
 Vec3 ScarDrag::drag_force(const std::vector<Contact>& contacts, const RelativeMotion& motion) {
-  // The ground as the mean plane of all contacts.
+  // The ground is the mean plane of all contacts.
   double weight = 0.0, drag_factors = 0.0;
   Vec3 up = Vec3::Zero(), foot = Vec3::Zero();
   for (const Contact& contact : contacts) {

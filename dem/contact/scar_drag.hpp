@@ -8,19 +8,20 @@
 
 namespace clast::dem_detail {
 
-/// Frontal area of a block below a plane, along a direction in the plane.
+/// Area of the part of a block below a plane, projected along a direction in the plane.
 struct EmbeddedFrontalArea {
   double area = 0.0;  ///< m^2
   Vec3 centre = Vec3::Zero();
 };
 
-/// Computes the embedded frontal area: exact for convex cores, lowered by their radius; concavities
-/// in front count twice. A ball gives a circular segment, a rod counts by its lower end.
-/// @param block  features of the core, in its own frame, as are the following arguments
-/// @param radius  of the rounding, m
+/// Computes the embedded frontal area. It is exact for a convex core, which is lowered by the
+/// radius of the rounding. Front faces in a concavity count twice. A ball gives a circular segment;
+/// of a rod, only the lower end counts.
+/// @param block  features of the core in the body frame; the other arguments are in this frame too
+/// @param radius  radius of the rounding, m
 /// @param ground  point of the plane
 /// @param up  unit normal of the plane, out of the ground
-/// @param direction  of motion, unit, in the plane
+/// @param direction  direction of motion, unit, in the plane
 EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double radius,
                                           const Vec3& ground, const Vec3& up,
                                           const Vec3& direction);
@@ -35,7 +36,7 @@ class ScarDrag {
       : block_(block), drag_factors_(drag_factors) {}
 
   /// Computes the force at the end of a step; zero without contacts.
-  /// @param lost  receives the energy dissipated in the step, J
+  /// @param lost  receives the energy dissipated by the drag in the step, J
   Vec3 update(const std::vector<Contact>& contacts, const RelativeMotion& motion, double& lost);
   const Vec3& application_point() const { return position_; }  ///< point of application
   template <class Bytes>

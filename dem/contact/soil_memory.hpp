@@ -11,18 +11,18 @@
 namespace clast::dem_detail {
 
 /// Indentation depths in square plan cells of ground zones with memory (docs/theory.md, Soil
-/// memory). The maximum is stored, so that the result does not depend on the order of contacts.
+/// memory). A cell stores the maximum, so that the order of contacts does not matter.
 class SoilMemory {
  public:
   /// Makes an empty memory.
-  /// @param zones  `soil_memory` is their cell width
+  /// @param zones  ground zones; `soil_memory` is the cell width of each
   explicit SoilMemory(std::span<const GroundParameters> zones);
 
   /// True if any zone has a memory.
   bool is_enabled() const;
   bool empty() const { return depth_.empty(); }
 
-  /// Returns the depth below the surface along its normal, m; 0 if nothing is stored.
+  /// Returns the stored indentation along the surface normal, m; 0 if nothing is stored.
   double residual_indentation(const Vec3& position, std::uint16_t zone) const;
   void add_indentation(const Vec3& position, std::uint16_t zone, double residual_indentation);
   /// Moves all indentations of another memory into this one.
@@ -35,7 +35,7 @@ class SoilMemory {
  private:
   std::uint64_t cell(const Vec3& position, std::uint16_t zone) const;
 
-  std::vector<double> widths_;  ///< cell widths by zone, m; 0: no memory
+  std::vector<double> widths_;  ///< cell width of each zone, m; 0: no memory
   std::unordered_map<std::uint64_t, double> depth_;
 };
 

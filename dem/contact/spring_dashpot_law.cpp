@@ -3,10 +3,10 @@
 namespace clast {
 namespace {
 
-/// Halvings that place an event within a step to rounding.
+/// Number of bisections that locate an event in a step to rounding.
 constexpr int kBisections = 50;
 
-/// -ln(e_n) of a damping ratio.
+/// Returns -ln(e_n) for a damping ratio.
 double decay(double ratio) {
   if (ratio < 1.0) {
     const double theta = std::acos(ratio);
@@ -49,7 +49,7 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
   };
   const double end = path.after > 0.0 ? law(step) : 0.0;
   if (force > 0.0 && end > 0.0) {
-    // Smooth all along: the parabola gives the work, the scheme's own mean the impulse.
+    // No event: the work is that along the parabola, the impulse that of the Verlet step.
     PathIntegral integral(path, force);
     integral.add_interval(0.0, step, law);
     return {end, integral.response(end).work, 0.0, 0.0};
@@ -57,7 +57,7 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
 
   PathIntegral integral(path, force);
   if (path.before <= 0.0 && path.after > 0.0 && force == 0.0) {
-    // Starts inside: the path knows nothing yet of the braking by the dashpot.
+    // The contact starts inside the step. The path does not yet include the braking by the dashpot.
     const double touch =
         path.zero_crossing(path.reversal_time() < step ? path.reversal_time() : 0.0, step);
     const double rate = path.rate_at(touch);
@@ -70,7 +70,7 @@ NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const Normal
     integral.add_interval(touch, step, braked);
     return integral.response(braked(step));
   }
-  // Ends or begins to press inside: the force is a parabola in time, taken piece by piece.
+  // The force ends or begins inside the step. It is a parabola in time, integrated in pieces.
   const double reversal_time = path.reversal_time();
   const auto follow = [&](double from, double to) {
     if (!(to > from)) return;

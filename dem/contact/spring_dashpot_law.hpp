@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// Normal force on one ground zone: f = max(0, k_n h + c dh/dt), with c such that a single contact
-/// returns e_n^2 of its energy.
+/// Normal force f on one ground zone at overlap h: f = max(0, k_n h + c dh/dt). The damping c is
+/// such that a single contact returns the fraction e_n^2 of its energy.
 struct SpringDashpotLaw {
   static constexpr const char* kName = "spring-dashpot";
   static constexpr bool kNeedsEffectiveMass = true;
@@ -39,9 +39,9 @@ struct SpringDashpotLaw {
   }
 };
 
-/// Returns the damping ratio for an energy restitution, if the contact ends when its force (not its
-/// overlap) vanishes: with theta = acos(ratio), e_n = exp(-2 theta / tan theta); above 1, with eta
-/// = acosh(ratio), e_n = exp(-2 eta / tanh eta).
+/// Returns the damping ratio for an energy restitution e_n^2, if the contact ends when its force
+/// vanishes. It solves e_n = exp(-2 theta / tan theta) with theta = acos(ratio). For ratios above
+/// 1, it solves e_n = exp(-2 eta / tanh eta) with eta = acosh(ratio).
 double damping_ratio(double energy_restitution);
 
 }  // namespace clast

@@ -9,28 +9,29 @@
 namespace clast {
 namespace {
 
-/// Settled depth that `auto` allows: 2 cm, or 2 % of S for small blocks.
+/// Largest settled depth with chosen stiffness: 2 cm, or 2 % of S for small blocks.
 constexpr double kSettledDepth = 0.02;
 constexpr double kSettledDepthFraction = 0.02;
-/// Deepest impact allowed, share of S.
+/// Largest impact depth, as a fraction of S.
 constexpr double kImpactDepthFraction = 0.25;
 /// Time step times the highest contact frequency, in impacts and between them. Explicit stepping is
 /// stable below 2 (docs/theory.md, Time step).
 constexpr double kImpactStep = 0.2, kMassImpactStep = 0.4;
 constexpr double kMaxStep = 0.4;
 constexpr double kUnstableProduct = 2.0;
-/// Share of the smallest S that a block may travel in one step.
+/// Largest displacement of a block in one step, as a fraction of the smallest S.
 constexpr double kDisplacementFraction = 0.25;
-/// Arm of the rolling spring, share of S: k_r = k_t (S/2)^2 winds up over the same slip as k_t.
+/// Arm of the rolling spring, as a fraction of S: with k_r = k_t (S/2)^2, both springs are loaded
+/// by equal displacements.
 constexpr double kRollingArmFraction = 0.5;
-/// Share of k_n that carries a block at rest below which `auto` warns of what it costs.
+/// Ratio of static stiffness to k_n below which a warning states the cost.
 constexpr double kCostlyRestFraction = 1e-3;
-/// What such a ground is compared with: the e_n^2 of the paper's zones.
+/// Typical e_n^2 for comparison in messages: that of the zones in the cited paper.
 constexpr double kUsualRestFraction = 0.01;
 
-/// The most demanding of all bodies in every respect.
+/// Most demanding value of each property over all bodies.
 struct Demand {
-  double normal = 0.0;  ///< k_n that "auto" takes, N/m
+  double normal = 0.0;  ///< k_n chosen for "auto", N/m
   double mobility = 0.0;
   double smallest_moment = 1e300;
   double smallest_side = 1e300;
@@ -53,13 +54,13 @@ Demand demand_of(std::span<const BodyRequirements> bodies, const GroundRequireme
 }
 
 /// Sets the depths that the chosen stiffness leads to.
-/// @returns  the largest settled depth as a share of its body's S
+/// @returns  the largest settled depth as a fraction of its body's S
 double find_depths(StiffnessChoice& choice, std::span<const BodyRequirements> bodies,
                    const GroundRequirements& ground, double fastest, double gravity) {
   const double normal = choice.stiffness.normal;
   double deepest_share = 0.0;
   for (const BodyRequirements& body : bodies) {
-    // m v^2/2 + m g h = k h^2/2
+    // Depth h of an impact: m v^2/2 + m g h = k h^2/2.
     const double weight = body.mass * gravity;
     const double impact =
         (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;
@@ -109,7 +110,7 @@ std::vector<double> vertex_mobilities(const RigidBody& body) {
     const double length = vertex.norm();
     const Vec3 arm = length > 0.0 ? Vec3(vertex * (1.0 + body.shape.radius / length))
                                   : Vec3(body.shape.radius, 0.0, 0.0);
-    // [x]^T A [x] has the eigenvector x to 0, and two more from its trace and second invariant.
+    // One eigenvalue of [x]^T A [x] is 0. The others follow from its trace and second invariant.
     const Vec3 easy = body.moments.cwiseInverse(), squared = arm.cwiseAbs2();
     const double trace = squared.sum() * easy.sum() - squared.dot(easy);
     const double second = squared.sum() * easy.prod() * squared.dot(body.moments);
@@ -144,7 +145,7 @@ GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
   std::visit(
       [&]<NormalLaw Law>(const Law&) {
         for (const GroundParameters& zone : zones) {
-          // The law's result for a stiffness of 1 N/m and a frequency of 1 rad/s.
+          // Results of the law for a stiffness of 1 N/m and a frequency of 1 rad/s.
           const Law unit = Law::on_ground(1.0, zone);
           ground.include({unit.static_stiffness(), unit.highest_frequency(1.0), zone.rolling_length,
                           zone.rolling_length > 0.0,
@@ -174,7 +175,7 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
   StiffnessChoice choice;
   ContactStiffness& chosen = choice.stiffness;
   chosen.normal = options.normal.value_or(demand.normal);
-  // The elastic stiffness of the ground: that of unloading, where an impact leaves a dent.
+  // Elastic stiffness of the ground; for plastic laws, that of unloading.
   chosen.tangential =
       options.tangential.value_or(chosen.normal / (1.0 - ground.residual_indentation_ratio));
   const double arm = kRollingArmFraction * demand.smallest_side;
@@ -186,13 +187,13 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
       std::max(ground.frequency_ratio * std::sqrt(chosen.normal * demand.mobility),
                std::sqrt(std::max(chosen.tangential * demand.mobility,
                                   stiffest_rolling / demand.smallest_moment)));
-  // A step in contact may not carry a block past the ground, however soft that is.
+  // A step in contact must not carry a block through the ground, however soft it is.
   const double displacement =
       fastest > 0.0 ? kDisplacementFraction * demand.smallest_side / fastest : 1e300;
   const double impact_step = options.multi_block ? kMassImpactStep : kImpactStep;
   const double resolved = std::min(impact_step / frequency, displacement);
   chosen.time_step = options.time_step.value_or(resolved);
-  // Half of what may be travelled: contacts that are hard to move allow twice this step.
+  // Half the allowed displacement, because contacts of low mobility allow twice this step.
   if (!options.time_step) chosen.max_time_step = std::min(kMaxStep / frequency, 0.5 * displacement);
   const double most = std::min(kUnstableProduct / frequency, displacement);
   if (chosen.time_step > most) {

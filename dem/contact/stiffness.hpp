@@ -10,20 +10,22 @@
 
 namespace clast {
 
-/// Values fixed by the user; the others are chosen.
+/// Values fixed by the user. Values left empty are chosen.
 struct StiffnessOptions {
   std::optional<double> normal;      ///< k_n, N/m
   std::optional<double> tangential;  ///< k_t, N/m
   std::optional<double> rolling;     ///< k_r on ground without rolling length, N m/rad
   std::optional<double> time_step;   ///< s
-  ContactLaw law;                    ///< determines the settled depth and the fastest contact rate
-  /// True for multi-block releases, in which some impact is always in progress and all of them
-  /// matter together. Steps are then twice as long (docs/theory.md, Steps of a world).
+  ContactLaw law;  ///< law that determines the settled depth and the fastest contact rate
+  /// True for multi-block releases. Some impact is always in progress there, and only their sum
+  /// matters. Steps are then twice as long (docs/theory.md, Steps of a world).
   bool multi_block = false;
 };
 
-/// Returns the mobility at each vertex: the largest eigenvalue of 1/m + [x]^T J^-1 [x] at the
-/// surface point beyond the vertex, 1/kg.
+/// Returns the mobility at each vertex, 1/kg: the largest acceleration of the surface point beyond
+/// the vertex by a unit force there. It is the largest eigenvalue of 1/m + [x]^T J^-1 [x], with
+/// mass m, inertia tensor J, and [x] the cross-product matrix of the point's position x from the
+/// centre.
 std::vector<double> vertex_mobilities(const RigidBody& body);
 
 /// Body properties that determine the stiffness.
@@ -31,17 +33,17 @@ struct BodyRequirements {
   double mass = 0.0;             ///< kg
   double smallest_side = 0.0;    ///< S, m
   double smallest_moment = 0.0;  ///< kg m^2
-  double mobility = 0.0;         ///< largest of any surface point, 1/kg
+  double mobility = 0.0;         ///< largest mobility of any surface point, 1/kg
 };
 BodyRequirements body_requirements(const RigidBody& body);
 
-/// Properties of the most demanding ground zone under a law.
+/// Most demanding properties of all ground zones under a law.
 struct GroundRequirements {
   double static_stiffness_ratio = 1.0;      ///< static stiffness over k_n: e_n^2 or 1, by law
   double frequency_ratio = 1.0;             ///< fastest contact rate over the spring's frequency
-  double rolling_length = 0.0;              ///< largest, m; 0: none
+  double rolling_length = 0.0;              ///< largest rolling length, m; 0 if no zone has one
   bool all_rolling_lengths_stated = true;   ///< true if no zone uses the k_r of the contacts
-  double residual_indentation_ratio = 0.0;  ///< residual indentation over impact depth, by law
+  double residual_indentation_ratio = 0.0;  ///< residual indentation over impact depth
 
   void include(
       const GroundRequirements& other);  ///< takes the more demanding value of each property
@@ -49,25 +51,31 @@ struct GroundRequirements {
 GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
                                        const ContactLaw& law);
 
-/// Chosen stiffness, with warnings about user-defined values.
+/// Chosen stiffness, with warnings about values fixed by the user.
 struct StiffnessChoice {
   ContactStiffness stiffness;
-  /// Largest settled depth, m: m g/(k_n e_n^2) or m g/k_n by law, or the residual indentation of
-  /// the fastest impact.
+  /// Largest settled depth, m: m g over the static stiffness, which is k_n e_n^2 or k_n by law.
+  /// Under plastic laws at least the residual indentation of the fastest impact.
   double settled_depth = 0.0;
   double impact_depth = 0.0;  ///< largest impact depth at the speed `fastest`, m
   std::vector<std::string> warnings;
 };
 
-/// Chooses k_n such that the settled depth is at most d = min(2 cm, 2 % of S): m g/(e_n^2 d) for
-/// the energy-restitution law, the maximum over bodies and zones; stiffer if an impact at `fastest`
-/// would exceed S/4. k_t = k_n, or k_n/e_n^2 for plastic laws; k_r = k_t (S/2)^2 of the smallest
-/// body for ground without rolling length; the time step is below the fastest contact oscillation
-/// (docs/theory.md). Bodies that touch each other share one stiffness; a body that touches only the
-/// ground is passed alone.
-/// @param fastest  speed that no block can exceed, from release heights and the lowest ground, m/s
-/// @throws SimulationError  if there is nothing to choose for, or the user's time step exceeds the
-///                          stability limit or a quarter of S at `fastest`
+/// Chooses the contact stiffness and time step (docs/theory.md). S is the smallest side of a body.
+///
+/// - k_n: the settled depth is at most d = min(2 cm, 2 % of S) for all bodies and zones, for
+///   example k_n = m g/(e_n^2 d) under the energy-restitution law. An impact at `fastest` is at
+///   most S/4 deep.
+/// - k_t = k_n, or k_n/e_n^2 for plastic laws.
+/// - k_r = k_t (S/2)^2 of the smallest body, for ground without rolling length.
+/// - Time step: short enough for the fastest contact oscillation.
+///
+/// Bodies that touch each other share one stiffness. A body that touches only the ground is passed
+/// alone.
+/// @param fastest  upper bound of the speed of any block, from release heights and the lowest
+///                 ground, m/s
+/// @throws SimulationError  if there are no bodies, or if the user's time step exceeds the
+///                          stability limit or lets a body move by more than S/4 at `fastest`
 StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
                                  const GroundRequirements& ground, double fastest, double gravity,
                                  const StiffnessOptions& options = {});

@@ -4,14 +4,14 @@
 
 namespace clast::dem_detail {
 
-/// Motion of a body over a step: final pose, mean velocities and initial state. The default is a
-/// body at rest.
+/// Motion of a body over a step: its final pose, mean velocities and initial state. The default is
+/// a body at rest.
 struct BodyMotion {
   Pose world_from_body;                  ///< origin at the centre of mass
   Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
 
-  Vec3 begin_position = Vec3::Zero();  ///< of the centre
+  Vec3 begin_position = Vec3::Zero();  ///< of the centre at the start of the step
   Vec3 begin_velocity = Vec3::Zero();
   Vec3 begin_angular_velocity = Vec3::Zero();
 
@@ -60,7 +60,7 @@ struct RelativeMotion {
     return other_is_moving ? Vec3(block.velocity_at(position) - other.velocity_at(position))
                            : block.velocity_at(position);
   }
-  /// Returns the mean relative velocity of the material points that were there at its start.
+  /// Returns the mean relative velocity of the material points at `position` at the step's start.
   Vec3 velocity_of_start_point(const Vec3& position) const {
     return other_is_moving ? Vec3(block.velocity_of_start_point(position) -
                                   other.velocity_of_start_point(position))

@@ -7,15 +7,15 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Turns below this, rad, take a single Runge-Kutta step, which errs by 2e-15 rad there and is
-/// cheaper than elliptic functions.
+/// Rotations below this angle, rad, are integrated by one Runge-Kutta step. Its error is 2e-15 rad,
+/// and it is cheaper than elliptic functions.
 constexpr double kSmallTurn = 0.003;
 
 }  // namespace
 
 double min_travel_time(double distance, double speed, double acceleration) {
   if (!(distance > 0.0)) return 0.0;
-  // From distance = speed t + acceleration t^2/2, in the form that keeps its digits.
+  // Solution of distance = speed t + acceleration t^2/2, in the form without cancellation.
   return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
 }
 

@@ -7,20 +7,21 @@
 
 namespace clast::dem_detail {
 
-/// Returns the minimum time to travel a distance, s, for a given initial speed bound and
-/// acceleration bound.
+/// Returns the minimum time to travel a distance, s, given bounds of the initial speed and of the
+/// acceleration.
 double min_travel_time(double distance, double speed, double acceleration);
 
 /// Free flight from an initial state: ballistic centre of mass, torque-free rotation. The cost does
-/// not depend on the time. The body must outlive this object.
+/// not depend on the length of the flight. The body must outlive this object.
 class FreeFlight {
  public:
   FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
 
-  /// Returns the state after a time, s. Cheapest near the last computed time.
+  /// Returns the state after a time, s. It is cheapest for a time near that of the last call.
   RigidState state_after(double duration);
   const RigidState& begin() const { return begin_; }
-  /// Returns an upper bound of the angular speed, rad/s: the whole energy in the smallest moment.
+  /// Returns an upper bound of the angular speed, rad/s: that of the whole rotational energy about
+  /// the axis of the smallest moment.
   double max_angular_speed() const { return max_angular_speed_; }
 
  private:

@@ -10,16 +10,16 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Mobilities that differ by less than this share are the same.
+/// Relative difference below which two inverse moments are equal.
 constexpr double kSameMoments = 1e-14;
-/// Smallest complement of k^2: closer to the separatrix than rounding resolves.
+/// Smallest value of 1 - k^2; rounding does not resolve smaller distances from the separatrix.
 constexpr double kMinComplement = 1e-30;
-/// Both of the momentum's shares off the middle axis below this: near the unstable rest point of
-/// its orbit the amplitude is too inaccurate, and the turn is stepped.
+/// Components of the unit momentum perpendicular to the middle axis below which the rotation is
+/// integrated in steps. Near this unstable axis, the amplitude is too inaccurate.
 constexpr double kUnstableAmplitude = 1e-5;
 constexpr int kLandenSteps = 40;
 
-/// Arithmetic-geometric means of 1 and k': the ladder of Landen's transformation.
+/// Arithmetic-geometric means of 1 and k', as in Landen's transformation.
 struct Ladder {
   std::array<double, kLandenSteps + 1> a, b;
   int steps = 0;
@@ -35,7 +35,7 @@ struct Ladder {
   }
 };
 
-/// Elliptic integral of the first kind, any amplitude.
+/// Elliptic integral of the first kind, for any amplitude.
 double first_kind(double amplitude, double complement) {
   const Ladder ladder(complement);
   double phi = amplitude, power = 1.0;
@@ -142,7 +142,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     return;
   }
   direction_ = momentum / size;
-  const Vec3 in_body = orientation.conjugate() * direction_;  // shares of the momentum
+  const Vec3 in_body = orientation.conjugate() * direction_;  // components of the unit momentum
 
   std::array<int, 3> axes = {0, 1, 2};
   std::sort(axes.begin(), axes.end(), [&](int i, int j) {
@@ -160,8 +160,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     stepped_ = true;
     return;
   }
-  // About the axis of the smallest moment or about that of the largest: which one the tip of the
-  // momentum circles in the body.
+  // In the body frame, the momentum circles the axis of the smallest or of the largest moment.
   const double decider = upper * square(in_body[axes[0]]) - lower * square(in_body[axes[2]]);
   const bool about_smallest = decider > 0.0 || (decider == 0.0 && upper >= lower);
   if (!about_smallest) std::swap(axes[0], axes[2]);
@@ -173,15 +172,15 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
 
 void FreeRotation::set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
                                double decider) {
-  // Differences of mobility from the pole's: all positive with this sign.
+  // Inverse moment of the pole minus the others, positive with this sign.
   const double to_middle = sign * (mobility[pole_] - mobility[middle_]);
   const double to_other = sign * (mobility[pole_] - mobility[other_]);
   const double beyond = sign * (mobility[middle_] - mobility[other_]);
 
-  // With shares l of the momentum: X = across the pole, Z = away from the other axis.
+  // Squared components of the momentum: x across the pole, z away from the other axis.
   const double x = to_middle * square(in_body[middle_]) + to_other * square(in_body[other_]);
   const double z = to_other * square(in_body[pole_]) + beyond * square(in_body[middle_]);
-  if (!(z > 0.0)) {  // across the axis of a body with two equal moments: any such axis is principal
+  if (!(z > 0.0)) {  // about a principal axis
     steady_ = true;
     steady_rate_ = size * mobility[middle_];
     return;
@@ -192,8 +191,8 @@ void FreeRotation::set_polhode(const Vec3& mobility, const Vec3& in_body, double
   side_ = in_body[pole_] < 0.0 ? -1.0 : 1.0;
   const bool right_handed = (middle_ - pole_ + 3) % 3 == 1;
   sense_ = right_handed ? 1.0 : -1.0;
-  // Euler's equations for pole, middle, other have the signs of a right-handed triad of mobilities;
-  // a left-handed triad or mobilities in rising order run the orbit the other way.
+  // Signs of Euler's equations are for right-handed axes pole, middle, other with descending
+  // inverse moments. Otherwise the orbit runs in the opposite direction.
   argument_rate_ = side_ * sign * sense_ * size * std::sqrt(z * to_middle);
   precession_ = size * mobility[pole_];
   nutation_ = sign * size * to_other;
@@ -229,7 +228,7 @@ Mat3 FreeRotation::momentum_frame_at(double amplitude) const {
   const double across = std::hypot(spread_middle_ * s, spread_other_ * c);
   const double norm = std::hypot(along, across);
   const double cosine = along / norm, sine = across / norm;
-  Vec3 heading = Vec3::Zero();  // of the momentum's part across the pole
+  Vec3 heading = Vec3::Zero();  // of the momentum component perpendicular to the pole
   heading[middle_] = slope_middle_ * s;
   heading[other_] = slope_other_ * c;
   heading.normalize();

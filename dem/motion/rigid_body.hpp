@@ -28,8 +28,8 @@ struct RigidState {
 struct RigidBody {
   SpheroPolyhedron shape;       ///< body frame
   double mass = 0.0;            ///< kg
-  Vec3 moments = Vec3::Zero();  ///< principal, along the body axes, kg m^2
-  double smallest_side = 0.0;   ///< S of the smallest box, m; scale of tolerances
+  Vec3 moments = Vec3::Zero();  ///< principal moments of inertia, along the body axes, kg m^2
+  double smallest_side = 0.0;   ///< side S of the smallest box, m; scale of tolerances
 
   double bounding_radius() const;  ///< of the rounded body about the centre, m
   double size() const;             ///< `smallest_side`, or the diameter if that is not set, m
@@ -46,8 +46,8 @@ double rotational_energy(const RigidBody& body, const RigidState& state);
 /// Returns the lowest z of the rounded body.
 double lowest_point(const RigidBody& body, const RigidState& state);
 
-/// Returns the state after free flight: ballistic centre of mass, torque-free rotation in closed
-/// form (angular momentum conserved to rounding).
+/// Returns the state after a free flight, in closed form: ballistic centre of mass, torque-free
+/// rotation. Angular momentum is conserved to rounding.
 RigidState free_flight(const RigidBody& body, const RigidState& state, double duration,
                        double gravity);
 

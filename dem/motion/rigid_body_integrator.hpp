@@ -14,32 +14,31 @@ class RigidBodyIntegrator {
   void set_state(const RigidState& state);
 
   BodyMotion advance_flight(double duration, const Vec3& gravity);
-  /// Applies the first half of the velocity update and moves the body. Returns its new pose and
-  /// mean velocities.
+  /// Applies the first half of the velocity update and moves the body.
+  /// @return its new pose and mean velocities
   BodyMotion begin_step(double duration, const Vec3& force, const Vec3& torque,
                         const Vec3& gravity);
-  /// Applies the second half of the velocity update, by the loads at the new pose.
+  /// Applies the second half of the velocity update, with the loads at the new pose.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
-  /// Applies the correction impulse of events inside the last step.
+  /// Applies the correction impulse for events inside the last step (`EventImpulse`).
   /// @returns the added kinetic and potential energy, J
   double apply_event_impulse(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
                              const Vec3& angular_moment, const Vec3& gravity);
 
-  /// Returns the energy that Verlet steps lose if they start with contact loads at which no step
-  /// has ended (a dashpot acts from the first contact on), J (docs/theory.md).
+  /// Returns the energy that Verlet steps lose because their first load was not the result of a
+  /// step, J. Example: a dashpot acts from the first contact on (docs/theory.md).
   double verlet_start_loss(double duration, const Vec3& force, const Vec3& torque,
                            const Vec3& gravity) const;
 
-  /// Returns its pose and velocities without a step.
+  /// Returns the present pose and velocities as a motion of zero duration.
   BodyMotion current_motion() const;
   double kinetic_energy() const;  ///< J
-  /// Returns an upper bound of the angular speed without torque, rad/s.
+  /// Returns an upper bound of the angular speed while no torque acts, rad/s.
   double max_angular_speed() const;
   /// Returns an upper bound of the speed of any body point in the last step, m/s.
   double max_point_speed() const { return max_point_speed_; }
-  /// Returns an upper bound of the displacement of any body point by the last
-  /// `apply_event_impulse`, m.
+  /// Returns an upper bound of how far the last `apply_event_impulse` moved any body point, m.
   double correction_displacement() const { return correction_displacement_; }
   bool is_finite() const;
   template <class Bytes>

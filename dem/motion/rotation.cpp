@@ -8,8 +8,7 @@ namespace {
 
 /// Rotation per Runge-Kutta step, rad.
 constexpr double kFlightTurn = 0.003;
-/// Half turns whose square is below this have their sine and cosine to the last bit from four
-/// terms.
+/// Squared half angle below which four series terms give sine and cosine to the last bit.
 constexpr double kSmallHalfSquared = 1e-3;
 
 Vec3 body_spin(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {

@@ -1,6 +1,6 @@
 #pragma once
 /// Rotation of rigid bodies from their angular momentum in world axes, which is constant without
-/// torque. Moments are principal; orientations are world_from_body.
+/// torque. `moments` are principal moments of inertia; orientations are world_from_body.
 #include "core/types.hpp"
 
 namespace clast::dem_detail {
@@ -16,13 +16,13 @@ struct RotationStep {
   Vec3 angular_velocity;  ///< mean of both ends, rad/s, world axes
 };
 
-/// Integrates a short step at constant momentum: second order, time-reversible to third (explicit
-/// midpoint on the rotation group).
+/// Integrates a short step at constant momentum by the explicit midpoint rule on the rotation
+/// group. It is of second order and time-reversible to third order.
 RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation,
                                      const Vec3& momentum, double step);
 
-/// Integrates torque-free rotation by fourth-order Runge-Kutta in steps of at most 0.003 rad,
-/// accurate to about 1e-12 rad per radian; for cases without closed form in `FreeRotation`.
+/// Integrates torque-free rotation by fourth-order Runge-Kutta in steps of at most 0.003 rad. The
+/// error is about 1e-12 rad per radian. `FreeRotation` uses it if its closed form is inaccurate.
 Quat integrate_free_rotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum,
                              double duration);
 

@@ -11,7 +11,7 @@ constexpr double kHysteresis = 4.0;
 void SleepDetector::add_step(const RigidState& state, double step, double window, double tolerance,
                              double radius) {
   const Eigen::Vector4d rotation = state.orientation.coeffs();
-  // Both signs of a quaternion are the same rotation.
+  // Quaternions of both signs are the same rotation.
   const double sign = sum_.rotation.dot(rotation) < 0.0 ? -1.0 : 1.0;
   sum_.position += step * state.position;
   sum_.rotation += step * sign * rotation;
@@ -19,7 +19,7 @@ void SleepDetector::add_step(const RigidState& state, double step, double window
   if (duration_ < window) return;
   const MeanPose mean{sum_.position / duration_, sum_.rotation.normalized()};
   if (last_) {
-    // A turn by a small angle a changes a unit quaternion by a/2.
+    // A rotation by a small angle a changes a unit quaternion by a/2.
     const double turn = 2.0 * std::min((mean.rotation - last_->rotation).norm(),
                                        (mean.rotation + last_->rotation).norm());
     const double moved = (mean.position - last_->position).norm() + turn * radius;

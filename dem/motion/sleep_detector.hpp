@@ -1,28 +1,28 @@
 #pragma once
-/// Detection of bodies that do not move any more.
+/// Detection of bodies that have stopped moving.
 #include <optional>
 
 #include "dem/motion/rigid_body.hpp"
 
 namespace clast::dem_detail {
 
-/// Compares mean poses over consecutive time windows. A block at rest may keep rocking, because its
-/// tangential and rolling springs are undamped; it is stationary if the means of two consecutive
-/// windows agree.
+/// Compares the mean poses of consecutive time windows. A block at rest may keep rocking, because
+/// its tangential and rolling springs are undamped. It is stationary if the means of two
+/// consecutive windows agree.
 class SleepDetector {
  public:
   /// Adds a step.
   /// @param state  at the end of the step
-  /// @param window  s
-  /// @param tolerance  distance of two means that agree, m, for any body point
-  /// @param radius  of the body about its centre, m
+  /// @param window  length of a time window, s
+  /// @param tolerance  largest distance of any body point between two mean poses that agree, m
+  /// @param radius  radius of the body about its centre, m
   void add_step(const RigidState& state, double step, double window, double tolerance,
                 double radius);
   /// Restarts the detection.
   void reset() { *this = {}; }
 
-  /// True if the last two windows agree, until they differ by several times the tolerance
-  /// (hysteresis for slowly creeping bodies).
+  /// True if the last two windows agree. The body stays stationary until they differ by several
+  /// times the tolerance, which is a hysteresis for slowly creeping bodies.
   bool is_stationary() const { return is_stationary_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {

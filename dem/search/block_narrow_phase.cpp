@@ -9,17 +9,17 @@ namespace clast::dem_detail {
 
 namespace {
 
-/// Margin of the list, as a share of the smallest side: short lists that are made anew rarely.
+/// List margin, as a fraction of the smallest side. Lists are then short and rarely rebuilt.
 constexpr double kBlockMarginFraction = 0.04;
-/// A list for contacts this many times as deep as may come is made anew.
+/// A list is rebuilt if it allows contacts deeper than this factor times the depth limit.
 constexpr double kListedTooDeep = 2.0;
-/// A way out of the ground that does not lead through the block itself is taken up to this many
-/// times as deep as other vertices are ...
+/// Largest depth of a redirected contact, as a multiple of the depth of other contacts ...
 constexpr double kForwardsTimes = 2.0;
-/// ... or up to this share of the smallest side: beyond lies the far side of the ground.
+/// ... or, if larger, as a fraction of the smallest side. Deeper contacts would lead to the far
+/// side of the ground.
 constexpr double kUninvertedFraction = 0.25;
-/// How much farther than the nearest face others are looked for, in margins: for half that way the
-/// nearest is sure to be it.
+/// Other faces are searched up to this much farther than the nearest, in list margins. The nearest
+/// face then stays the nearest for a displacement of half that.
 constexpr double kDistinctBlockMargins = 0.25;
 
 }  // namespace
@@ -45,7 +45,7 @@ std::vector<ContactPoint>& BlockNarrowPhase::find_contacts(const Pose& ground_fr
   contacts.clear();
   scratch().inverted.clear();
   displacement_ = displacement;
-  // Without a past nothing is known of how deep the two may be.
+  // At the first call, the depth of the two bodies is unknown.
   if (list_valid_until_ < 0.0) allowed_.reset(size_);
   if (displacement >= list_valid_until_) build_candidate_list();
   safe_displacement_ = list_valid_until_;
@@ -128,14 +128,14 @@ void BlockNarrowPhase::find_vertex_contacts(CandidateVertex& candidate,
   }
 }
 
-/// Of all its faces; finds out for how long the nearest one is sure to be it.
+/// Finds the nearest of all listed faces, and the displacement for which it stays the nearest.
 NearestPoint BlockNarrowPhase::find_nearest_ground_face(CandidateVertex& candidate,
                                                         std::span<const LocalFaces::Face> faces,
                                                         const Vec3& centre) {
   const double beyond = kDistinctBlockMargins * margin_;
   const LocalFaces::NearestFace found =
       find_nearest_face(faces, ground_.features, centre, 1e300, beyond, candidate.near_face);
-  // Faces that are not listed are at least this far by now.
+  // Faces that are not listed are at least this far away.
   const double unlisted = tests_.reach() + margin_ + list_valid_until_ - displacement_;
   const double others = std::min(found.second, unlisted);
   candidate.near_face = found.entry;

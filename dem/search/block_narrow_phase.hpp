@@ -1,12 +1,11 @@
 #pragma once
-/// Narrow phase of two blocks: contact points of one block on the other, which is called the ground
-/// here; all data are in its frame.
+/// Narrow phase of two blocks. One of them is called the ground here; all data are in its frame.
 ///
-/// Features that may touch are listed with a margin (Verlet list), valid until the relative
-/// displacement exceeds the margin. Candidates lie between two parallel planes: along any
-/// direction, no ground feature below the block's lowest point, and no block feature above the
-/// ground's highest point, can be in contact. Along the contact normal, or a separating direction,
-/// few features remain (docs/theory.md, Contact search).
+/// Features that may touch are kept in a list with a margin (Verlet list). The list is valid until
+/// the relative displacement exceeds the margin. A feature is listed only if it lies between two
+/// parallel planes: through the lowest point of the block and the highest point of the ground along
+/// one direction. If that direction is the contact normal or separates the bodies, few features
+/// remain (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -21,19 +20,20 @@ struct TransformedSide;
 class BlockNarrowPhase {
  public:
   /// Prepares the search.
-  /// @param ground  with faces; must outlive this object, as must the block
-  /// @param size  smallest side of the smaller body, m, which scales the list margin
+  /// @param ground  reference body, which has faces; must outlive this object, as must the block
+  /// @param size  smallest side of the smaller body, m; the list margin is proportional to it
   BlockNarrowPhase(const BlockSurface& ground, const BlockSurface& block, double size);
 
-  /// Finds the contacts in a deterministic order; valid and modifiable until the next call of any
-  /// search in this thread.
+  /// Finds the contacts, in a deterministic order. The caller may modify the returned list. It is
+  /// valid until the next search in this thread.
   /// @param displacement  bound of the displacement of any block point relative to the ground, m;
-  ///                      must grow by at least the translation of its centre plus the rotation
-  ///                      chord times its bounding radius
+  ///                      between calls it must grow by at least the translation of the block's
+  ///                      centre plus 2 sin(angle/2) times its bounding radius for a rotation by
+  ///                      `angle`
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_block, double displacement);
 
-  /// Returns the displacement before which contact is impossible (valid after `find_contacts`,
-  /// without contacts).
+  /// Returns the displacement before which contact is impossible, m. Valid only after a call of
+  /// `find_contacts` that found no contacts.
   double safe_displacement() const { return safe_displacement_; }
 
   /// Serialises the state that determines future contacts and their order.
@@ -48,10 +48,10 @@ class BlockNarrowPhase {
   struct CandidateVertex {
     std::uint32_t vertex;
     std::uint32_t near_face;          ///< entry of its nearest face
-    std::uint32_t end_face;           ///< end of its faces in `faces_`
-    double separated_until = 0.0;     ///< displacement before which contact is impossible, m
-    double nearest_face_until = 0.0;  ///< and before which, while its foot lies on that face, no
-                                      ///< other one is nearer or within reach of it, m
+    std::uint32_t end_face;           ///< index in `faces_` after its last face
+    double separated_until = 0.0;     ///< contact is impossible below this displacement, m
+    double nearest_face_until = 0.0;  ///< below this displacement, m, no face but `near_face` needs
+                                      ///< a test, if the foot lies on it
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -63,7 +63,7 @@ class BlockNarrowPhase {
     ContactKind kind;
     std::uint32_t side;  ///< index into BlockParts::sides
     std::uint32_t ground_feature;
-    double separated_until;  ///< travel before which they cannot touch, m
+    double separated_until;  ///< contact is impossible below this displacement, m
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -71,9 +71,9 @@ class BlockNarrowPhase {
     }
   };
 
-  /// Returns the listing distance of features, m.
+  /// Returns the distance up to which features are listed, m.
   double listing_distance() const { return list_touching_ + margin_; }
-  /// Returns the distance below which edges and faces may touch a ground feature, m.
+  /// Returns the distance up to which an edge or face and a ground feature may touch, m.
   double contact_distance() const {
     return std::max(tests_.reach(), allowed_.depth() - tests_.reach());
   }
@@ -87,14 +87,14 @@ class BlockNarrowPhase {
 
   void build_candidate_list();
   /// Improves the separating direction.
-  /// @return distance of the planes along it, m; negative if they overlap
+  /// @return distance between the bodies along the improved direction, m; negative if they overlap
   double improve_separating_direction();
-  /// Lists the features between the planes that are near each other.
+  /// Lists the features of both bodies that lie between the two planes and near the other body.
   void collect_features();
   void collect_ground_features();
   void collect_vertices(const BlockPart& part);
   void collect_vertex(std::uint32_t vertex, const Vec3& centre, double candidate);
-  /// Lists the ground faces within reach of a vertex, in order.
+  /// Lists the ground faces within `reach` of a vertex, by ascending index.
   void collect_near_faces(const Vec3& centre, double reach);
   void collect_sides(const BlockPart& part);
   void transform_sides(const BlockPart& part);
@@ -105,22 +105,22 @@ class BlockNarrowPhase {
   void add_candidate_pair(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
                           const FeatureSeparation& separation, bool touches);
 
-  /// Returns how far below the block's lowest point, or above the ground's highest point, a feature
-  /// may still touch, m.
-  /// @param along  smallest component of its contact normals along the direction
-  /// @param slack  of these normals, a sine
+  /// Returns how far outside the two planes a feature may lie and still touch, m.
+  /// @param along  smallest component of the feature's contact normals along the direction
+  /// @param slack  slack of these normals, as a sine
   double depth_beyond_plane(double along, double slack) const;
   double depth_beyond_plane(const EdgeNormalArc& arc) const {
     const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
     return depth_beyond_plane(arc.is_unbounded ? -1.0 : along, arc.slack);
   }
 
-  // Whether the two may face each other before the list ends. They touch only along normals that
-  // both allow, and those turn with the bodies.
+  // Tests whether two features may touch before the list expires. A contact normal must be in the
+  // normal arcs of both, which rotate with the bodies.
 
   /// True if the normal arcs of two edges may be opposite.
-  /// @param arc  of the block's edge, out of the ground, with the slack of its rotation
-  /// @param direction  of that edge
+  /// @param arc  normal arc of the block's edge, reversed to point out of the ground; its slack
+  ///             allows for the rotation until the list expires
+  /// @param direction  direction of the block's edge, unit
   bool arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
                        const EdgeNormalArc& arc, const Vec3& direction) const;
   bool vertex_may_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
@@ -141,8 +141,8 @@ class BlockNarrowPhase {
   static Scratch& scratch();
 
   void find_all_vertex_contacts();
-  /// Redirects inverted contacts to the nearest exit in a valid direction, if it is not much deeper
-  /// than the other contacts.
+  /// Replaces each inverted contact by one that pushes the vertex out through the nearest valid
+  /// face. A contact stays as it is if the new one would be much deeper than the other contacts.
   void resolve_inverted_contacts();
   void find_vertex_contacts(CandidateVertex& candidate, std::span<const std::uint32_t> faces);
   NearestPoint find_nearest_ground_face(CandidateVertex& candidate,
@@ -152,9 +152,9 @@ class BlockNarrowPhase {
 
   const BlockSurface& ground_;
   const BlockSurface& block_;
-  double size_;    ///< smallest side, m
-  double margin_;  ///< displacement for which a list is valid, m
-  double turn_;    ///< largest rotation chord for which a list is valid
+  double size_;    ///< smallest side of the smaller body, m
+  double margin_;  ///< displacement after which a list expires, m
+  double turn_;    ///< rotation after which a list expires, as 2 sin(angle/2)
   FeatureTests tests_;
   Vec3 direction_ = Vec3::Zero();  ///< unit, out of the ground into the block; zero if unknown
 
@@ -163,12 +163,13 @@ class BlockNarrowPhase {
   std::vector<CandidatePair> pairs_;
   std::uint32_t near_face_ = 0;  ///< ground face near the last tested vertex
   double low_ = 0.0,
-         high_ = 0.0;  ///< lowest point of the block, highest of the ground along the direction, m
+         high_ = 0.0;  ///< coordinates of the block's lowest and the ground's highest point along
+                       ///< `direction_`, m
   double list_valid_until_ = -1.0;  ///< displacement at which the list expires
-  double displacement_ = 0.0;       ///< the caller's
-  double list_touching_ = 0.0;      ///< ... for contacts of edges and faces no deeper than this, m
+  double displacement_ = 0.0;       ///< as passed by the caller, m
+  double list_touching_ = 0.0;      ///< depth up to which contacts of edges and faces are listed, m
 
-  double safe_displacement_ = 0.0;  ///< travel to which nothing that is listed can touch, m
+  double safe_displacement_ = 0.0;  ///< displacement before which contact is impossible, m
   double deepest_ = 0.0;            ///< largest overlap of the last call, m
   ContactDepthLimit allowed_;
 };

@@ -6,7 +6,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Axis along which the spheres spread most: the sweep goes along it.
+/// Returns the axis with the largest extent of the spheres, along which they are sorted.
 int widest_axis(std::span<const BoundingSphere> spheres) {
   Vec3 mean = Vec3::Zero(), spread = Vec3::Zero();
   for (const BoundingSphere& sphere : spheres) mean += sphere.centre;

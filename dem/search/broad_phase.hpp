@@ -20,21 +20,22 @@ class BroadPhase {
  public:
   using Pair = std::array<std::uint32_t, 2>;  ///< smaller index first
 
-  /// Updates the list of pairs if a body has moved by half the slack since the last update, or the
-  /// number of bodies has changed; returns true then. Until then the list contains all pairs of
-  /// overlapping spheres.
-  /// @param slack  largest distance of listed spheres, m; positive
+  /// Updates the list of pairs if a body has moved by half the slack since the last update, or if
+  /// the number of bodies has changed. The list then contains all pairs of overlapping spheres
+  /// until the next update.
+  /// @param slack  largest distance between two spheres of a listed pair, m; positive
   /// @param moved  bodies that may have moved since the last call; default: all
+  /// @return true if the list was updated
   bool update_pairs(std::span<const BoundingSphere> spheres, double slack,
                     std::optional<std::span<const std::uint32_t>> moved = {});
 
-  /// Returns how far a body may move before the list can miss a pair, m; 0 without a list.
+  /// Returns how far a body may move before the list can miss a pair, m; 0 if there is no list.
   double remaining_displacement(std::size_t body, const Vec3& centre, double slack) const {
     return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm()
                                   : 0.0;  ///< at the last update
   }
 
-  /// Returns the sorted pairs, which include all overlapping spheres of the last `update_pairs`.
+  /// Returns the sorted pairs, with all spheres that overlapped at the last `update_pairs`.
   const std::vector<Pair>& pairs() const { return pairs_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -42,7 +43,7 @@ class BroadPhase {
   }
 
  private:
-  std::vector<Vec3> centres_;  ///< when the list was made
+  std::vector<Vec3> centres_;  ///< at the last update of the list
   std::vector<Pair> pairs_;
 };
 

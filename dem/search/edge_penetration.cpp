@@ -7,7 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Where the segment goes through the face, as a share of its length.
+/// Returns where the segment passes through the face, as a fraction of its length.
 std::optional<double> through(const SurfaceFeatures& surface, const SurfaceFace& face,
                               const Vec3& start, const Vec3& end) {
   const Vec3& first_vertex = surface.vertices[face.vertices[0]];
@@ -20,7 +20,8 @@ std::optional<double> through(const SurfaceFeatures& surface, const SurfaceFace&
   return fraction;
 }
 
-/// The deepest of the middles between the ends of a segment and where it goes through faces.
+/// Returns the largest depth of the midpoints between the ends of a segment and its intersections
+/// with faces.
 double deepest_middle(const IndexedSurface& surface, const Vec3& start, const Vec3& end,
                       std::vector<double> shares) {
   shares.insert(shares.end(), {0.0, 1.0});

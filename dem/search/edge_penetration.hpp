@@ -1,15 +1,15 @@
 #pragma once
-/// Initial penetration of edges, beyond the depth reported by contacts.
+/// Penetration depth of edges at the start of a run.
 #include "core/types.hpp"
 #include "dem/surface/block_surface.hpp"
 
 namespace clast::dem_detail {
 
-/// Returns the largest depth of edges of either surface in the other body, m: the depth of the
-/// midpoint of the part inside, for each edge through a face; 0 if there is none. Regular contacts
-/// of edges and faces are limited to half the smallest side; this function is for starts, which
-/// have no history.
-/// @param block  core of the rounded body; the radii are added
+/// Returns the largest depth to which an edge of one body penetrates the other, m; 0 if no edge
+/// passes through a face. The depth of an edge is that of the midpoint of its part inside. Contacts
+/// of edges and faces are limited to half the smallest side; this function finds deeper ones at the
+/// start.
+/// @param block  core of the rounded block; both rounding radii are added to the depth
 double edge_penetration_depth(const IndexedSurface& ground, const BlockSurface& block,
                               const Pose& ground_from_block);
 

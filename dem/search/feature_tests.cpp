@@ -9,15 +9,16 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Edge and face contacts deeper than this share of the smallest side are not trusted: beyond the
-/// middle of the block the opposite side would be nearer.
+/// Largest depth of edge and face contacts, as a fraction of the smallest side. Beyond the middle
+/// of the block, the opposite side would be nearer.
 constexpr double kDepthFraction = 0.5;
 /// Depths that differ by less are compared exactly, m.
 constexpr double kDepthRounding = 1e-9;
-/// A turn can make edges and faces touch that are deeper than anything that touches already: by
-/// this share of that depth, and this many margins.
+/// By rotation, edges and faces can get deeper than all present contacts: by this fraction of their
+/// depth plus this many list margins.
 constexpr double kDeeperFraction = 0.5, kDeeperMargins = 0.25;
-/// What is allowed for is this much deeper, and given up again when it is this much too deep.
+/// The depth limit is this factor times the needed depth. It is lowered if it exceeds the needed
+/// depth by the second factor.
 constexpr double kAllowedFraction = 1.5, kTooDeepFraction = 4.0;
 
 }  // namespace
@@ -155,8 +156,9 @@ ContactPoint FeatureTests::vertex_contact(ContactKind kind, std::uint32_t block_
 }
 
 Vec3 FeatureTests::push_direction(const NearestPoint& nearest, const Vec3& centre) const {
-  // On the surface itself, and above a face, the direction to it is its normal. So it is beyond the
-  // border of a survey: the way back to the border would lead down where the ground falls to it.
+  // On the surface and inside a face, the push direction is the normal. It is also the normal
+  // beyond the border of a survey: the direction back to the border would point downwards if the
+  // ground falls towards it.
   return nearest.within_face || nearest.distance > -1e-9 || is_on_border(ground_.features, nearest)
              ? nearest.normal
              : Vec3((nearest.point - centre) / -nearest.distance);
@@ -223,8 +225,8 @@ void FeatureTests::add_outside_contacts(std::uint32_t vertex, const Vec3& centre
     }
     for (int k = 0; k < 3; ++k) {
       const SurfaceEdge& edge = ground.edges[face.edges[k]];
-      // Each edge once. Over one sharper than a right angle lies air that is behind the plane of
-      // either face, but behind a border there is none.
+      // Each edge is tested once. Near an edge sharper than a right angle, points outside can be
+      // behind the planes of both faces; not so at a border.
       if (edge.faces[0] == f && edge.is_convex() &&
           (height >= 0.0 || edge.kind == EdgeKind::kConvex)) {
         const double along = edge.direction.dot(centre - ground.vertices[edge.vertices[0]]);

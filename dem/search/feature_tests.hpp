@@ -23,8 +23,9 @@ enum class ContactKind : std::uint8_t {
 /// Separation of a block feature and a ground feature.
 struct FeatureSeparation {
   Vec3 separation = Vec3::Zero();  ///< from the nearest ground point to the nearest block point, m
-  /// Displacement before which contact is impossible at any depth, m: translation of the block's
-  /// centre plus its bounding radius times the rotation chord; 0 if unknown.
+  /// Displacement of the block before which contact is impossible at any depth, m; 0 if unknown. It
+  /// is the translation of the block's centre plus 2 sin(angle/2) times its bounding radius for a
+  /// rotation by `angle`.
   double safe_displacement = 0.0;
 };
 
@@ -46,18 +47,18 @@ struct ContactPoint {
   }
 };
 
-/// Adds a contact unless it is a duplicate: a point between two coplanar faces or two collinear
-/// edges is found twice.
+/// Adds a contact unless it is in the list. A point on the line between two coplanar faces, or
+/// between two collinear edges, is found twice.
 void add_unique(std::vector<ContactPoint>& contacts, const ContactPoint& contact);
 
-/// Depth limit of edge and face contacts, which can become deeper than the present contacts by
-/// rotation.
+/// Depth limit for edge and face contacts. It exceeds the depth of the present contacts, because
+/// others can become deeper when the block rotates.
 class ContactDepthLimit {
  public:
   /// Updates the limit.
-  /// @param deepest  of the present contacts, m; 0 without contacts
-  /// @param margin  list margin, m
-  /// @return true if earlier exclusions did not consider this depth
+  /// @param deepest  largest overlap of the present contacts, m; 0 without contacts
+  /// @param margin  list margin of the narrow phase, m
+  /// @return true if the limit has grown, so that pairs excluded before must be tested again
   bool update(double deepest, double margin);
   void reset(double depth = 0.0) { depth_ = depth; }
   double depth() const { return depth_; }  ///< m
@@ -73,7 +74,7 @@ class ContactDepthLimit {
 class FeatureTests {
  public:
   /// Prepares the tests.
-  /// @param size  smallest side, m; edge and face contacts deeper than half of it are not trusted
+  /// @param size  smallest side, m; edge and face contacts deeper than half of it are ignored
   FeatureTests(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   void set_pose(const Mat3& rotation, const Vec3& position) {
@@ -90,9 +91,9 @@ class FeatureTests {
   /// Transforms a body point to the frame of the ground.
   Vec3 in_ground_frame(const Vec3& in_body) const { return position_ + rotation_ * in_body; }
 
-  // Each sets the contact if there is one, and returns how far the two are apart.
+  // Each function sets `contact` if the two features touch, and returns their separation.
 
-  /// Tests a pair by its kind (not kVertexGround).
+  /// Tests a pair of any kind except kVertexGround.
   FeatureSeparation test_pair(ContactKind kind, std::uint32_t of_block, std::uint32_t of_ground,
                               std::optional<ContactPoint>& contact) const {
     return kind == ContactKind::kEdgeEdge     ? test_edge_edge(of_block, of_ground, contact)
@@ -106,17 +107,17 @@ class FeatureTests {
   FeatureSeparation test_face_vertex(std::uint32_t block_face, std::uint32_t ground_vertex,
                                      std::optional<ContactPoint>& contact) const;
 
-  // A vertex of the block at `centre`, inside the ground or within reach of it.
+  // The vertex at `centre` is inside the ground or within reach of it.
 
-  /// True if leaving the ground would drag the vertex through its own block: at the edge of a
-  /// ground that ends where the block does, the nearest exit may be the ground's wall.
-  /// @param nearest  to the vertex, which is inside
+  /// True if pushing the vertex out of the ground would move it through its own block. This can
+  /// happen at an edge of the ground, where the nearest surface may be its side wall.
+  /// @param nearest  ground point nearest to the vertex, which is inside the ground
   bool is_inverted(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest) const {
     return pushes_through_block(vertex, push_direction(nearest, centre));
   }
   bool pushes_through_block(std::uint32_t vertex, const Vec3& push) const;
-  /// Returns the nearest of these faces above the vertex without inversion, or `nearest` if there
-  /// is none.
+  /// Returns the nearest point of those faces above the vertex whose push is not inverted;
+  /// `nearest` if there is none.
   NearestPoint nearest_uninverted(std::uint32_t vertex, const Vec3& centre,
                                   const NearestPoint& nearest,
                                   std::span<const LocalFaces::Face> faces) const;
@@ -131,18 +132,18 @@ class FeatureTests {
 
  private:
   /// Returns an upper bound of the displacement of a ground point relative to the block, as a
-  /// multiple of the block's displacement: above 1 beyond the bounding radius.
+  /// multiple of the block's displacement. It exceeds 1 for points outside the bounding sphere.
   double relative_motion_factor(const Vec3& point) const {
     return std::max(1.0, (point - position_).norm() / bounding_radius_);
   }
   ContactPoint vertex_contact(ContactKind kind, std::uint32_t block_feature,
                               std::uint32_t ground_vertex, const Vec3& normal,
                               double distance) const;
-  /// Returns the push direction of a vertex inside the ground: to the surface point, or up to the
-  /// extended plane of a ground that ends there.
+  /// Returns the direction in which a vertex inside the ground is pushed out: towards the nearest
+  /// point. At a border of the surface, it is the normal there.
   Vec3 push_direction(const NearestPoint& nearest, const Vec3& centre) const;
-  /// True if the block's surface falls away from a ground touched along `normal` (out of the
-  /// ground) by this vertex or edge.
+  /// True if this vertex or edge of the block can touch the ground along `normal`, which points out
+  /// of the ground.
   bool can_vertex_touch(std::uint32_t vertex, const Vec3& normal) const;
   bool can_edge_touch(std::uint32_t edge, const Vec3& normal) const;
   /// True if a ground edge and a block edge can be in contact along `normal`.

@@ -7,16 +7,16 @@
 
 namespace clast {
 
-/// Measures the overlap for any number of poses of one body over one terrain, with shared
-/// precomputed data.
+/// Measures the overlap of one body with one terrain at any number of poses. The precomputed data
+/// are shared by all poses.
 class GroundOverlap {
  public:
   /// Stores references; both arguments must outlive this object.
   GroundOverlap(const TerrainSurface& terrain, const RigidBody& body);
   ~GroundOverlap();
 
-  /// Returns the largest contact overlap, m; 0 without contact, and also if the body is buried so
-  /// deep that it does not reach the surface.
+  /// Returns the largest contact overlap, m; 0 without contact. It is also 0 if the body is buried
+  /// so deep that it does not reach the surface.
   double max_overlap(const RigidState& state) const;
 
  private:

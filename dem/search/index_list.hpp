@@ -1,6 +1,6 @@
 #pragma once
-/// List of selected indices, filled without branches, because the selection is unpredictable for
-/// the processor.
+/// List of selected indices. It is filled without branches, because the processor could not predict
+/// them.
 #include <cstddef>
 #include <cstdint>
 #include <vector>

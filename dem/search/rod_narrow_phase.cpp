@@ -9,7 +9,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Where on the rod the point's foot lies, when it lies between the ends.
+/// Returns the foot of a point on a rod; empty if it does not lie between the ends.
 std::optional<Vec3> foot_between_ends(const Vec3& start, const Vec3& direction, double length,
                                       const Vec3& point) {
   const double along = direction.dot(point - start);
@@ -84,7 +84,7 @@ void RodNarrowPhase::find_edge_contacts(std::uint32_t e) {
     const SurfaceEdge& other = ground.edges[g];
     const Segment of_ground = ground.segment(other);
     const SegmentDistance closest = closest_points(of_block, of_ground);
-    if (!closest.crossing) continue;  // of parallel rods the ends carry the contact
+    if (!closest.crossing) continue;  // the ends carry the contact of parallel rods
     contact.ground_feature = g;
     set_contact(contact, of_ground.point_at(closest.second), of_block.point_at(closest.first));
   }

@@ -1,6 +1,6 @@
 #pragma once
-/// Narrow phase of two bodies without faces: balls, capsules and rod frames. Bodies with faces are
-/// reference bodies (`TerrainNarrowPhase`).
+/// Narrow phase of two bodies without faces: balls, capsules and rod frames. Pairs with a body that
+/// has faces use `TerrainNarrowPhase` or `BlockNarrowPhase`.
 #include <vector>
 
 #include "dem/search/feature_tests.hpp"
@@ -14,7 +14,7 @@ class RodNarrowPhase {
   /// Finds the contacts in the frame of the ground in a deterministic order; the caller may modify
   /// them.
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_body);
-  /// Returns the distance of the bodies, m; 0 in contact (valid after `find_contacts`).
+  /// Returns the distance of the bodies, m; 0 if they touch. Valid after `find_contacts`.
   double clearance() const { return clearance_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -24,7 +24,8 @@ class RodNarrowPhase {
  private:
   void find_vertex_contacts(std::uint32_t block_vertex);
   void find_edge_contacts(std::uint32_t block_edge);
-  /// True if a vertex is nearer than its adjacent rods; kNoFeature: no vertex.
+  /// True if `out` is in the normal cone of both vertices, so that they touch rather than their
+  /// rods. kNoFeature stands for no vertex.
   bool is_vertex_contact(std::uint32_t block_vertex, std::uint32_t ground_vertex,
                          const Vec3& out) const;
   void set_contact(ContactPoint& contact, const Vec3& on_ground, const Vec3& on_block);

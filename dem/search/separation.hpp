@@ -1,14 +1,14 @@
 #pragma once
 /// Separation bounds of features near the ground (docs/theory.md, Contact search).
 ///
-/// Two convex bodies at distance d have a separating plane with unit normal w, and stay separated
-/// until one has moved by d along w. Displacements are accumulated along an axis and perpendicular
-/// to it, u and v; contact needs at least |w.axis| u + |w x axis| v = d.
+/// Two convex bodies at distance d have a separating plane with unit normal w. They stay separated
+/// until one has moved by d along w. Displacements are accumulated along an axis (u) and
+/// perpendicular to it (v). Contact is impossible while |w.axis| u + |w x axis| v < d.
 #include <algorithm>
 
 namespace clast::dem_detail {
 
-/// Accumulated displacement of a block part relative to the ground, m: bounds for all its points.
+/// Upper bounds of the accumulated displacement of all points of a block part, m.
 struct Displacement {
   double axial = 0.0;       ///< along the axis, in either direction
   double transverse = 0.0;  ///< perpendicular to the axis
@@ -23,13 +23,13 @@ struct Displacement {
   }
 };
 
-/// Separation bound: valid while per_axial times the axial plus per_transverse times the transverse
-/// displacement is below `until`.
+/// Separation bound. Contact is impossible while per_axial times the axial displacement plus
+/// per_transverse times the transverse displacement is below `until`.
 struct SeparationBound {
   double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
   double until = -1.0;
 
-  /// Returns the remaining validity; expired if not positive.
+  /// Returns the remaining margin until the bound expires; not positive if it has expired.
   double remaining(const Displacement& displacement) const {
     return until - per_axial * displacement.axial - per_transverse * displacement.transverse;
   }
@@ -42,7 +42,7 @@ struct SeparationBound {
   }
 };
 
-/// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d, or their maxima over several.
+/// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d, or maxima of several.
 struct SeparationCoefficients {
   double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
 
@@ -65,7 +65,7 @@ class EarliestExpiry {
     const double remaining = one.remaining(displacement_);
     expired_ = expired_ || !(remaining > 0.0);
     if (expired_) return;
-    // Most of many are bounded by those before, which takes no division.
+    // Most bounds are weaker than those before them; the comparison needs no division.
     SeparationCoefficients& all = separation_;
     if (one.per_axial > all.per_axial * remaining) all.per_axial = one.per_axial / remaining;
     if (one.per_transverse > all.per_transverse * remaining)

@@ -11,16 +11,16 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Margin, as a share of the block's smallest side: lists of what is near look ahead some of them,
-/// far enough to be made anew rarely, and near enough to stay short.
+/// List margin, as a fraction of the block's smallest side. Lists reach some margins ahead, so that
+/// they are short but rarely rebuilt.
 constexpr double kGroundMarginFraction = 0.05;
-/// The ground near a part is gathered for this many margins of movement.
+/// The ground near a part is collected for this many margins of displacement.
 constexpr double kPartMargins = 4.0;
-/// The ground near the whole block is gathered for this many margins of movement more.
+/// The ground near the whole block is collected for this many more margins of displacement.
 constexpr double kGroundMargins = 8.0;
-/// The ground's mean normal near a part may turn this far from its axis, as a cosine.
+/// Largest angle between the axis of a part and the mean ground normal near it, as a cosine.
 constexpr double kSameAxis = 0.97;
-/// A part this many margins from the ground is far again.
+/// A part this many margins from the ground counts as far again.
 constexpr double kFarMargins = 2.0;
 
 }  // namespace
@@ -84,8 +84,8 @@ void TerrainNarrowPhase::set_pose(const Pose& ground_from_body) {
   const Mat3 rotation = ground_from_body.rotation.toRotationMatrix();
   const Vec3& position = ground_from_body.translation;
   if (started_) {
-    // The turn between the two moves a point by at most 2 sin(angle/2) times its arm, and that
-    // factor is the Frobenius norm of the change of the matrix over sqrt(2).
+    // The rotation moves a point by at most 2 sin(angle/2) times its arm. This factor is the
+    // Frobenius norm of the change of the matrix over sqrt(2).
     const double turn = std::sqrt(0.5 * (rotation - tests_.rotation()).squaredNorm());
     turned_ += turn;
     last_move_ = (position - tests_.position()).norm() + turn * farthest_;
@@ -159,7 +159,7 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
   PartState& state = part_states_[p];
   const Vec3 centre = in_ground_frame(part.centre);
   const double touching = part.radius + reach_;
-  // Often the last measurement or the plane bounds the gap well enough.
+  // Often the last measurement or the bounding plane gives a sufficient bound.
   collect_ground(touching + 2.0 * kPartMargins * margin_);
   const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
   const double enough = std::max(margin_, until - moved_);
@@ -173,7 +173,8 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
     part_expiry_[p] = moved_ + clearance;
     return;
   }
-  // A part that slept is outside the ground. At the start that is not known, nor how deep it is.
+  // A part that was skipped is outside the ground. At the start, neither this nor its depth is
+  // known.
   const bool slept = !(part_expiry_[p] < 0.0);
   const double deepest = slept ? 0.0 : part.radius - clearance - touching;
   state.near = std::make_unique<NearPart>(part);
@@ -190,7 +191,7 @@ double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
   const Vec3 centre = in_ground_frame(parts_.parts[p].centre);
   double distance = complete;
   if (part_expiry_[p] < 0.0) {
-    // Not measured yet: it may lie deep inside.
+    // The part has not been measured yet and may be deep inside the ground.
     const double far = touching + 8.0 * margin_ + 4.0 * bounding_radius_;
     const std::optional<NearestPoint> nearest = ground_.nearest_point(centre, far);
     distance = nearest ? nearest->distance : far;
@@ -292,7 +293,7 @@ double TerrainNarrowPhase::next_update(std::uint32_t p) const {
        {&part.other_vertices, &part.all_features, &part.all_pairs}) {
     const double remaining = separation_bound->remaining(part.displacement);
     if (!(remaining > 0.0)) return moved_;
-    // No point of the part moves farther than any of the block, neither across nor along.
+    // No point of the part moves farther than the bound for the block, along or across the axis.
     const double used = separation_bound->per_axial + separation_bound->per_transverse;
     if (remaining < least * used) least = remaining / used;
   }

@@ -1,12 +1,11 @@
 #pragma once
-/// Narrow phase: contact points of one block on a reference body, the terrain or another block,
-/// which is called the ground here; all data are in its frame.
+/// Narrow phase: contact points of one block on a reference body, which is the terrain or another
+/// block. The reference body is called the ground here; all data are in its frame.
 ///
-/// The block is divided into parts. A part far from the ground is skipped as a whole until the
-/// accumulated displacement `moved_` has grown by its distance. A part near the ground keeps a list
-/// of nearby ground features, against which its vertices and sides (edges and faces) are tested.
-/// Each test gives a separation bound, during which it is not repeated; because the separating
-/// planes are mostly parallel to the ground, bounds last long for sliding and rolling blocks
+/// The block is divided into parts. A part far from the ground is skipped until the accumulated
+/// displacement `moved_` has grown by its distance from the ground. A part near the ground keeps a
+/// list of nearby ground features. Its vertices and sides (edges and faces) are tested against
+/// them. Each test gives a separation bound; it is not repeated before the bound expires
 /// (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
@@ -19,13 +18,14 @@
 
 namespace clast::dem_detail {
 
-/// Bounds of a free flight, for all points of the core.
+/// State of a free flight, with bounds that hold for all points of the core.
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< present velocity of the centre, m/s
   Vec3 spin = Vec3::Zero();      ///< present angular velocity, rad/s
-  double turning = 0.0;          ///< bound of the acceleration of its centre due to rotation, m/s^2
-  double acceleration = 0.0;     ///< bound for any point, m/s^2
-  double max_point_speed = 0.0;  ///< bound for any point without gravity, m/s
+  double turning = 0.0;  ///< bound of a point's acceleration due to rotation over its distance from
+                         ///< the centre, 1/s^2
+  double acceleration = 0.0;     ///< bound of the acceleration of any point, m/s^2
+  double max_point_speed = 0.0;  ///< bound of the speed of any point if there were no gravity, m/s
   double gravity = 0.0;          ///< along -z, m/s^2
 };
 
@@ -33,23 +33,23 @@ class TerrainNarrowPhase {
  public:
   /// Prepares the search.
   /// @param block  in its body frame; must outlive this object, as must the ground
-  /// @param size  smallest side of the block, m, which scales the list margin
+  /// @param size  smallest side of the block, m; the list margin is proportional to it
   TerrainNarrowPhase(const IndexedSurface& ground, const BlockSurface& block, double size);
 
-  /// Re-evaluates all expired separation bounds and returns the contacts in a deterministic order,
-  /// valid and modifiable until the next call of any search in this thread.
-  /// @param displacement  bound of the displacement of any block point since the start, never
-  ///                      decreasing
+  /// Re-evaluates all expired separation bounds and returns the contacts, in a deterministic order.
+  /// The caller may modify the returned list. It is valid until the next search in this thread.
+  /// @param displacement  bound of the displacement of any block point since the start, m; must not
+  ///                      decrease between calls
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_body, double displacement);
 
-  /// Returns the displacement before which contact is impossible (valid after `find_contacts`).
-  /// After a search that gained little, later calls reuse its result for a while, as in
-  /// `safe_time`.
+  /// Returns the displacement before which contact is impossible, m. Valid after `find_contacts`.
+  /// If the result is small, the search is suspended for a while; calls then return the present
+  /// displacement.
   double safe_displacement();
-  /// Returns a contact-free flight time (valid after `find_contacts`), s: from the bounding sphere
-  /// far from the ground; otherwise by a search that costs several steps and, after gaining too
-  /// little, is suspended for a while, returning 0.
-  /// @param worthwhile  s: shorter times do not help the caller
+  /// Returns a time of flight without contact, s. Valid after `find_contacts`. Far from the ground,
+  /// it follows from the bounding sphere. Otherwise it needs a search that costs as much as several
+  /// steps. If the result is too small, the search is suspended for a while; calls then return 0.
+  /// @param worthwhile  shortest time that is useful to the caller, s
   double safe_time(const FlightBounds& flight, double worthwhile);
 
   /// Serialises the state that determines future contacts and their order.
@@ -73,7 +73,7 @@ class TerrainNarrowPhase {
   struct GroundFeature {
     bool is_vertex = false;
     std::uint32_t index = 0;           ///< of the edge or vertex
-    SeparationBound separation_bound;  ///< valid until an unlisted side may touch it
+    SeparationBound separation_bound;  ///< until it expires, no unlisted side can touch the feature
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -95,8 +95,8 @@ class TerrainNarrowPhase {
   /// Components |n.axis| and |n x axis| of the normal n of a ground face.
   struct FaceTilt {
     double axial, transverse;
-    /// Displacement allowed per height above its plane; 0 at a border, beyond which the plane
-    /// continues.
+    /// Displacement allowed per height above the plane of the face. 0 for a face at a border, whose
+    /// plane extends beyond the ground.
     double displacement_per_height;
 
     bool is_at_border() const { return displacement_per_height == 0.0; }
@@ -106,14 +106,15 @@ class TerrainNarrowPhase {
     }
   };
   struct VertexState {
-    bool outside = false;  ///< known to be out of reach of the ground
-    // While outside: entry of the list whose plane it is closest to reach, and until when it is
-    // clear of all else.
+    bool outside = false;  ///< true if it is known to be out of reach of the ground
+    // If `outside`: the listed face whose plane it may reach first, and the separation bound from
+    // all other features.
     std::uint32_t closest_plane = kNoFeature;
     SeparationBound others;
     std::uint32_t near_face = 0;  ///< entry of the nearest face in the part's list
-    // While its foot stays on `nearest_face`, no other face matters: inside the ground until the
-    // one, outside within reach until the other `displacement.total`.
+    // While the vertex's foot stays on `nearest_face`, no other face needs a test. This holds up to
+    // a `displacement.total` of `inside_until` if the vertex is inside the ground, and of
+    // `outside_until` if it is outside but within reach.
     std::uint32_t nearest_face = kNoFeature;
     double foot_on_face_until = -1.0;  ///< bound before which the foot stays on the face
     double inside_until = -1.0;
@@ -132,23 +133,23 @@ class TerrainNarrowPhase {
           vertex_bounds(vertices.size()) {}
 
     LocalFaces ground;
-    double complete =
-        0.0;  ///< distance from all points of the part within which the list was complete, m
+    double complete = 0.0;     ///< distance from all points of the part up to which the list was
+                               ///< complete when made, m
     double gathered_at = 0.0;  ///< `displacement.total` at that time
     Vec3 axis = Vec3::UnitZ();
     Displacement displacement;
-    Vec3 centre = Vec3::Zero();  ///< when the way was last read, and `turned_` then
+    Vec3 centre = Vec3::Zero();  ///< centre and `turned_` at the last update of `displacement`
     double turned = 0.0;
-    std::vector<FaceTilt> tilts;  ///< of the faces of `ground`
+    std::vector<FaceTilt> tilts;  ///< tilt of each face of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
     std::uint32_t first_vertex;  ///< index into BlockParts::vertices
-    // By number of the vertex within the part:
+    // Indexed by vertex within the part:
     std::vector<VertexState> vertices;
     std::vector<SeparationBound> vertex_bounds;
-    std::vector<std::uint32_t> expired_vertices;  ///< mostly in contact; in order
+    std::vector<std::uint32_t> expired_vertices;  ///< ascending; mostly vertices in contact
     SeparationBound other_vertices, all_features,
-        all_pairs;  ///< until the first of each may be due
+        all_pairs;  ///< earliest expiry in each group
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -158,12 +159,12 @@ class TerrainNarrowPhase {
     }
   };
   struct PartState {
-    std::unique_ptr<NearPart> near;  ///< none: it is far from the ground
-    // What was measured last while it was far: the gap, where the centre was, and `turned_`.
+    std::unique_ptr<NearPart> near;  ///< null if the part is far from the ground
+    // Last measurement while the part was far: its clearance, its centre and `turned_`.
     double clearance = 0.0;
     Vec3 measured_centre = Vec3::Zero();
     double measured_rotation = 0.0;
-    std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest
+    std::uint32_t near_face = 0;  ///< entry of `local_` that was nearest then
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -186,24 +187,23 @@ class TerrainNarrowPhase {
   };
   /// Temporary data of one call, shared by all searches of a thread.
   struct Scratch {
-    IndexList expired_parts;         ///< parts to update
-    IndexList near_parts_to_update;  ///< those of them near the ground
-    FoundContacts found;             ///< by `contacts` ...
-    FoundContacts ahead;             ///< ... and by looks ahead, which need none of it
+    IndexList expired_parts;                ///< parts to update
+    IndexList near_parts_to_update;         ///< members of `expired_parts` near the ground
+    FoundContacts found;                    ///< contacts found by `find_contacts`
+    FoundContacts ahead;                    ///< contacts found by other searches, which ignore them
+    std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
     std::vector<std::uint32_t>
-        near_parts;  ///< of `contact_free_time_over_face`, and those of them ...
-    std::vector<std::uint32_t>
-        unseparated_parts;  ///< those not separated from some face by a plane
+        unseparated_parts;  ///< members of `near_parts` that no plane separates from some face
   };
   static Scratch& scratch();
 
   void set_pose(const Pose& ground_from_body);
   bool defer_all_parts();
-  /// Collects the ground features within this distance of the block in `local_`.
+  /// Stores the ground features within the distance `complete` of the block in `local_`.
   void collect_ground(double complete);
   /// Lists the parts to update in this call.
   void list_expired_parts();
-  /// Lists all parts near the ground, with all their features expired.
+  /// Lists all parts near the ground and marks all their features as expired.
   void list_all_parts();
   /// Updates the expiry of a part far from the ground.
   void update_part(std::uint32_t p, double until);
@@ -212,32 +212,33 @@ class TerrainNarrowPhase {
   /// Collects the ground features near a part.
   /// @param deepest  bound of the depth of any part point inside the ground, m
   void collect_part_ground(std::uint32_t p, double deepest);
-  /// Sets the axis to the mean normal of the listed ground; existing bounds expire.
+  /// Sets the axis to the mean normal of the listed ground. All bounds of the part expire.
   void update_axis(std::uint32_t p);
   void update_displacement(std::uint32_t p);
-  /// Renews the ground list of a part if it is about to expire; a part that has left the ground is
-  /// treated as a whole again.
+  /// Renews the ground list of a part if it is about to expire. A part that has left the ground
+  /// loses its lists and is skipped as a whole again.
   void refresh_ground_list(std::uint32_t p, double ahead);
   /// Returns the value of `moved_` at which a part must be updated.
   double next_update(std::uint32_t p) const;
   /// Returns the `displacement.total` at which the ground list expires.
   double list_expiry(const NearPart& part) const { return part.gathered_at + list_holds_; }
-  /// Returns the contact-free time of a part, limited by `wanted`.
+  /// Returns the contact-free time of a part, s, at most `wanted`.
   double part_contact_free_time(std::uint32_t p, const FlightBounds& flight, double wanted);
-  /// Returns the contact-free time of a flight, s, from planes between block and ground.
-  /// @param horizon  s: longer times are not needed
+  /// Returns the contact-free time of a flight, s, from planes that separate block and ground.
+  /// @param horizon  largest time of interest, s
   double contact_free_time(const FlightBounds& flight, double horizon);
   double contact_free_time_over_face(const LocalFaces::Face& face, const FlightBounds& flight,
                                      double horizon);
-  /// Returns the contact-free time over a face whose plane does not separate the whole block, from
-  /// planes through the nearest points of the near parts; unseparated parts are added to `scratch`.
+  /// Returns the contact-free time over a face whose plane does not separate the whole block. It
+  /// tests each near part against the plane through its nearest point. Parts without a separating
+  /// plane are added to `Scratch::unseparated_parts`.
   double parts_contact_free_time(const LocalFaces::Face& face, bool at_border,
                                  const FlightBounds& flight, double horizon);
   /// Bounding sphere of a part in flight.
   struct PartSphere {
     Vec3 centre;
     double radius;
-    double turning;  ///< bound of what turning changes the velocity of its centre by, m/s^2
+    double turning;  ///< bound of the acceleration of its centre by rotation, m/s^2
   };
   /// Returns the contact-free time of a part sphere over a face, s; 0 if contact is possible.
   double sphere_contact_free_time(const LocalFaces::Face& face, const PartSphere& part,
@@ -245,26 +246,27 @@ class TerrainNarrowPhase {
   double completeness(const NearPart& part) const {
     return part.complete - (part.displacement.total - part.gathered_at);
   }
-  /// Makes a separation bound from a feature at `distance` along the unit vector `away`, and a
-  /// lower bound `others` of all other distances; expired if either is not positive.
+  /// Makes the separation bound from one feature and all others. The feature is at `distance` along
+  /// the unit vector `away`; `others` is a lower bound of all other distances. The bound is expired
+  /// if either is not positive.
   SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
-  // Vertices by their number within the part; those that touch are added to `found`.
+  // `vertex` is the index within the part. Contacts are added to `found`.
 
   std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
     return parts_.vertices[part.first_vertex + vertex];
   }
 
   /// Updates all expired vertices of a part.
-  /// @param ahead  displacement for which contacts must be known
+  /// @param ahead  further displacement for which contacts must be known
   void update_vertices(std::uint32_t p, const Displacement& ahead, FoundContacts& found);
   void update_vertex(NearPart& part, std::uint32_t vertex, const Displacement& ahead,
                      FoundContacts& found);
   /// Returns the separation bound of a vertex outside the ground; expired if contact is possible.
   SeparationBound ground_separation_bound(NearPart& part, std::uint32_t vertex, const Vec3& centre);
-  /// Returns the separation bound of a vertex from its closest plane, if all other features are
-  /// known to be clear.
+  /// Returns the separation bound of a vertex from its closest plane, if its bound from all other
+  /// features is still valid.
   SeparationBound plane_separation_bound(const NearPart& part, std::uint32_t vertex,
                                          const Vec3& centre) const;
   bool update_nearest_face(NearPart& part, std::uint32_t vertex, const Vec3& centre,
@@ -273,41 +275,41 @@ class TerrainNarrowPhase {
                       FoundContacts& found);
   /// Updates all expired sides of a part.
   void update_sides(std::uint32_t p, const Displacement& ahead, FoundContacts& found);
-  /// Lists the sides of a part near a ground feature.
+  /// Lists the sides of a part that are near a ground feature.
   void update_feature(std::uint32_t p, GroundFeature& feature);
   void update_pair(const NearPart& part, FeaturePair& pair, FoundContacts& found);
-  /// Returns the distance below which sides may touch a ground feature, m.
+  /// Returns the distance up to which a side and a ground feature may touch, m.
   double contact_distance() const { return std::max(reach_, allowed_.depth()); }
   void add_side_contacts(FoundContacts& found);
   Vec3 in_ground_frame(const Vec3& in_body) const { return tests_.in_ground_frame(in_body); }
 
   const IndexedSurface& ground_;
   const IndexedSurface& surface_;  ///< of the block
-  const SurfaceFeatures& block_;   ///< its features
-  const BlockParts& parts_;        ///< its parts
+  const SurfaceFeatures& block_;   ///< features of the block
+  const BlockParts& parts_;        ///< parts of the block
   double reach_;                   ///< block radius + ground radius, m
   double bounding_radius_ = 0.0;   ///< of the core about the centre, m
   double farthest_ = 0.0;          ///< largest distance of part spheres from the centre, m
-  double size_;                    ///< smallest side, m
+  double size_;                    ///< smallest side of the block, m
   double margin_;                  ///< list margin, m
   double list_holds_;              ///< displacement of a part for which its ground list is valid, m
   FeatureTests tests_;             ///< at the present pose
 
   bool started_ = false;
-  double displacement_ = 0.0;  ///< as passed by the caller
+  double displacement_ = 0.0;  ///< as passed by the caller, m
   double moved_ = 0.0;         ///< accumulated displacement since the start, m
   double turned_ = 0.0;     ///< accumulated rotation: displacement of a point at an arm of 1 m, m
   double last_move_ = 0.0;  ///< increase of `moved_` in the last call, m
   LocalGround local_;       ///< ground around the whole block
-  // From every point of the block so far `local_` was complete when it was gathered.
+  // Distance from the block to which `local_` was complete when collected, m; `moved_` then.
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
   std::vector<double> part_expiry_;  ///< `moved_` at which each part must be updated
-  double search_at_ = -1.0;          ///< time before which no longer flight is searched
+  double search_at_ = -1.0;          ///< `moved_` before which the search for flights is suspended
   double deepest_ = 0.0;             ///< largest overlap of the last call, m
-  ContactDepthLimit allowed_;        ///< depth limit considered by all separation bounds
-  std::uint32_t lowest_face_ = 0;    ///< of `local_`: the one that ended the last flight
+  ContactDepthLimit allowed_;        ///< depth limit that all separation bounds take into account
+  std::uint32_t lowest_face_ = 0;    ///< entry of `local_` that limited the last flight
   bool touches_ = false;             ///< true if the last call found contacts
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Energy of many blocks at one time, and its dissipation until then.
+/// Energy of many blocks at one time, and the dissipation until then.
 #include <cstddef>
 
 namespace clast {
@@ -23,21 +23,21 @@ struct Dissipation {
   }
 };
 
-/// Energies of all movable bodies, J. Together with dissipated and reassigned energy they equal the
+/// Energies of all movable bodies, J. Present, dissipated and reassigned energies add up to the
 /// initial energy.
 struct EnergySample {
   double time = 0.0;           ///< s
-  std::size_t moving = 0;      ///< bodies neither at rest nor removed
+  std::size_t moving = 0;      ///< number of bodies that are neither at rest nor removed
   double translational = 0.0;  ///< kinetic energy of the centres of mass, without removed bodies
   double rotational = 0.0;     ///< kinetic energy of rotation, without removed bodies
   double potential = 0.0;      ///< m g z, without removed bodies
   double stored = 0.0;         ///< elastic energy of the contacts
-  double departed = 0.0;       ///< kinetic and potential energy of removed bodies at their removal
-  Dissipation on_ground;       ///< since the first body was added
+  double departed = 0.0;  ///< kinetic and potential energy of removed bodies when they were removed
+  Dissipation on_ground;  ///< since the first body was added
   Dissipation between_bodies;  ///< likewise
-  double reassigned = 0.0;     ///< since then: lost (or gained, < 0) by changes of contacts
+  double reassigned = 0.0;     ///< lost by changes of contacts until now; negative if gained
 
-  /// Returns the sample with time and losses relative to an earlier sample.
+  /// Returns this sample with time, dissipation and reassigned energy relative to `begin`.
   EnergySample change_since(const EnergySample& begin) const {
     EnergySample sample = *this;
     sample.time -= begin.time;

@@ -14,20 +14,20 @@ struct MotionSettings {
   ContactLaw law;              ///< of all contacts; default: energy-restitution
   ContactWeighting weights = ContactWeighting::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
-  double rest_energy = 2e-4;    ///< J/kg: a body rests if v^2/2 + w.J.w/(2 m) is below this ...
-  double rest_duration = 0.5;   ///< ... for this time, s, with uninterrupted contact
-  double start_overlap = 1e-3;  ///< maximum initial overlap, as a fraction of S
+  double rest_energy = 2e-4;    ///< largest kinetic energy per mass of a body at rest, J/kg
+  double rest_duration = 0.5;   ///< time for which a resting body must be slow and in contact, s
+  double start_overlap = 1e-3;  ///< maximum initial overlap, as a fraction of the smallest side S
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 /// Checks that all ground zones have parameters.
-/// @throws SimulationError  if one has none
+/// @throws SimulationError  if a zone has no parameters
 void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters> zones);
 
 /// Checks a start position.
 /// @param name  of the starting body, for messages
-/// @throws SimulationError  if it is not above or on the terrain
+/// @throws SimulationError  if the position is neither above nor on the terrain
 void check_start(const TerrainSurface& terrain, const Vec3& position, const std::string& name);
 
 }  // namespace clast

@@ -13,12 +13,12 @@
 namespace clast {
 namespace {
 
-/// Rounding differs in the sixteenth digit, and grows by some orders in half a second of bounces.
+/// Rounding errors are in the sixteenth digit and grow by some orders in half a second of bounces.
 constexpr int kDigits = 6;
-/// No block gets as fast, m/s.
+/// Upper bound of the speed of the blocks, m/s.
 constexpr double kFastest = 8.0;
 
-/// A slope of 0.6 that ends on a flat, in zones 0 and 1.
+/// Makes a slope of 0.6 (zone 0) that ends on a flat (zone 1).
 TerrainSurface slope_and_flat() {
   TriangleMesh mesh;
   mesh.vertices = {{-6, -4, 3.6}, {0, -4, 0}, {0, 4, 0}, {-6, 4, 3.6}, {6, -4, 0}, {6, 4, 0}};
@@ -26,7 +26,7 @@ TerrainSurface slope_and_flat() {
   return {std::move(mesh), {0, 0, 1, 1}};
 }
 
-/// Every parameter but the memory of soil, which single releases do not know.
+/// Makes zones with all parameters except soil memory, which single releases do not have.
 std::vector<GroundParameters> all_kinds_of_ground() {
   GroundParameters slope{0.08, 0.6, 0.2, 0.1};
   slope.friction_min = 0.3;

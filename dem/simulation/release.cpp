@@ -22,14 +22,15 @@ using namespace dem_detail;
 
 namespace {
 
-/// A flight ends this close to the first touch, s.
+/// A flight ends within this time of the first contact, s.
 constexpr double kLandingTime = 5e-10;
-/// Growth of the stride of the search for the first touch after one that fell short of it.
+/// Growth of the time step in the search for the first contact, if no contact was found.
 constexpr double kLookFarther = 8.0;
-/// A block at rest may lie deeper than its settled depth by this factor before it counts as lost.
+/// A block at rest is lost in the ground if it lies deeper than this factor times its settled
+/// depth.
 constexpr double kSettledSlack = 1.1;
 
-/// The run in progress.
+/// Run in progress.
 class Release {
  public:
   Release(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
@@ -91,11 +92,10 @@ class Release {
     return std::nullopt;
   }
 
-  /// How long the block flies without contact: the time in which no point of it can travel farther
-  /// than the nearest thing it might touch.
+  /// Returns a time of flight without contact, s.
   double safe_time() {
     const double spin = flight_->max_angular_speed(), g = settings_.gravity;
-    // Of a point that turns with the body: centripetal, and from the change of the spin (Euler).
+    // Bound of the acceleration by rotation: centripetal and Euler acceleration.
     const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
     return search_.safe_time(
         {.velocity = integrator_.state().velocity,
@@ -118,8 +118,8 @@ class Release {
     return search_.find_contacts(integrator_.state().world_from_body(), displacement_);
   }
 
-  /// Flies as far as no contact can come, at least the longest step, and never beyond the first
-  /// touch.
+  /// Flies for the contact-free time, or at least the longest step, but not beyond the first
+  /// contact.
   void advance_flight() {
     const RigidState begin = integrator_.state();
     if (!flight_) {
@@ -135,7 +135,7 @@ class Release {
                              from.position.y() + flown * from.velocity.y());
     };
     if (!inside(end)) {
-      // The run ends where the centre passes the border of the survey.
+      // The run ends when the centre passes the border of the terrain.
       double within = before;
       while (end - within > 1e-9) {
         const double middle = 0.5 * (within + end);
@@ -161,9 +161,9 @@ class Release {
     advance(begin, duration, true);
   }
 
-  /// Goes back from a time with contact to the first touch: Newton's method on the overlap from the
-  /// side of contact, with a bracket.
-  /// @param clear  a time of the flight without contact
+  /// Goes back from a time with contact to the first contact, by bracketed Newton's method on the
+  /// overlap.
+  /// @param clear  time of the flight without contact, s
   void land(double clear) {
     double touching = flown_, look_farther = kLandingTime;
     const std::vector<ContactPoint>* contacts =
@@ -185,7 +185,7 @@ class Release {
     if (contacts->empty()) look_at(touching);
   }
 
-  /// How long ago the deepest of the contacts began, to first order, s.
+  /// Returns the largest time since a contact began, to first order, s.
   double time_since_touch(const std::vector<ContactPoint>& contacts) const {
     const BodyMotion motion = integrator_.current_motion();
     double longest = 0.0;
@@ -200,7 +200,7 @@ class Release {
     return std::max(settings_.stiffness.time_step, settings_.stiffness.max_time_step);
   }
 
-  /// What the present contacts need, s.
+  /// Returns the time step that the present contacts need, s.
   double needed_step() const {
     const ContactStiffness& contact = settings_.stiffness;
     if (!allows_longer_steps(contact)) return contact.time_step;
@@ -216,7 +216,7 @@ class Release {
     const Vec3 gravity(0.0, 0.0, -settings_.gravity);
     const double dt = std::min(needed_step(), settings_.max_time - time_);
     if (dt != step_length_) {
-      // What Verlet steps conserve depends on their length.
+      // The energy that Verlet steps conserve depends on their length.
       const auto kick = [&](double length) {
         return integrator_.verlet_start_loss(length, load_.force, load_.torque, gravity);
       };
@@ -250,7 +250,7 @@ class Release {
     advance(begin, dt, false);
   }
 
-  /// Ends a balanced impact and records the energy that its correction and its steps reassigned.
+  /// Ends a corrected impact. Books the energy that its correction and its steps reassigned.
   void end_impact() {
     if (!impact_correction_->end_impact(integrator_, energy() + dissipated_by_law())) return;
     result_.energy.reassigned = result_.energy.initial - energy() - dissipated_by_law();
@@ -260,8 +260,8 @@ class Release {
     return result_.energy.normal + result_.energy.friction + result_.energy.rolling;
   }
 
-  /// The energy at the end. What a balanced impact in progress has still to give or take is stored
-  /// in its contacts.
+  /// Returns the energy at the end, J. If a corrected impact is in progress, its remaining energy
+  /// counts as stored in the contacts.
   double final_energy() {
     const std::optional<double> due =
         impact_correction_ ? impact_correction_->expected_energy() : std::nullopt;
@@ -310,7 +310,8 @@ class Release {
     const Vec3& position = integrator_.state().position;
     result_.settled_penetration = forces_.max_overlap();
     EnergyBalance& energy_balance = result_.energy;
-    // The potential counts from the end height, so that the scale does not depend on the datum.
+    // Potential energy is relative to the final height, so that the scale of the error does not
+    // depend on the datum.
     energy_balance.close_balance(
         final_energy(), energy_balance.initial - body_.mass * settings_.gravity * position.z());
     const std::optional<double> ground =
@@ -320,8 +321,8 @@ class Release {
                             forces_.compute_settled_depth() > kSettledSlack * deepest_rest());
   }
 
-  /// How deep a block can have come to rest, m: by its weight, or in the dent of an impact that
-  /// took all the energy there was.
+  /// Returns the largest possible depth of a block at rest, m: by its weight, or for plastic laws
+  /// by an impact with all its energy.
   double deepest_rest() const {
     const double weight = body_.mass * settings_.gravity;
     if (!forces_.is_plastic()) return weight / forces_.static_stiffness();
@@ -339,14 +340,14 @@ class Release {
   ContactModel rules_;
   ContactForces forces_;
   RigidBodyIntegrator integrator_;
-  std::vector<double> mobilities_;  ///< of the block's vertices, 1/kg
+  std::vector<double> mobilities_;  ///< mobilities of the block's vertices, 1/kg
   double largest_mobility_;
   double radius_;
   ContactLoad load_;
-  std::optional<ImpactEnergyCorrection> impact_correction_;  ///< on terrain that has ground for it
-  bool to_be_balanced_ = false;                              ///< the state: see `MotionStep`
-  std::optional<FreeFlight> flight_;                         ///< the one in progress
-  double flown_ = 0.0;                                       ///< time since it began, s
+  std::optional<ImpactEnergyCorrection> impact_correction_;  ///< only if a zone needs it
+  bool to_be_balanced_ = false;                              ///< `MotionStep::correction_pending`
+  std::optional<FreeFlight> flight_;                         ///< flight in progress
+  double flown_ = 0.0;                                       ///< time since the flight began, s
   double time_ = 0.0;
   double displacement_ = 0.0;
   double step_length_ = 0.0;  ///< of the last step, 0 in flight, s

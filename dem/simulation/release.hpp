@@ -28,28 +28,29 @@ struct ReleaseSettings : MotionSettings {
 struct ContactSummary {
   std::uint32_t contact_count =
       0;                 ///< number of contact points; if 0, the other members are undefined
-  double overlap = 0.0;  ///< of the deepest, m
-  Vec3 position = Vec3::Zero();  ///< of the deepest
+  double overlap = 0.0;  ///< overlap of the deepest contact, m
+  Vec3 position = Vec3::Zero();  ///< position of the deepest contact
   std::uint16_t zone = 0;        ///< ground zone at the deepest contact
 };
 
-/// Motion between two times, passed to observers in order.
+/// Motion between two times. Observers receive the steps in order of time.
 struct MotionStep {
   double begin_time = 0.0;  ///< s
   double end_time = 0.0;
   RigidState begin;
   RigidState end;
-  /// True if the step is free flight, whose intermediate states `free_flight` gives exactly. For
-  /// bodies of a world: no contact at the start of the step; contacts inside the step already act.
+  /// True if the step is a free flight; `free_flight` then gives all intermediate states exactly.
+  /// For bodies of a world, true if there is no contact at the start of the step; contacts that
+  /// begin inside the step already act.
   bool flight = false;
-  ContactSummary contact_summary;  ///< contacts at the end, also at the end of a flight
-  /// True if the final velocities are inside an impact whose energy is corrected at its end
-  /// (docs/theory.md, Weights and energy); they may be too large until then.
+  ContactSummary contact_summary;  ///< contacts at the end of the step
+  /// True if the step ends inside an impact whose energy will be corrected at its end. The final
+  /// velocities may be too large then (docs/theory.md, Weights and energy).
   bool correction_pending = false;
 };
 
-/// Interpolates a state inside a step: exact in free flight, otherwise with a cubic centre and
-/// uniform rotation.
+/// Interpolates a state inside a step. It is exact in free flight. Otherwise the path of the centre
+/// is cubic, and the rotation uniform.
 RigidState interpolate_state(const RigidBody& body, const MotionStep& step, double time,
                              double gravity);
 
@@ -57,17 +58,17 @@ using MotionObserver = std::function<void(const MotionStep&)>;
 
 struct ReleaseResult {
   StopReason stop_reason = StopReason::kError;
-  std::string message;    ///< for errors, otherwise empty
+  std::string message;    ///< message of an error, otherwise empty
   double duration = 0.0;  ///< simulated time, s
   RigidState final_state;
   double path_length = 0.0;          ///< of the centre, m
   double max_speed = 0.0;            ///< of the centre, m/s
   double max_penetration = 0.0;      ///< largest overlap of any contact, m
   double settled_penetration = 0.0;  ///< largest overlap at the end, m
-  bool below_ground = false;         ///< see docs/theory.md
+  bool below_ground = false;         ///< true if the block ended below the ground (docs/theory.md)
   EnergyBalance energy;
   std::uint64_t contact_steps = 0;
-  std::uint64_t flight_segments = 0;  ///< number of flight parts between contact searches
+  std::uint64_t flight_segments = 0;  ///< number of flight steps
   std::uint64_t impacts = 0;          ///< number of flights ended by a contact
 
   template <class Bytes>
@@ -79,9 +80,9 @@ struct ReleaseResult {
 
 /// Simulates one release.
 /// @param zones  parameters of each ground zone of the terrain
-/// @param start  at rest or moving
+/// @param start  initial state, at rest or moving
 /// @throws SimulationError  if the start is outside the terrain or overlaps the ground by more than
-///                          allowed; later problems are stop reasons
+///                          `start_overlap`; later errors give the stop reason kError
 ReleaseResult simulate_release(const TerrainSurface& terrain,
                                std::span<const GroundParameters> zones, const RigidBody& body,
                                const RigidState& start, const ReleaseSettings& settings,

@@ -34,7 +34,7 @@ class Sequence {
         world_({shapes.begin(), shapes.end()}, settings.world, terrain,
                {zones.begin(), zones.end()}) {}
 
-  /// To be called before `run`.
+  /// Restores a saved state. Must be called before `run`.
   void restore(ByteReader& from) {
     serialize(from);
     world_.restore(from);
@@ -55,12 +55,12 @@ class Sequence {
   }
 
  private:
-  /// What the newest blocks do. Each phase can be entered again where a checkpoint was taken.
+  /// Phase of the newest blocks. A run can continue in any phase from a checkpoint.
   enum class Phase : std::uint8_t {
-    kSettling,  ///< behind forms
-    kHeld,      ///< until the last of them is released
+    kSettling,  ///< behind confining walls
+    kHeld,      ///< until the last block is released
     kMoving,    ///< until all blocks rest
-    kFinished,  ///< all rest
+    kFinished,  ///< all blocks rest
   };
 
   template <class Bytes>
@@ -71,7 +71,7 @@ class Sequence {
 
   const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
 
-  /// The lowest height from `start` on at which the bounding sphere of the block is clear of those
+  /// Returns the smallest height above `start` at which the bounding sphere of the block is clear
   /// of all others.
   double clear_height(const RigidBody& body, const Vec3& start) const {
     const double radius = body.bounding_radius();
@@ -92,7 +92,7 @@ class Sequence {
     return height;
   }
 
-  /// Blocks from `first` to before `end`.
+  /// Adds the blocks with indices in [first, end).
   void add_blocks(std::size_t first, std::size_t end) {
     energy_before_ = world_.energy_balance();
     released_at_ = world_.time();
@@ -123,7 +123,7 @@ class Sequence {
         [this](std::size_t block, const MotionStep& step) { record_step(block, step); });
   }
 
-  /// Runs until all blocks that lie there rest.
+  /// Runs until all blocks rest.
   void finish_release() {
     if (phase_ == Phase::kSettling) settle();
     const double last = released_at_ + release_held();
@@ -142,7 +142,7 @@ class Sequence {
     phase_ = Phase::kFinished;
   }
 
-  /// Lets the blocks that forms hold come to rest.
+  /// Runs until the blocks behind confining walls rest.
   void settle() {
     world_.run_until_rest(settings_.settle_time, after_step());
     refuse_settled(true, [&](std::size_t block) {
@@ -164,7 +164,7 @@ class Sequence {
     begin_release();
   }
 
-  /// @param is_bad  of a block that settles: it left its form, or still moves
+  /// @param is_bad  returns true if a block left its walls or still moves
   void refuse_settled(bool left, const std::function<bool(std::size_t)>& is_bad) const {
     std::size_t all = 0, bad = 0, first = 0;
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
@@ -183,13 +183,13 @@ class Sequence {
                         first, bad, left);
   }
 
-  /// Lets go what is held and removes the forms, each at its time.
-  /// @return  time from the first release to the last, s
+  /// Releases the fixed blocks and removes the confining walls, each at its time.
+  /// @return  time from the first to the last release, s
   double release_held() {
     struct Change {
       std::vector<std::size_t> freed, removed;
     };
-    std::map<double, Change> changes;  // by time since the first release
+    std::map<double, Change> changes;  // key: time since the first release
     for (std::size_t block = newest_; block < recorders_.size(); ++block) {
       if (schedule_.starts_fixed(block))
         changes[blocks_[block].release_time].freed.push_back(block);
@@ -216,7 +216,7 @@ class Sequence {
     if (observers_.energy) observers_.energy(world_.energy_sample().change_since(begin_));
   }
 
-  /// What is to be done after each step; empty where that is nothing.
+  /// Returns the function to call after each step; empty if there is nothing to do.
   std::function<void()> after_step() {
     const bool sample = observers_.energy && settings_.energy_interval > 0.0 && !settling();
     if (!sample && !observers_.progress) return {};
@@ -237,8 +237,8 @@ class Sequence {
     return settling() ? schedule_.is_confined(block) : !world_.is_fixed(block);
   }
 
-  /// Counts the released blocks only when their number changes, since progress is reported after
-  /// every step.
+  /// Counts the released blocks. Called when their number changes, because progress is reported
+  /// after every step.
   void count_released() {
     released_ = 0;
     for (std::size_t block = 0; block < recorders_.size(); ++block) {
@@ -275,8 +275,8 @@ class Sequence {
     world_.add_body(blocks_[block].shape, start, schedule_.starts_fixed(block));
   }
 
-  /// Removes the blocks that rest where blocks are cleared away.
-  /// @return  were there any?
+  /// Removes the blocks that rest in cleared zones.
+  /// @return  true if any block was removed
   bool clear_zones() {
     bool any = false;
     for (std::size_t block = 0; block < recorders_.size(); ++block) {
@@ -299,7 +299,7 @@ class Sequence {
     return zone && std::find(cleared.begin(), cleared.end(), *zone) != cleared.end();
   }
 
-  /// What happened to the energy of all blocks between two balances.
+  /// Returns the energy balance of all blocks between two balances.
   EnergyBalance of_release(const EnergyBalance& before, const EnergyBalance& after) const {
     EnergyBalance part;
     part.initial = before.final + (after.initial - before.initial);
@@ -320,7 +320,7 @@ class Sequence {
     recorder.record_step(step);
     if (block >= newest_ && recorder.touching) {
       std::vector<std::size_t> touched = world_.touching_bodies(block);
-      std::erase_if(touched, [&](std::size_t other) { return other >= blocks_.size(); });  // forms
+      std::erase_if(touched, [&](std::size_t other) { return other >= blocks_.size(); });  // walls
       recorder.record_hits(touched);
     }
     if (!observers_.motion) return;
@@ -355,15 +355,15 @@ class Sequence {
   ReleaseSchedule schedule_;
   World world_;
   std::vector<BlockRecorder> recorders_;
-  std::vector<std::size_t> walls_;  ///< their numbers as bodies
-  double released_at_ = 0.0;        ///< when the newest blocks were, s
-  std::size_t newest_ = 0;          ///< the first of them
+  std::vector<std::size_t> walls_;  ///< body indices of the confining walls
+  double released_at_ = 0.0;        ///< time at which the newest blocks were released, s
+  std::size_t newest_ = 0;          ///< index of the first of the newest blocks
   Phase phase_ = Phase::kFinished;
-  std::size_t changes_done_ = 0;   ///< of what is held, in order of time
-  EnergyBalance energy_before_;    ///< just before the newest blocks were released
-  std::size_t released_ = 0;       ///< blocks, so far
-  EnergySample begin_;             ///< at the first release
-  double energy_intervals_ = 0.0;  ///< that have passed since then at the last sample
+  std::size_t changes_done_ = 0;   ///< number of releases and removals done, in order of time
+  EnergyBalance energy_before_;    ///< energy balance just before the newest blocks were released
+  std::size_t released_ = 0;       ///< number of blocks released until now
+  EnergySample begin_;             ///< sample at the first release
+  double energy_intervals_ = 0.0;  ///< sampling intervals passed at the last sample
 };
 
 }  // namespace

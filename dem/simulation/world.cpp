@@ -18,7 +18,7 @@ using namespace dem_detail;
 
 namespace {
 
-/// How far an orientation's norm may be from 1 before it counts as a mistake.
+/// Largest difference of an orientation's norm from 1 that is accepted.
 constexpr double kUnitSlack = 1e-6;
 
 }  // namespace

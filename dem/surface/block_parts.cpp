@@ -12,10 +12,10 @@ namespace {
 
 /// Parts per square root of the vertex count.
 constexpr double kPartsPerRoot = 2.0;
-/// Smaller parts cost more than they save.
+/// Smallest number of features of a part; smaller parts cost more than they save.
 constexpr std::size_t kMinPartFeatures = 16;
 
-/// A member of a part: a vertex (radius 0) or a side.
+/// Member of a part: a vertex (radius 0) or a side.
 struct Item {
   BlockSide side;
   bool is_vertex = false;

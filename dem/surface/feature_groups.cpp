@@ -44,7 +44,7 @@ FeatureGroups group_features(const SurfaceFeatures& block) {
   FeatureGroups made;
   made.group_of_face = planes(block);
   made.group_of_edge = lines(block);
-  std::vector<std::array<std::uint32_t, 2>> found;  // vertex, joint
+  std::vector<std::array<std::uint32_t, 2>> found;  // vertex, group
   for (std::uint32_t f = 0; f < block.faces.size(); ++f) {
     for (const std::uint32_t v : block.faces[f].vertices) {
       found.push_back({v, made.group_of_face[f]});

@@ -8,7 +8,8 @@
 
 namespace clast::dem_detail {
 
-/// Planes and lines with common indices: a plane by one of its faces, lines after all faces.
+/// Planes and lines with common indices. A plane has the index of one of its faces; the lines are
+/// numbered after all faces.
 struct FeatureGroups {
   std::vector<std::uint32_t> group_of_face;  ///< equal for faces connected over flat edges
   std::vector<std::uint32_t> group_of_edge;  ///< equal for collinear convex edges

@@ -5,13 +5,13 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Slack of the arc and cone tests, a sine.
+/// Tolerance of the arc and cone tests, as a sine.
 constexpr double kConeSlack = 1e-9;
-/// What the turn at an edge or vertex adds to the slack, as a share of the distance between the
-/// normals: 3 degrees at a right angle, as much as a block of the settled depth tilts.
+/// Slack at an edge or vertex, as a fraction of the distance between its unit normals. It is 3
+/// degrees at a right angle, the tilt of a block at the settled depth.
 constexpr double kGiveFraction = 0.037;
-/// The most that gives, for faces back to back. Few directions are so near the limit that their own
-/// give must be computed.
+/// Largest possible slack, for opposite normals. Only for directions closer to the limit than this
+/// must the slack be computed.
 constexpr double kMaxGive = 2.0 * kGiveFraction;
 
 double give_of(const Vec3& normal, const Vec3& other) {
@@ -34,8 +34,8 @@ bool within_cone(const SurfaceFeatures& surface, std::uint32_t vertex, const Vec
   for (const std::uint32_t e : surface.edges_at(vertex)) {
     if (direction.dot(surface.edge_direction_from(e, vertex)) > slack) return false;
   }
-  // At the bottom of a pit all edges rise away from a direction into the solid, too. The
-  // angle-weighted normal distinguishes the two without exception (Baerentzen & Aanaes 2005).
+  // At the bottom of a pit, the test of the edges also accepts directions into the solid. The
+  // angle-weighted normal excludes them (Baerentzen & Aanaes 2005).
   return !(direction.dot(surface.vertex_normals[vertex]) < 0.0);
 }
 

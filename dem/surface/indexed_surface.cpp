@@ -7,7 +7,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Faces per cell that the grid aims at; two are what a regular grid of squares has.
+/// Target number of faces per cell, as in a regular grid of squares.
 constexpr double kFacesPerCell = 2.0;
 constexpr double kMaxCells = 4e7;
 
@@ -34,7 +34,7 @@ NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t fac
   const double height = f.normal.dot(query - origin);
   NearestPoint best;
   best.face = face;
-  // On which side of the three edges the foot lies; inside of all means the face itself is nearest.
+  // Side of the foot for each of the three edges. If it is inside all of them, the face is nearest.
   std::array<double, 3> depth;
   bool inside = true;
   for (int k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ std::optional<NearestPoint> IndexedSurface::nearest_point(const Vec3& query, dou
     if (below.cwiseMax(above).cwiseMax(0.0).squaredNorm() > limit * limit) return;
     const NearestPoint candidate = project_onto_face(features, f, query);
     const double distance = std::abs(candidate.distance);
-    // Ties go to the smaller face number, so that the order of visits does not matter.
+    // Ties go to the smaller face index, so that the order of visits does not matter.
     if (distance < limit || (distance == limit && (!best || f < best->face))) {
       limit = distance;
       best = candidate;

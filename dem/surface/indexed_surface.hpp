@@ -1,6 +1,6 @@
 #pragma once
-/// Contact surface: features with a plan grid, used for the ground and for blocks hit by other
-/// blocks.
+/// Contact surface: features with a plan grid. It represents the ground, and a block that other
+/// blocks hit.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -18,18 +18,18 @@ struct NearestPoint {
   double distance = 0.0;        ///< signed: negative inside the solid
   std::uint32_t face = kNoFeature;
   bool within_face = false;           ///< true if the foot is inside the face
-  std::uint32_t edge = kNoFeature;    ///< otherwise the edge with the foot ...
-  std::uint32_t vertex = kNoFeature;  ///< ... or the vertex
+  std::uint32_t edge = kNoFeature;    ///< edge that contains the foot, otherwise kNoFeature
+  std::uint32_t vertex = kNoFeature;  ///< vertex at the foot, otherwise kNoFeature
 };
 
 /// True if the nearest point is on the border of an open surface.
 bool is_on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
-/// Returns the nearest point of a face; the sign of `distance` is that of the nearest feature's
-/// normal.
+/// Returns the nearest point of a face. The normal of the nearest feature (face, edge or vertex)
+/// decides the sign of `distance`.
 NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
-/// First step of `nearest_on_face`, for testing many faces: the nearest point, without the side
-/// unless the foot is inside the face.
+/// Returns the nearest point of a face without the sign of `distance`, which is set only if the
+/// foot is inside the face. First step of `nearest_on_face`, for testing many faces.
 NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face,
                                const Vec3& query);
 void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
@@ -45,14 +45,14 @@ class PlanGrid {
     double low = 0.0;
     double high = 0.0;
   };
-  /// Returns the cells that cover a plan interval, clamped to the grid; empty (first > last)
-  /// outside.
+  /// Range of the cells that cover a plan rectangle, clamped to the grid; empty (first > last) if
+  /// the rectangle is outside the grid.
   struct CellRange {
     int first_column, last_column, first_row, last_row;
   };
   CellRange cell_range(double x_low, double x_high, double y_low, double y_high) const;
   Cell cell(int column, int row) const;
-  /// Returns the top of a cell's height range, m; -infinity without faces.
+  /// Returns the largest height of the faces in a cell, m; -infinity if it has none.
   double max_cell_height(int column, int row) const {
     return highs_[static_cast<std::size_t>(row) * columns_ + column];
   }
@@ -85,11 +85,11 @@ struct IndexedSurface {
 
   /// Returns the nearest point of the triangles (not of the rounded surface); empty if none is
   /// within `reach`.
-  /// @param guess  index of a probably near face; only affects the speed
+  /// @param guess  index of a face that is probably near; affects only the speed
   std::optional<NearestPoint> nearest_point(const Vec3& query, double reach,
                                             std::uint32_t guess = kNoFeature) const;
-  /// Returns a cheap lower bound of the distance to the triangles from height ranges; 0 if they
-  /// give none.
+  /// Returns a lower bound of the distance to the triangles, from the height ranges of the cells; 0
+  /// if they give no bound. Cheaper than `nearest_point`.
   double height_clearance(const Vec3& query, double reach) const;
   /// Returns the sorted faces whose bounds are within `reach` of the box.
   std::vector<std::uint32_t> find_faces_near(const Bounds& box, double reach) const;

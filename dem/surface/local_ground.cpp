@@ -91,7 +91,7 @@ LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> face
     if ((query - face.centre).squaredNorm() > near * near) return;
     const NearestPoint candidate = project_onto_face(features, face.face, query);
     const double distance = std::abs(candidate.distance);
-    // Ties go to the smaller face number, so that the order of looking does not matter.
+    // Ties go to the smaller face index, so that the order of visits does not matter.
     const bool nearer =
         distance < best || (distance == best && candidate.face < found.nearest.face);
     found.second = std::min(found.second, nearer ? best : distance);

@@ -8,10 +8,11 @@
 
 namespace clast::dem_detail {
 
-/// Plane above all ground of a region, which bounds the distance to it.
+/// Plane above all ground of a region. A point's height above it is a lower bound of its distance
+/// to the ground.
 struct BoundingPlane {
   Vec3 normal = Vec3::UnitZ();  ///< mean of the face normals
-  double offset = -1e300;       ///< largest normal . point of the ground, m
+  double offset = -1e300;       ///< largest projection of a ground point onto `normal`, m
 
   /// Returns a lower bound of the distance of a point; negative if it gives none.
   double clearance(const Vec3& point) const { return normal.dot(point) - offset; }
@@ -23,7 +24,7 @@ struct BoundingPlane {
 struct LocalFaces {
   struct Face {
     Vec3 normal;
-    double offset;  ///< height of a point over the plane: normal . point - offset
+    double offset;  ///< plane offset: a point is normal.dot(point) - offset above the plane, m
     Vec3 centre;    ///< centre of a bounding sphere with `radius`
     double radius;
     std::uint32_t face;
@@ -41,7 +42,7 @@ struct LocalFaces {
     bytes(faces, plane);
   }
 
-  /// Collects the faces of `from` within `reach` of a point, in their order.
+  /// Collects the faces of `from` within `reach` of a point, in the order of `from`.
   void collect_near(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
                     double reach);
 
@@ -50,7 +51,7 @@ struct LocalFaces {
     double second = 0.0;      ///< lower bound of the distance of all other faces, m
     std::uint32_t entry = 0;  ///< index into `faces`
   };
-  /// Finds the nearest of its faces, as `find_nearest_face`.
+  /// Finds the nearest of the listed faces, as `find_nearest_face`.
   NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit,
                       double beyond, std::uint32_t guess) const;
 
@@ -76,10 +77,10 @@ struct LocalGround : LocalFaces {
 /// Makes the list entry of a face.
 LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t face);
 
-/// Finds the nearest point of given faces.
-/// @param limit  m: farther faces are ignored
-/// @param beyond  m: distance beyond the nearest up to which other faces are measured
-/// @param guess  entry of a probably near face; only affects the speed
+/// Finds the point of the given faces that is nearest to `query`.
+/// @param limit  largest distance, m; farther faces are ignored
+/// @param beyond  margin, m; other faces are measured up to this much farther than the nearest
+/// @param guess  entry of a face that is probably near; affects only the speed
 LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
                                           const SurfaceFeatures& features, const Vec3& query,
                                           double limit, double beyond, std::uint32_t guess);

@@ -40,9 +40,9 @@ SegmentDistance closest_points(const Segment& a, const Segment& b) {
 
 double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
                                 const Vec3& centre, double radius) {
-  // A segment that ends before the other's line stays on its side of the plane of that line and the
-  // common normal. The plane turns about the line, faster than the body by up to pi/2 over the
-  // sine.
+  // A segment that ends before the other's line stays on its side of the plane through that line
+  // and the common normal. The plane rotates about the line, up to pi/2 over the sine faster than
+  // the body.
   const double turning = kHalfPi / (radius * closest.sine);
   const auto displacement_of = [&](double beyond, const Segment& of, double line,
                                    const Segment& other, double moving) {
@@ -54,7 +54,7 @@ double displacement_to_crossing(const SegmentDistance& closest, const Segment& a
   };
   const double first_beyond = std::max(-closest.line_first, closest.line_first - a.length);
   const double second_beyond = std::max(-closest.line_second, closest.line_second - b.length);
-  // Seen from the body, what is farther from its centre than `radius` moves farther.
+  // Relative to the body, points farther from its centre than `radius` move farther.
   const Vec3 end = b.point_at(closest.line_second < 0.0 ? 0.0 : b.length);
   const double moving = std::max(1.0, (end - centre).norm() / radius);
   const double displacement =

@@ -12,8 +12,8 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Sine of the angle between faces below which an edge counts as flat: single-precision files leave
-/// less than this on a true plane of metre-sized triangles, and no contact is lost by it.
+/// Sine of the angle between face normals below which an edge is flat. It exceeds the rounding
+/// error of single-precision files with metre-sized triangles; no contact is lost by it.
 constexpr double kFlatSine = 1e-7;
 void make_faces(SurfaceFeatures& surface, const TriangleMesh& mesh) {
   surface.faces.reserve(mesh.triangles.size());
@@ -39,7 +39,7 @@ EdgeKind kind_of(const SurfaceFace& first, const SurfaceFace& second, const Vec3
   return EdgeKind::kFlat;
 }
 
-/// Adds the edge on which these sides of faces lie.
+/// Adds the edge that has these half-edges.
 void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
   const std::uint32_t low = sides[0].low, high = sides[0].high;
   if (sides.size() > 2) {

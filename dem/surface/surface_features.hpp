@@ -1,6 +1,6 @@
 #pragma once
-/// Faces, edges and vertices of a triangulated surface with precomputed contact data, for ground
-/// and blocks alike.
+/// Faces, edges and vertices of a triangulated surface with precomputed contact data. The same type
+/// serves ground and blocks.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,11 +13,11 @@ namespace clast::dem_detail {
 inline constexpr std::uint32_t kNoFeature = 0xffffffffu;
 
 enum class EdgeKind : std::uint8_t {
-  kFlat,    ///< coplanar faces: never in contact by itself
-  kConvex,  ///< the solid falls away on both sides
-  kReflex,  ///< reached only after its faces
-  kBorder,  ///< one face only
-  kWire,    ///< no face: edge of a capsule
+  kFlat,    ///< between coplanar faces; never a contact feature
+  kConvex,  ///< between faces that meet at a convex angle
+  kReflex,  ///< between faces that meet at a concave angle; other bodies reach the faces first
+  kBorder,  ///< with one face
+  kWire,    ///< without faces: axis of a capsule
 };
 
 struct SurfaceFace {
@@ -28,25 +28,26 @@ struct SurfaceFace {
 
 struct SurfaceEdge {
   std::array<std::uint32_t, 2> vertices;
-  std::array<std::uint32_t, 2> faces;  ///< second kNoFeature at a border; both for a wire
+  std::array<std::uint32_t, 2> faces;  ///< second kNoFeature at a border, both for a wire
   Vec3 direction;                      ///< unit, from the first vertex to the second
   double length = 0.0;
   EdgeKind kind = EdgeKind::kFlat;
-  std::array<bool, 2> forward = {true,
-                                 false};  ///< per face: it runs from the first vertex to the second
+  std::array<bool, 2> forward = {true, false};  ///< per face: true if the face runs along the edge
+                                                ///< from its first vertex to its second
 
   bool is_convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kReflex; }
 };
 
-/// Features of a surface. Quantities that follow cheaply from these are computed on demand, to save
-/// memory for large terrains.
+/// Features of a surface. Other quantities are computed on demand from these, to save memory for
+/// large terrains.
 struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
-  std::vector<Vec3> vertex_normals;             ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  std::vector<std::uint8_t> is_pointed_vertex;  ///< vertices that can be touched: ends of convex
-                                                ///< edges without a collinear continuation
+  std::vector<Vec3> vertex_normals;  ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
+  /// True for a vertex that can be in contact: the end of a convex edge without a collinear
+  /// continuation.
+  std::vector<std::uint8_t> is_pointed_vertex;
   std::vector<std::uint32_t>
       edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
   std::vector<std::uint32_t> edges_at_vertex;  ///< sorted
@@ -84,7 +85,7 @@ inline Vec3 inward_direction(const SurfaceFace& face, const Vec3& edge_direction
   return forward ? face.normal.cross(edge_direction) : edge_direction.cross(face.normal);
 }
 
-/// True if two edges leaving a vertex along these rays are collinear.
+/// True if two edges that leave a vertex in these directions are collinear.
 bool are_collinear(const Vec3& first_ray, const Vec3& second_ray);
 
 }  // namespace clast::dem_detail

@@ -10,7 +10,7 @@ struct TerrainSurface::Impl {
     double height;       ///< z, m
     std::uint32_t face;  ///< index of its triangle
   };
-  /// Finds the surface point above or below (x, y) that is nearest in height to `z_near`, as
+  /// Finds the point of the surface on the vertical line through (x, y), as
   /// `TerrainSurface::height_at`.
   std::optional<SurfacePoint> find_surface_point(double x, double y, double z_near) const;
 

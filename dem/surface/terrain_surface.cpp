@@ -14,7 +14,7 @@ using namespace dem_detail;
 
 namespace {
 
-/// Height at which the vertical through (x, y) meets the face, if it does.
+/// Returns the height at which the vertical line through (x, y) meets the face, if it does.
 std::optional<double> height_on_face(const SurfaceFeatures& features, const SurfaceFace& face,
                                      double x, double y) {
   if (std::abs(face.normal.z()) < 1e-12) return std::nullopt;
@@ -24,7 +24,7 @@ std::optional<double> height_on_face(const SurfaceFeatures& features, const Surf
     const Vec3& b = features.vertices[face.vertices[(k + 1) % 3]];
     const double first = (b.x() - a.x()) * (y - a.y());
     const double second = (b.y() - a.y()) * (x - a.x());
-    // A point on a shared edge belongs to both faces, whatever the rounding.
+    // A point on a shared edge belongs to both faces, also after rounding.
     if (sign * (first - second) < -1e-12 * (std::abs(first) + std::abs(second)))
       return std::nullopt;
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// Terrain for contacts: one-sided triangles with classified and indexed edges.
+/// Terrain surface for contact search: one-sided triangles with a zone each.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace clast {
 
-/// Checked terrain for the contact search. The solid is below the triangles (opposite to their
-/// normals). Overhangs and vertical walls are allowed; holes are not checked.
+/// Terrain for the contact search. The solid ground lies on the side opposite to the triangle
+/// normals. Overhangs and vertical walls are allowed. Holes are not checked for.
 class TerrainSurface {
  public:
   /// Builds the surface.
-  /// @param mesh  triangles with normals out of the ground, welded, z up, local frame, m
+  /// @param mesh  welded triangles with normals out of the ground; local frame, z up, m
   /// @param zones  ground zone of each triangle
   /// @param radius  offset of the contact surface above the triangles, m
-  /// @throws GeometryError  if it is empty, a triangle is degenerate, or an edge non-manifold
+  /// @throws GeometryError  if the mesh is empty, a triangle degenerate or an edge non-manifold
   TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zones, double radius = 0.0);
   ~TerrainSurface();
   TerrainSurface(TerrainSurface&&) noexcept;
@@ -28,12 +28,13 @@ class TerrainSurface {
   std::uint16_t zone_count() const;  ///< largest zone index + 1
   const Bounds& extent() const;
 
-  /// Returns the height of the surface on the vertical through (x, y): the upward-facing surface
-  /// nearest to `z_near`; empty outside the surveyed area.
+  /// Returns the height of the surface on the vertical line through (x, y). If that line meets
+  /// several upward-facing triangles, the height nearest to `z_near` is returned; empty outside the
+  /// surveyed area.
   std::optional<double> height_at(double x, double y, double z_near) const;
-  /// Returns the ground zone of that surface.
+  /// Returns the ground zone at the point that `height_at` finds.
   std::optional<std::uint16_t> zone_at(double x, double y, double z_near) const;
-  /// True if some triangle is above or below (x, y).
+  /// True if the vertical line through (x, y) meets a triangle.
   bool covers(double x, double y) const;
 
   struct Impl;

@@ -15,7 +15,7 @@ using CgalPoint = CgalKernel::Point_3;
 using CgalMesh = CGAL::Surface_mesh<CgalPoint>;
 
 /// Converts to a CGAL mesh.
-/// @throws GeometryError  if an edge has three triangles or windings are mixed
+/// @throws GeometryError  if an edge is non-manifold or the windings are inconsistent
 inline CgalMesh to_cgal(const TriangleMesh& mesh) {
   CgalMesh result;
   result.reserve(static_cast<CgalMesh::size_type>(mesh.vertices.size()),
@@ -34,7 +34,7 @@ inline CgalMesh to_cgal(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Converts from a CGAL mesh, keeping its order and skipping removed elements.
+/// Converts from a CGAL mesh. The order is kept; removed elements are skipped.
 inline TriangleMesh from_cgal(const CgalMesh& mesh) {
   TriangleMesh result;
   std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());

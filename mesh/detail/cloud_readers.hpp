@@ -7,12 +7,12 @@
 
 namespace clast::mesh_detail {
 
-/// Collects points and passes them on in cache-friendly batches.
+/// Collects points and passes them on in batches that fit into the cache.
 class PointSink {
  public:
   explicit PointSink(const std::function<void(const PointBatch&)>& consume) : consume_(consume) {}
 
-  /// Adds a point; non-finite points are counted and skipped.
+  /// Adds a point. Non-finite points are counted and skipped.
   void add_point(const Vec3& point);
   void add_point(const Vec3& point, std::uint8_t asprs_class);
   /// Passes on the remaining points and completes the summary.
@@ -29,8 +29,8 @@ class PointSink {
 };
 
 /// Readers of text, LAS and PCD clouds.
-/// @param columns  as in `stream_cloud`
-/// @param has_point_counts  the number of points precedes each scan, as in .pts files
+/// @param columns  columns of x, y and z, as in `stream_cloud`
+/// @param has_point_counts  true if the number of points precedes each scan, as in .pts files
 /// @throws InputError  if the file is corrupt or truncated
 CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
                              const std::vector<std::string>& columns, bool has_point_counts);

@@ -1,5 +1,5 @@
 #pragma once
-/// Reference system of LAS files, from their projection records.
+/// Coordinate system of LAS files, from their projection records.
 #include <cstdint>
 #include <istream>
 
@@ -9,15 +9,15 @@ namespace clast::mesh_detail {
 
 /// Positions of the variable-length records of a LAS file.
 struct LasRecordLayout {
-  std::uint64_t begin = 0;           ///< of the records before the points: the header size
+  std::uint64_t begin = 0;           ///< start of the records before the points (the header size)
   std::uint64_t end = 0;             ///< start of the points
   std::uint32_t count = 0;           ///< number of records before the points
-  std::uint64_t extended_begin = 0;  ///< of the records after the points, since version 1.4
+  std::uint64_t extended_begin = 0;  ///< start of the records after the points, since version 1.4
   std::uint32_t extended_count = 0;
-  bool uses_wkt = false;  ///< bit 4 of the global encoding: WKT, not GeoTIFF keys
+  bool uses_wkt = false;  ///< bit 4 of the global encoding: WKT instead of GeoTIFF keys
 };
 
-/// Reads GeoTIFF keys and WKT; sets `crs` and `lengths` of the summary.
+/// Reads GeoTIFF keys and WKT. Sets `crs` and `lengths` of the summary.
 void read_las_crs(std::istream& stream, const LasRecordLayout& records, CloudSummary& summary);
 
 }  // namespace clast::mesh_detail

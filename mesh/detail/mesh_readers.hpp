@@ -1,5 +1,5 @@
 #pragma once
-/// Readers of mesh formats: vertices and triangles as stored; `read_mesh` checks them.
+/// Readers of mesh formats. They return vertices and triangles as stored; `read_mesh` checks them.
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -9,21 +9,21 @@
 namespace clast::mesh_detail {
 
 /// Reads a mesh in double precision; empty for format variants that only assimp can read.
-/// @throws InputError  if the file is corrupt or truncated; without the file name
+/// @throws InputError  if the file is corrupt or truncated; the message does not name the file
 std::optional<TriangleMesh> read_stl(std::string_view content);
 std::optional<TriangleMesh> read_obj(std::string_view content);
 std::optional<TriangleMesh> read_ply(std::string_view content);
 std::optional<TriangleMesh> read_off(std::string_view content);
 std::optional<TriangleMesh> read_tab(std::string_view content);
 
-/// Refuses glTF files whose geometry needs an extension: assimp ignores it and returns wrong
-/// coordinates.
-/// @param content  of a .gltf or .glb file
-/// @throws InputError  naming the extension, without the file name
+/// Refuses glTF files whose geometry needs an extension, because assimp ignores it and returns
+/// wrong coordinates.
+/// @param content  content of a .gltf or .glb file
+/// @throws InputError  if there is such an extension; the message names it but not the file
 void check_gltf_extensions(std::string_view content);
 
-/// Reads all meshes of a scene with assimp, in single precision, with node transforms.
-/// @throws InputError  if assimp cannot read the file; without the file name
+/// Reads all meshes of a scene with assimp in single precision. Node transforms are applied.
+/// @throws InputError  if assimp cannot read the file; the message does not name it
 TriangleMesh read_with_assimp(const std::filesystem::path& path);
 
 }  // namespace clast::mesh_detail

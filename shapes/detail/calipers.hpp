@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Rectangle by its direction and sides, including twice the radius.
+/// Rectangle with its direction and its sides, which include twice the radius.
 struct Rectangle {
   Vec2 direction = Vec2::UnitX();  ///< unit vector along the side `along`
   double along = 0.0, across = 0.0;
@@ -15,17 +15,17 @@ struct Rectangle {
   double area() const { return along * across; }
 };
 
-/// Returns the convex hull counter-clockwise, without points on edges; one or two points if the
-/// input is a point or collinear.
+/// Returns the vertices of the convex hull, counter-clockwise, without points on edges. It has one
+/// or two points if the input is a single point or collinear.
 std::vector<Vec2> convex_hull_2d(std::vector<Vec2> points);
 
-/// Removes vertices that do not turn left from a counter-clockwise outline that is convex but for
-/// rounding.
+/// Makes a nearly convex outline convex: removes vertices that rounding has made reflex or
+/// straight.
+/// @param loop  counter-clockwise
 std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop);
 
-/// Returns the smallest rectangle around the points, each swept by a disc of `radius`. One side
-/// lies on an edge of the outline (Freeman & Shapira 1975), also with a radius, because the area is
-/// concave between edges.
+/// Returns the rectangle of smallest area around discs of `radius` at the points. One side lies
+/// along an edge of the convex hull (Freeman & Shapira 1975).
 /// @param points  not empty
 Rectangle smallest_rectangle(std::vector<Vec2> points, double radius);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Bounding boxes of a convex hull for directions on its Gauss image.
+/// Smallest bounding boxes of a convex hull for given directions, with the Gauss image of the hull.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,18 +10,19 @@
 
 namespace clast {
 
-/// Best box with one given side direction.
+/// Smallest box with one given side direction.
 struct BoxCandidate {
   double volume = std::numeric_limits<double>::infinity();  ///< m^3
   Mat3 axes = Mat3::Identity();                             ///< columns: unit directions
 };
 
-/// Convex hull with its Gauss image: faces are points on the unit sphere, edges are arcs.
+/// Convex hull with its Gauss image, in which faces are points on the unit sphere and edges are
+/// arcs.
 class GaussImage {
  public:
   /// Builds the Gauss image.
   /// @param mesh  convex hull, closed, outward
-  /// @param radius  of the sweeping ball, m
+  /// @param radius  radius of the rounding, m
   GaussImage(const TriangleMesh& mesh, double radius);
 
   std::size_t face_count() const { return static_cast<std::size_t>(areas_.size()); }
@@ -31,14 +32,14 @@ class GaussImage {
   std::array<std::size_t, 2> edge_faces(std::size_t edge) const {
     return {edges_[edge].face, edges_[edge].other_face};
   }
-  double arc_length(std::size_t edge) const;  ///< between the normals at an edge, rad
-  /// Returns the direction at a fraction of an edge's arc.
+  double arc_length(std::size_t edge) const;  ///< angle between the face normals at an edge, rad
+  /// Returns the direction at a fraction (0 to 1) of an edge's arc.
   Vec3 point_on_arc(std::size_t edge, double fraction) const;
 
-  /// Returns the smallest box with one side along `direction`; its volume is infinite if a lower
-  /// bound (projected area times width) exceeds `limit`.
+  /// Returns the smallest box with one side along `direction`. If a lower bound of its volume
+  /// exceeds `limit`, the search is skipped and the returned volume is infinite.
   /// @param direction  unit vector
-  /// @param limit  m^3
+  /// @param limit  largest volume of interest, m^3
   BoxCandidate best_box_about(const Vec3& direction, double limit);
 
  private:
@@ -47,17 +48,17 @@ class GaussImage {
     std::uint32_t face, other_face;
   };
 
-  /// Traces the outline of the projection along the direction: the boundary loop of the upward
-  /// faces.
+  /// Traces the outline of the projection along the direction, which is the boundary of the faces
+  /// with `up_`.
   void trace_outline(const Mat3& frame);
 
   std::vector<Vec3> vertices_;
   std::vector<Edge> edges_;
   double radius_;
-  Eigen::MatrixX3d coordinates_, normals_, weighted_normals_;  ///< the last ones by area
+  Eigen::MatrixX3d coordinates_, normals_, weighted_normals_;  ///< the last by area
   Eigen::VectorXd areas_, along_, slopes_;
   std::vector<std::uint8_t> up_;     ///< per face: true if it faces along the direction
-  std::vector<std::uint32_t> next_;  ///< per vertex of the outline
+  std::vector<std::uint32_t> next_;  ///< per vertex of the outline: the next vertex
   std::vector<Vec2> outline_;
 };
 

@@ -4,18 +4,18 @@
 
 namespace clast::shapes_detail {
 
-/// Signed distance to a rounded surface. Refers to the tree, which must outlive it.
+/// Signed distance to a rounded surface. The tree must outlive this object.
 class RoundedSurfaceDistance {
  public:
   /// Stores the tree.
-  /// @param farthest  upper bound of the distances of all queries
+  /// @param farthest  upper bound of the distances in all queries, m
   RoundedSurfaceDistance(const TriangleTree& core, double radius, double farthest)
       : core_(core), radius_(radius), farthest_(farthest) {}
 
-  /// Returns the signed distance, negative inside. Exact outside, and inside if the surface over
-  /// the closest core point is exposed; otherwise, as under creases, the distance to a near exposed
-  /// point, never too small.
-  /// @param hint  index of a probably near core triangle; set to the closest
+  /// Returns the signed distance, negative inside. It is exact outside, and inside if the surface
+  /// over the closest core point is exposed. Otherwise, as under creases, it is the distance to a
+  /// near exposed point, which is never too small.
+  /// @param hint  index of a core triangle that is probably near; set to the closest one
   double operator()(const Vec3& point, std::uint32_t& hint) const;
   double operator()(const Vec3& point) const {
     std::uint32_t hint = 0;

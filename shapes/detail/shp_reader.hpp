@@ -11,7 +11,7 @@ namespace clast::shapes_detail {
 inline constexpr std::string_view kEsriShapefileMagic{"\0\0\x27\x0a", 4};
 
 /// Parses the shapes.
-/// @throws InputError  with line and shape, as `read_shp`
+/// @throws InputError  as `read_shp`; the message gives line and shape
 std::vector<ShpShape> parse_shp(std::string_view content);
 
 }  // namespace clast::shapes_detail

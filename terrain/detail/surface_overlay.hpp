@@ -1,5 +1,5 @@
 #pragma once
-/// Overlay of two surfaces, and the closed bodies between them.
+/// Overlay of two terrain surfaces, and the closed bodies between them.
 #include <span>
 #include <string>
 #include <vector>
@@ -18,16 +18,17 @@ struct SurfaceOverlay {
   double thickness(std::uint32_t vertex) const { return top[vertex] - base[vertex]; }
 };
 
-/// Computes the overlay of two surfaces: each is unchanged on each triangle, as edges of both
-/// become edges of the overlay, and those of outlines too. It contains all triangles where `top` is
-/// more than `thickness` above `base` somewhere, and some around them. Heights are exact, except
-/// that edges closer than a micrometre are merged. Vertical and overhanging triangles are omitted;
-/// at steps, adjacent triangles have separate vertices.
-/// @param outlines  in the frame of the meshes; the exterior is omitted. Empty: no restriction
+/// Computes the overlay of two surfaces. The edges of both surfaces and of the outlines become
+/// edges of the overlay, so that both surfaces are plane on each of its triangles. It covers the
+/// area where `top` is more than `thickness` above `base`, and some triangles around it. Edges
+/// closer than a micrometre are merged. Vertical and overhanging triangles are omitted. At steps,
+/// adjacent triangles have separate vertices.
+/// @param outlines  polygons outside which the overlay is omitted, in the frame of the meshes; if
+///                  empty, nothing is omitted
 SurfaceOverlay overlay_surfaces(const TriangleMesh& top, const TriangleMesh& base, double thickness,
                                 std::span<const ZonePolygon> outlines);
 
-/// Range of the height differences of two surfaces, with their positions.
+/// Smallest and largest height difference (top minus base) of two surfaces, with their positions.
 struct HeightDifferenceRange {
   double low = 1e300, high = -1e300;  ///< m; `low` exceeds `high` if the surfaces do not overlap
   Vec3 low_position = Vec3::Zero(), high_position = Vec3::Zero();  ///< on the upper surface
@@ -36,7 +37,7 @@ HeightDifferenceRange height_difference_range(const TriangleMesh& top, const Tri
 
 /// Closed body between two surfaces.
 struct OverlayBody {
-  TriangleMesh mesh;  ///< outward; the triangles of its top come first
+  TriangleMesh mesh;  ///< outward-facing; the triangles of the top come first
   std::size_t top_triangles = 0;
   double plan_area = 0.0;             ///< m^2
   double max_thickness = 0.0;         ///< m
@@ -44,10 +45,10 @@ struct OverlayBody {
   Vec3 wall_position = Vec3::Zero();  ///< top of the highest wall
 };
 
-/// Extracts the bodies where the top is more than `thickness` above the base, connected over plan
-/// edges. At their outline they have vertical walls of height `thickness`, none if it is 0; at the
-/// border of the overlay, walls are as high as the body. The volume is the integral of the
-/// thickness over the plan.
+/// Extracts the bodies where the top is more than `thickness` above the base. A body is connected
+/// over edges of the overlay. It has vertical walls of height `thickness` along its outline. At the
+/// border of the overlay, the walls are as high as the body. Its volume is the integral of the
+/// vertical thickness over the plan.
 std::vector<OverlayBody> extract_bodies_between(const SurfaceOverlay& pair, double thickness);
 
 }  // namespace clast::terrain_detail

@@ -20,9 +20,10 @@ struct GeoTiffBand {
   std::string meaning = {};       ///< description in the file, with unit
 };
 
-/// Writes 32-bit floats, nodata -9999, tiled and compressed.
-/// @param crs  "EPSG:2154" or WKT; if it is empty or unknown, a local system in metres is written,
-///             because coordinates without reference are read as degrees
+/// Writes a tiled and compressed file of 32-bit floats, with nodata -9999.
+/// @param crs  coordinate system, "EPSG:2154" or WKT; if it is empty or unknown, a local system in
+///             metres is written, because other programs read coordinates without a system as
+///             degrees
 /// @throws InputError  if GDAL cannot write the file; or as `OutputFile`
 void write_geotiff(const std::filesystem::path& path, const GeoTiffBand& band,
                    const std::string& crs, const OverwritePolicy& rules = {});

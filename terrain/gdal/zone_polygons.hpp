@@ -8,8 +8,8 @@
 
 namespace clast::terrain_detail {
 
-/// Zone polygon with holes, by the even-odd rule. A point on an edge shared by two polygons is
-/// inside exactly one of them.
+/// Zone polygon with holes. Inside and outside follow the even-odd rule. A point on an edge that
+/// two polygons share is inside exactly one of them.
 struct ZonePolygon {
   std::string zone;
   std::vector<std::vector<Vec2>>
@@ -20,17 +20,17 @@ struct ZonePolygon {
   bool contains(const Vec2& point) const;
 };
 
-/// Reads GeoJSON, GeoPackage or Shapefile polygons with a text or number property "zone",
-/// transformed to the terrain's system if both are known.
-/// @param crs  of the terrain; empty if unknown: coordinates are then used unchanged
-/// @throws InputError  if the file cannot be read, lacks the property "zone", has other geometries
-///                     or self-intersecting polygons, or polygons of different zones overlap by
-///                     more than a strip of 1 cm (digitising error)
+/// Reads GeoJSON, GeoPackage or Shapefile polygons with a text or number property "zone". They are
+/// transformed to the terrain's coordinate system if both systems are known.
+/// @param crs  coordinate system of the terrain; if empty, coordinates are used unchanged
+/// @throws InputError  if the file cannot be read, lacks the property "zone", or has other
+///                     geometries or self-intersecting polygons, or if polygons of different zones
+///                     overlap by more than a strip of 1 cm, a usual digitising error
 std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
                                             const std::string& crs);
 
-/// Reads all polygons of a file without zones; overlaps are allowed.
-/// @param crs  of the terrain, as above
+/// Reads all polygons of a file. They need no property "zone" and may overlap.
+/// @param crs  coordinate system of the terrain, as above
 /// @throws InputError  if the file cannot be read, or has other geometries or self-intersecting
 ///                     polygons
 std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path,

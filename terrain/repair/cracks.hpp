@@ -5,14 +5,15 @@
 
 namespace clast::terrain_detail {
 
-/// Closes gaps up to `width` between border edges: near border vertices are merged, and a border
-/// vertex near a border edge (T-junction) splits its triangle. Only border vertices move, by at
-/// most `width`, and never if a triangle would flip or an edge become non-manifold.
+/// Closes gaps up to `width` between border edges. Border vertices near each other are merged. A
+/// border vertex near a border edge splits the triangle of that edge (T-junction). Only border
+/// vertices move, by at most `width`. None moves if a triangle would flip or an edge become
+/// non-manifold.
 void close_cracks(RawSurface& surface, double width, TerrainReport& report);
 
-/// Notes border vertices within `reach` in plan of the border of another component, without
-/// connection: tiles with a gap or step that stays open.
-/// @param surface  oriented, repaired
+/// Notes gaps and steps between tiles that remain open: border vertices within `reach` in plan of
+/// the border of another component to which they are not connected.
+/// @param surface  oriented and repaired surface
 void note_gaps(const RawSurface& surface, double reach, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

@@ -6,12 +6,11 @@
 namespace clast::terrain_detail {
 
 /// Simplifies the single-valued part of the ground by greedy insertion and constrained Delaunay
-/// triangulation in plan. The new surface is within `tolerance` of the old one vertically, at all
-/// vertices and all intersections of old and new edges, where the distance is largest; it is
-/// reported. Overhangs, walls and ground above or below them, border edges and edges between files
-/// are kept.
+/// triangulation in plan. The vertical distance between the new and the old surface is at most
+/// `tolerance` everywhere; its maximum is reported. Kept are border edges, edges between files,
+/// overhangs and walls, and the ground above and below these.
 /// @cite garland1995
-/// @param surface  oriented, without duplicate ground
+/// @param surface  oriented surface without duplicate ground
 /// @throws GeometryError  if border edges intersect in plan
 void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& report);
 

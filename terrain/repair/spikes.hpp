@@ -5,19 +5,19 @@
 
 namespace clast::terrain_detail {
 
-/// Levels spikes and pits: inner vertices farther from the plane through their neighbours than
-/// `steepness` times the mean horizontal distance of these, and than three times the largest
-/// deviation of the neighbours and theirs, so that crests are kept. One neighbour is ignored in
-/// either comparison, because it may be a spike, too. Spikes are projected onto the plane. Vertices
-/// at borders and overhangs are unchanged.
+/// Projects spikes and pits onto the plane through their neighbours. A spike is an inner vertex
+/// whose distance from this plane exceeds two limits: `steepness` times the mean horizontal
+/// distance of the neighbours, and three times the largest deviation of the two surrounding rings
+/// of vertices from the plane. The second limit protects crests. One neighbour is ignored in each
+/// comparison, because it may be a spike too. Vertices at borders and overhangs are unchanged.
 void level_spikes(RawSurface& surface, double steepness, TerrainReport& report);
 
-/// Counts triangles with a height below 1 mm, with the position of the lowest. They are common in
-/// survey meshes, harmless for contacts, and kept.
+/// Counts slivers, which are triangles with a height below 1 mm, and notes the position of the
+/// lowest. They are common in survey meshes and harmless for contacts, so that they are kept.
 void note_slivers(const RawSurface& surface, TerrainReport& report);
 
-/// Moves each inner vertex `rounds` times halfway to the plane through its neighbours; border and
-/// overhang vertices are fixed. Notes the largest change.
+/// Moves each inner vertex `rounds` times halfway to the plane through its neighbours. Vertices at
+/// borders and overhangs are fixed. The largest change is noted.
 void smooth_surface(TriangleMesh& mesh, int rounds, TerrainReport& report);
 
 }  // namespace clast::terrain_detail

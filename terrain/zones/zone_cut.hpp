@@ -7,10 +7,11 @@
 
 namespace clast::terrain_detail {
 
-/// Splits triangles until each segment runs along edges in plan, on all layers of the mesh. New
-/// vertices lie on the split triangles, so that the surface is unchanged. Segments within a
-/// micrometre of a vertex or edge are snapped to it.
-/// @param segments  end points in the plan of the mesh's frame; zero-length ones are ignored
+/// Splits triangles until each segment runs along edges in plan. If the mesh has several layers,
+/// all are split. New vertices lie on the split triangles, so that the surface does not change.
+/// Segments within a micrometre of a vertex or edge are snapped to it.
+/// @param segments  end points in plan, in the frame of the mesh; segments of zero length are
+///                  ignored
 /// @return number of added triangles
 std::size_t insert_edges_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments);
 

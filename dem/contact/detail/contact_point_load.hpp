@@ -1,6 +1,6 @@
 #pragma once
-/// State of a contact point at the start of a step, and its unweighted normal force by Eq. 2.
-/// Inline, because this is the innermost loop.
+/// State of a contact point at the start of a step, and its unweighted normal force by Eq. 2. The
+/// functions are inline, because they form the innermost loop.
 /// @cite garcia2022
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace clast::dem_detail {
 
-/// Cosine above which normals belong to one plane.
+/// Cosine above which two normals belong to one plane.
 inline constexpr double kSameNormal = 1.0 - 1e-12;
-/// Largest fraction of a new contact's overlap that may remain unexplained by its approach speed.
+/// Largest fraction of a new contact's overlap that its approach speed may leave unexplained.
 inline constexpr double kExplained = 1e-6;
 
 /// Position and mean relative velocity of a contact over the step.
@@ -25,7 +25,7 @@ struct ContactKinematics {
         sliding_velocity(velocity + approach_speed * contact.point.normal) {}
   Vec3 arm;               ///< from the centre of the block
   Vec3 velocity;          ///< m/s
-  double approach_speed;  ///< opposite to the normal
+  double approach_speed;  ///< component of `velocity` opposite to the contact normal, m/s
   Vec3 sliding_velocity;  ///< tangential velocity
 };
 
@@ -35,7 +35,7 @@ struct StepStart {
   NormalState normal = {};
   double weight = 0.0;
   double stored = 0.0;     ///< J
-  bool continuous = true;  ///< false: appeared with an overlap not explained by its speed
+  bool continuous = true;  ///< false if its speed does not explain the initial overlap
 };
 
 /// Returns the initial state of a continued contact.
@@ -57,7 +57,7 @@ inline StepStart step_start_of_continued(const Contact& contact, const Contact& 
 }
 
 /// Returns the initial state of a new contact. The overlap is traced back over the step at the
-/// present speed; an unexplained remainder starts from the law's `initial_state`.
+/// present speed. If a part of it remains, the law's `initial_state` gives the initial force.
 template <NormalLaw Law>
 StepStart step_start_of_new(const Contact& contact, const ContactKinematics& kinematics,
                             const Law& law, const RelativeMotion& motion) {

@@ -8,11 +8,11 @@
 
 namespace clast::dem_detail {
 
-/// Response of a friction or rolling spring in a step, with its dissipation at the limit.
+/// Response of a friction or rolling spring in a step, with the energy dissipated if it slips.
 struct SpringResponse {
   Vec3 load;            ///< N, or N m
   double squared_norm;  ///< of the load
-  double loss = 0.0;    ///< dissipated energy, times k_t or k_r, per unit weight
+  double loss = 0.0;    ///< dissipated energy times k_t or k_r, per unit weight
 };
 
 /// Returns the response of a spring whose trial load is scaled by `scale` to the Coulomb limit.
@@ -34,9 +34,9 @@ inline SpringResponse friction(const Contact& contact, const ContactKinematics& 
                          largest / std::sqrt(squared_norm));
 }
 
-/// Returns the energy dissipated by a spring in the step in which the contact ends, J.
+/// Returns the energy that a spring dissipates in the step in which its contact ends, J.
 /// @param compliance  1/k_t or 1/k_r
-/// @param rate  slip velocity or spin that loads it
+/// @param rate  slip velocity or spin that loads the spring
 inline double ended_spring_loss(double weight, double compliance, const Vec3& before,
                                 const Vec3& rate, double duration) {
   return 0.5 * weight * (before.squaredNorm() * compliance - duration * before.dot(rate));

@@ -6,12 +6,11 @@
 namespace clast::dem_detail {
 namespace {
 
-/// A stretch of the path moves the ball by this share of a cell, or of its radius when that is
-/// more.
+/// Displacement of the ball in one interval, as a fraction of the larger of cell size and radius.
 constexpr double kPieceFraction = 0.5;
 
-/// True when no ground of these cells reaches up to a ball anywhere within `spread` of `middle` in
-/// plan and not below `lowest`.
+/// True if no ground touches the ball anywhere within `spread` of `middle` in plan and not below
+/// the height `lowest`.
 bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lowest,
               double radius) {
   const double reach = radius + spread;
@@ -21,7 +20,7 @@ bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lo
     for (int column = window.first_column; column <= window.last_column; ++column) {
       const double high = grid.max_cell_height(column, row);
       if (high < lowest - radius) continue;
-      // In plan no point of the cell is nearer to the ball's centre than this.
+      // Smallest horizontal distance of the cell from the ball's centre in this interval.
       const double beside = std::max(0.0, grid.distance_to_cell(column, row, middle) - spread);
       const double below = radius * radius - beside * beside;
       if (below >= 0.0 && high >= lowest - std::sqrt(below)) return false;
@@ -30,7 +29,7 @@ bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lo
   return true;
 }
 
-/// True when there is ground in the cell of a place.
+/// True if the grid cell at a position contains ground.
 bool surveyed(const PlanGrid& grid, const Vec2& position) {
   const PlanGrid::CellRange home =
       grid.cell_range(position.x(), position.x(), position.y(), position.y());
@@ -49,7 +48,7 @@ double ballistic_contact_free_time(const PlanGrid& grid, const BallisticSphere& 
   };
   double clear = 0.0;
   while (clear < longest) {
-    // It moves no faster than this during a stretch that is no longer than the one before would be.
+    // Upper bound of the speed during the next interval.
     const double fall = std::abs(ball.velocity.z() - ball.gravity * clear);
     const double speed = std::max(along.norm(), fall);
     const double duration =

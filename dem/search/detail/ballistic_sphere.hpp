@@ -1,5 +1,5 @@
 #pragma once
-/// Contact-free flight time of a bounding sphere, which contains all motion of a tumbling block.
+/// Contact-free flight time of the bounding sphere of a tumbling block.
 #include "dem/surface/indexed_surface.hpp"
 
 namespace clast::dem_detail {
@@ -11,10 +11,10 @@ struct BallisticSphere {
   double radius = 0.0;           ///< m
 };
 
-/// Returns a time during which the ball touches no ground triangle, s; 0 if contact is possible at
-/// once. It uses the height ranges of the plan grid along the path, so that it is shorter than
-/// exact by the relief within a cell. It ends at cells without ground.
-/// @param longest  s: longer times are not searched
+/// Returns a lower bound of the time until the sphere touches a ground triangle, s; 0 if contact is
+/// possible at once. It is computed from the height ranges of the grid cells along the path. The
+/// search ends at a cell without ground.
+/// @param longest  largest time searched, s
 double ballistic_contact_free_time(const PlanGrid& grid, const BallisticSphere& ball,
                                    double longest);
 

@@ -1,4 +1,5 @@
-// The list of two blocks: which of their features may touch before they have moved by its margin.
+// Candidate list of two blocks: features that may touch before the blocks have moved by the list
+// margin.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -12,27 +13,26 @@
 
 namespace clast::dem_detail {
 
-/// An edge or face of the block that lies low enough to touch, in the frame of the ground.
+/// Edge or face of the block that lies low enough to touch, in the frame of the ground.
 struct TransformedSide {
   std::uint32_t index;  ///< of BlockParts::sides
   bool is_face;
   Vec3 centre;
   double radius;
-  double lowest;  ///< of its vertices along the direction, m
-  double beyond;  ///< `depth_beyond_plane` of it, m
-  EdgeNormalArc
-      arc;         ///< out of the ground, with the slack of its turn; of a face its normal, twice
-  Vec3 direction;  ///< of an edge
+  double lowest;      ///< smallest coordinate of its vertices along the direction, m
+  double beyond;      ///< its `depth_beyond_plane`, m
+  EdgeNormalArc arc;  ///< out of the ground, with slack for rotation; for a face, twice its normal
+  Vec3 direction;     ///< direction of an edge
 };
 
 namespace {
 
-/// Directions that are tried when a list is made.
+/// Number of directions that are tried for a list.
 constexpr int kTries = 6;
-/// Room for rounding where a feature lies on the very border of what is listed, m.
+/// Tolerance for rounding at the limits of the list, m.
 constexpr double kListRounding = 1e-9;
 
-/// Features of one part that pass between the planes: entries of the lists in `ListScratch`.
+/// Features of one part between the planes, as ranges in the lists of `ListScratch`.
 struct PartBetween {
   Vec3 centre;
   double radius;
@@ -40,8 +40,8 @@ struct PartBetween {
   std::size_t first_corner, end_corner;  ///< likewise
 };
 
-/// What is needed only while a list is made, kept to spare the allocations: lists are made by many
-/// pairs in turn, and hold nothing of it.
+/// Temporary data for making a list, kept to save allocations. All pairs of a thread share it in
+/// turn.
 struct ListScratch {
   std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
   std::vector<PartBetween> ground_parts;
@@ -59,7 +59,7 @@ ListScratch& list_scratch() {
   return of_thread;
 }
 
-/// Farthest vertex along a direction.
+/// Returns the farthest vertex along a direction.
 std::uint32_t farthest(const SurfaceFeatures& surface, const Vec3& direction) {
   std::uint32_t best = 0;
   double height = -1e300;
@@ -95,8 +95,8 @@ double BlockNarrowPhase::improve_separating_direction() {
     }
     const double distance = between.norm();
     if (gap > listing_distance() || !(distance > 0.0)) break;
-    // Where the two are apart the way between the nearest vertices is better, else the reflection
-    // about it (Chung and Wang 1996).
+    // If the bodies are apart, the direction between the nearest vertices is better. Otherwise the
+    // direction is reflected about it (Chung and Wang 1996).
     const Vec3 axis = between / distance;
     direction = gap > 0.0 ? axis : (direction - 2.0 * direction.dot(axis) * axis).normalized();
   }
@@ -185,7 +185,7 @@ void BlockNarrowPhase::collect_vertices(const BlockPart& part) {
 }
 
 void BlockNarrowPhase::collect_vertex(std::uint32_t vertex, const Vec3& centre, double listed) {
-  // Inside the ground it is no deeper than it lies below the highest point of it.
+  // A vertex inside the ground is at most as deep as its distance below the highest ground point.
   const double deepest = high_ - list_scratch().block_heights[vertex] + kListRounding;
   const std::optional<NearestPoint> nearest =
       ground_.nearest_point(centre, std::max(listed, deepest), near_face_);
@@ -216,7 +216,7 @@ void BlockNarrowPhase::collect_near_faces(const Vec3& centre, double reach) {
       }
     }
   }
-  // A face is in several cells.
+  // A face can be in several cells.
   std::sort(faces_.begin() + first, faces_.end());
   faces_.erase(std::unique(faces_.begin() + first, faces_.end()), faces_.end());
 }
@@ -336,8 +336,8 @@ void BlockNarrowPhase::add_candidate_pair(ContactKind kind, std::uint32_t side,
 double BlockNarrowPhase::depth_beyond_plane(double along, double slack) const {
   const double farthest = listing_distance() + kListRounding;
   if (along < 0.0) return farthest;
-  // A feature of the block that has gone into the ground along such a normal lies lower than what
-  // it touches there.
+  // A block feature that penetrates the ground along such a normal lies lower than the ground
+  // feature.
   return std::min(farthest, tests_.reach() + margin_ + kListRounding + slack * list_touching_);
 }
 
@@ -345,8 +345,8 @@ bool BlockNarrowPhase::arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec
                                        const EdgeNormalArc& arc, const Vec3& direction) const {
   if (of_ground.is_unbounded || arc.is_unbounded) return true;
   const double room = of_ground.slack + arc.slack + kListRounding;
-  // The common normal is perpendicular to either edge: an arc that lies on one side of the plane
-  // perpendicular to the other's edge does not hold it.
+  // The common normal is perpendicular to both edges. An arc on one side of the plane perpendicular
+  // to the other edge does not contain it.
   const auto crosses = [&](const EdgeNormalArc& one, const Vec3& pole) {
     const double first = pole.dot(one.first), second = pole.dot(one.second);
     return std::min(first, second) <= room && std::max(first, second) >= -room;
@@ -359,7 +359,7 @@ bool BlockNarrowPhase::vertex_may_oppose(std::uint32_t ground_vertex,
   if (arc.is_unbounded) return true;
   const double room = ground_.cone_slacks[ground_vertex] + arc.slack + kListRounding;
   const std::span<const std::uint32_t> edges = ground_.features.edges_at(ground_vertex);
-  // A ray along which both ends of the arc rise rises along all between them.
+  // If a ray rises along both ends of the arc, it rises along all directions between them.
   return std::none_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
     const Vec3 edge_direction_from = ground_.features.edge_direction_from(edge, ground_vertex);
     return edge_direction_from.dot(arc.first) > room && edge_direction_from.dot(arc.second) > room;

@@ -1,4 +1,4 @@
-// How far or how long no contact can come: what lets a block fly on at once.
+// Displacements and times of flight without contact, which a block can make in one step.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,29 +10,28 @@
 namespace clast::dem_detail {
 namespace {
 
-/// The flight of the ball around the block is enough when it is this many times what is worthwhile:
-/// less than what a closer search costs.
+/// The flight of the bounding sphere suffices if it is this many times the shortest useful time. A
+/// closer search would cost more.
 constexpr double kBallSteps = 16.0;
 constexpr double kMaxFlight = 60.0;  ///< s
-/// The search for a longer way starts at the first of these numbers of margins and goes on in
-/// strides.
+/// First and last displacement of the search, in list margins, and the factor between them.
 constexpr double kFirstLook = 0.125, kLastLook = 8.0, kStride = 4.0;
-/// Vertices this far below a plane, m, are on it.
+/// Vertices up to this far below a plane count as on it, m.
 constexpr double kPlaneRounding = 1e-9;
 
 double distance_in(double time, double speed, double acceleration) {
   return time * (speed + 0.5 * acceleration * time);
 }
 
-/// How what flies comes to a plane that has the ground on its other side.
+/// Approach of a flying body to a plane that has the ground on its other side.
 struct Approach {
-  /// @param away  from the ground, unit
+  /// @param away  direction away from the ground, unit
   Approach(const Vec3& away, const FlightBounds& flight)
       : normal(away),
         turn(away.cross(flight.spin)),
         rising(away.dot(flight.velocity)),
         falling(std::max(0.0, away.z() * flight.gravity)) {}
-  /// The same for arms in the frame of a body with this rotation.
+  /// Returns the same approach for arms in the frame of a body with this rotation.
   Approach in_body(const Mat3& rotation) const {
     Approach result = *this;
     result.normal = rotation.transpose() * normal;
@@ -40,15 +39,15 @@ struct Approach {
     return result;
   }
 
-  /// Whether what is `distance` from the plane, m, stays clear of it for a time, s. From its
-  /// distance now, its speed and the largest acceleration there is towards the plane.
-  /// @param arm      of the point
-  /// @param turning  bound of what turning changes its velocity by, m/s^2
+  /// True if a point at `distance` from the plane, m, stays clear of it for a time, s. Uses its
+  /// present speed and the largest possible acceleration towards the plane.
+  /// @param arm      position of the point relative to the centre
+  /// @param turning  bound of its acceleration due to rotation, m/s^2
   bool clear(double distance, const Vec3& arm, double turning, double time) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
     return distance >= 0.0 && distance + time * (speed - 0.5 * time * acceleration) >= 0.0;
   }
-  /// The time for which it does, where that is not for ever.
+  /// Returns the time for which the point stays clear, s. It must be finite.
   double time(double distance, const Vec3& arm, double turning) const {
     const double speed = rising + turn.dot(arm), acceleration = falling + turning;
     const double root = std::sqrt(speed * speed + 2.0 * acceleration * distance);
@@ -56,12 +55,12 @@ struct Approach {
   }
 
   Vec3 normal;     ///< away from the ground
-  Vec3 turn;       ///< times an arm: the speed away from the plane by the spin
-  double rising;   ///< of the centre, m/s
-  double falling;  ///< m/s^2
+  Vec3 turn;       ///< its product with an arm is the speed away from the plane by rotation
+  double rising;   ///< speed of the centre away from the plane, m/s
+  double falling;  ///< acceleration towards the plane, m/s^2
 };
 
-/// Beyond a border the ground goes on as a plane.
+/// True if the face is at a border, beyond which the ground continues as a plane.
 bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
   const std::array<std::uint32_t, 3>& edges = surface.faces[face].edges;
   return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
@@ -73,8 +72,8 @@ bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
 
 double TerrainNarrowPhase::safe_displacement() {
   if (touches_ || moved_ < search_at_) return displacement_;
-  // Measuring what could touch first, and only that, gives how far the block can move; each stride
-  // is made only when the one before was clear. At a speed of 1 the time is the distance.
+  // Only parts that could touch within `wanted` are measured. It is increased only while all parts
+  // are clear. At a speed of 1, the time is the displacement.
   const FlightBounds creeping{.acceleration = 1e300, .max_point_speed = 1.0};
   const double first = kFirstLook * margin_;
   double wanted = first, clear = 0.0;
@@ -96,7 +95,7 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   const std::unique_ptr<NearPart>& near = part_states_[p].near;
   const Vec3 velocity = flight.velocity + flight.spin.cross(tests_.rotation() * of_block.centre);
   const double turning = flight.spin.norm() * of_block.radius;
-  // By the speed that points of the part have now, or the top speed: the shorter way.
+  // The smaller of two bounds: from the present speed of the points, and from their top speed.
   const auto displacement_in = [&](double time, double speed) {
     return std::min(distance_in(time, speed + turning, flight.acceleration),
                     distance_in(time, flight.max_point_speed, flight.gravity));
@@ -166,8 +165,8 @@ double TerrainNarrowPhase::contact_free_time(const FlightBounds& flight, double 
   double time = std::min(horizon, min_travel_time(known, flight.max_point_speed, flight.gravity));
   std::vector<std::uint32_t>& unseparated_parts = scratch().unseparated_parts;
   unseparated_parts.clear();
-  // First the face that ended the last flight: with little time left most others need no close
-  // look.
+  // The face that limited the last flight is tested first. The time is then short, and most other
+  // faces need no close test.
   const auto look_at = [&](std::uint32_t entry) {
     const double over = contact_free_time_over_face(local_.faces[entry], flight, time);
     if (over < time) lowest_face_ = entry;
@@ -188,8 +187,8 @@ double TerrainNarrowPhase::contact_free_time(const FlightBounds& flight, double 
 
 double TerrainNarrowPhase::contact_free_time_over_face(const LocalFaces::Face& face,
                                                        const FlightBounds& flight, double horizon) {
-  // The ball around the block, then those around its parts, and where they are too near the
-  // vertices. A block whose vertices are all above a plane is above it.
+  // First the bounding sphere of the block is tested, then those of its parts, then the vertices of
+  // near parts. A block is above a plane if all its vertices are.
   const Vec3& centre = tests_.position();
   const double height = face.normal.dot(centre) - face.offset - reach_;
   const Approach over(face.normal, flight);
@@ -247,7 +246,7 @@ double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face
                                                     double horizon) const {
   const Vec3 arm = part.centre - tests_.position();
   const double touching = part.radius + reach_;
-  // From the ball around the face, or else from the plane that touches it nearest to the part.
+  // Tries the bounding sphere of the face, then the plane through its point nearest to the part.
   const Vec3 from_middle = part.centre - face.centre;
   const double far = from_middle.norm();
   if (far > face.radius + touching &&

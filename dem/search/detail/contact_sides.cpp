@@ -1,4 +1,4 @@
-// Contacts of block edges and faces: which pairs may touch soon, and those that do.
+// Contacts of block edges and faces: listing and testing of candidate pairs.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -9,8 +9,8 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Pairs are listed when they are this many margins from touching, in groups by feature of the
-/// ground once that is so near to the part.
+/// Pairs are listed up to this distance, in list margins. A ground feature gets a list once it is
+/// so near to the part.
 constexpr double kPairMargins = 1.0;
 
 }  // namespace

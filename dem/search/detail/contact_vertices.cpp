@@ -1,4 +1,4 @@
-// Contacts of block vertices: when each must be measured, and how it touches.
+// Contacts of block vertices: separation bounds and contact tests.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -8,9 +8,10 @@
 namespace clast::dem_detail {
 namespace {
 
-/// The plane over the ground near a part settles it for a vertex this many margins above it.
+/// A vertex this many margins above the bounding plane of the ground near its part needs no other
+/// test.
 constexpr double kEnough = 0.25;
-/// Faces up to this many margins behind the nearest are distinguished from it.
+/// Faces up to this many margins farther than the nearest are distinguished from it.
 constexpr double kDistinctGroundMargins = 4.0;
 
 }  // namespace
@@ -104,7 +105,7 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
   for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
     const LocalFaces::Face& face = part.ground.faces[i];
     const FaceTilt& tilt = part.tilts[i];
-    // Either the plane of the face keeps them apart or one that touches the ball around it.
+    // The separating plane is that of the face, or one that touches its bounding sphere.
     const double height = face.normal.dot(centre) - face.offset - reach_;
     const double by_plane = height * tilt.displacement_per_height;
     const double ball = face.radius + reach_, near = ball + std::max(0.0, by_plane);
@@ -151,7 +152,7 @@ void TerrainNarrowPhase::measure_vertex(NearPart& part, std::uint32_t v, const V
   state.outside = nearest.distance >= reach_ && depth < complete;
   part.vertex_bounds[v] = {};
   if (depth >= complete) {
-    // Beyond the list nothing is known, not even the side.
+    // Nothing is known about ground that is not listed.
     part.vertex_bounds[v] = separation_bound(part, part.axis, complete - reach_, complete - reach_);
     return;
   }

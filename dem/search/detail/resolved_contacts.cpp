@@ -6,22 +6,22 @@
 namespace clast::dem_detail {
 namespace {
 
-/// A contact resolves only those that push elsewhere: normals more than 45 degrees apart.
+/// A contact resolves only contacts whose normals differ by more than 45 degrees from its own.
 constexpr double kElsewhereCosine = 0.7071067811865476;
-/// And those at least so much deeper: two that hold a wedged block between them both stay.
+/// Its overlap must be below this fraction of theirs, so that both contacts of a wedged block stay.
 constexpr double kShallowFraction = 0.5;
-/// A contact that is no deeper than this share of the block's smallest side stays: blocks at rest
-/// are not that deep, and what comes and goes there would keep them moving.
+/// A contact stays if it is no deeper than this fraction of the block's smallest side. Contacts of
+/// resting blocks are less deep; removing and restoring them would keep the blocks moving.
 constexpr double kDeepFraction = 0.05;
-/// An edge is checked this share of the overlap to either side of the contact: at the contact
-/// itself it just enters the other body, and any push would set it free.
+/// An edge is tested at this fraction of the overlap to either side of the contact. At the contact
+/// itself, it just enters the other body, and any push would free it.
 constexpr double kAsideFraction = 0.5;
-/// A push sets free what it leaves inside by less than this share of itself.
+/// A push frees a point that stays inside by less than this fraction of the push.
 constexpr double kFreeFraction = 0.1;
-/// A feature is in the other body when it is out of it by less than this share of the overlap.
+/// A feature counts as inside if it is outside by less than this fraction of the overlap.
 constexpr double kOutFraction = 0.1;
 
-/// Where a feature is in the other body: a point of it, or two of an edge.
+/// Positions at which a feature is tested: one point, or two of an edge.
 using Places = std::array<Vec3, 2>;
 
 Places on_edge(const SurfaceFeatures& surface, std::uint32_t edge, const Vec3& point,
@@ -33,7 +33,7 @@ Places on_edge(const SurfaceFeatures& surface, std::uint32_t edge, const Vec3& p
           start + std::clamp(at + aside, 0.0, e.length) * e.direction};
 }
 
-/// True when none of the points is inside the solid any more. A body without faces has no inside.
+/// True if a push moves all points out of the solid. A body without faces has no inside.
 bool free_of(const IndexedSurface& surface, const Places& points, const Vec3& push, double within) {
   return std::all_of(points.begin(), points.end(), [&](const Vec3& position) {
     const std::optional<NearestPoint> nearest = surface.nearest_point(position + push, within);
@@ -41,7 +41,7 @@ bool free_of(const IndexedSurface& surface, const Places& points, const Vec3& pu
   });
 }
 
-/// True when the point is in the solid, or hardly out of it. A body without faces has no inside.
+/// True if the point is inside the solid or hardly outside. Always true for a body without faces.
 bool hardly_out_of(const IndexedSurface& surface, const Vec3& position, double overlap) {
   if (surface.features.faces.empty()) return true;
   const std::optional<NearestPoint> nearest = surface.nearest_point(position, 2.0 * overlap);
@@ -58,13 +58,13 @@ void remove_resolved_contacts(std::vector<ContactPoint>& contacts, const Indexed
     if (deep.kind == ContactKind::kVertexGround || deep.overlap <= reach + kDeepFraction * size) {
       return false;
     }
-    // Where the core of either is farthest in the other, each in its own frame.
+    // Deepest point of each core in the other body, each in its own frame.
     const Pose block_from_ground = ground_from_block.inverse();
     const Vec3 of_ground = deep.surface_point - ground.radius * deep.normal;
     const Vec3 of_ground_in_block = block_from_ground * of_ground;
     const Vec3 of_block = block_from_ground * (of_ground - (deep.overlap - reach) * deep.normal);
-    // Behind an edge or face of a thin or hollow body is air again: two that have only passed each
-    // other there do not touch.
+    // Behind an edge or face of a thin or hollow body there is air again. Features that have passed
+    // each other there do not touch.
     if (!hardly_out_of(ground, ground_from_block * of_block, deep.overlap) ||
         !hardly_out_of(block, of_ground_in_block, deep.overlap)) {
       return true;

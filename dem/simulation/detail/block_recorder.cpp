@@ -6,10 +6,10 @@ namespace clast::dem_detail {
 
 namespace {
 
-/// Length of the path of the centre, m.
+/// Returns the length of the path of the centre, m.
 double way_of(const MotionStep& step) {
   if (!step.flight) return (step.end.position - step.begin.position).norm();
-  // Of a parabola, by Simpson's rule over the speed.
+  // Length of a parabola, by Simpson's rule over the speed.
   const double middle = 0.5 * (step.begin.velocity + step.end.velocity).norm();
   return (step.end_time - step.begin_time) / 6.0 *
          (step.begin.velocity.norm() + 4.0 * middle + step.end.velocity.norm());

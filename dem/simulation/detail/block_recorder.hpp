@@ -1,5 +1,5 @@
 #pragma once
-/// Recorder of the motion of one block of a sequence.
+/// Records the motion of one block of a sequence.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,7 +10,7 @@ namespace clast::dem_detail {
 
 struct BlockRecorder {
   void record_step(const MotionStep& step);
-  /// Records which blocks it touches during its own release.
+  /// Records the blocks that it touches during its own release.
   void record_hits(std::span<const std::size_t> others);
 
   template <class Bytes>
@@ -19,7 +19,7 @@ struct BlockRecorder {
   }
 
   SequenceResult result;
-  bool touching = false;                ///< at the end of the last step
+  bool touching = false;                ///< true if it had contact at the end of the last step
   std::vector<std::size_t> hit_blocks;  ///< blocks it touched during its own release, ascending
   Vec3 first_rest = Vec3::Zero();       ///< position at the end of its own release
 };

@@ -8,13 +8,13 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Bounding spheres this far apart are listed, as a share of the mean radius of the bodies that
-/// move: the list then lasts for tens of steps of a falling block.
+/// Slack of the broad phase, as a fraction of the mean radius of the moving bodies. The list then
+/// lasts for tens of steps of a falling block.
 constexpr double kSlackFraction = 0.15;
-/// Pairs that a thread takes at a time.
+/// Number of pairs that a thread takes at a time.
 constexpr std::size_t kPairsAtATime = 8;
 
-/// A form touches what it holds, and nothing else.
+/// True if two bodies may touch; a confining wall touches only the bodies that it holds.
 bool may_touch(const BroadPhase::Pair& pair, std::span<const WorldBody> bodies) {
   const std::optional<ConfinedRange>&first = bodies[pair[0]].confined,
         &second = bodies[pair[1]].confined;
@@ -81,7 +81,7 @@ void ContactPairTable::update_pairs(std::span<const WorldBody> bodies,
   }
   if (!broad_phase_.update_pairs(spheres_, slack_, moved)) return;
   ++broad_phase_count_;
-  // Both lists are sorted: pairs in both go on, those no longer near end.
+  // Both lists are sorted. Pairs in both are kept; the contacts of others end.
   std::vector<ContactPair> known = std::exchange(pairs_, {});
   auto old = known.begin();
   const auto end_until = [&](const BroadPhase::Pair& key) {
@@ -166,7 +166,7 @@ void ContactPairTable::end_contacts_of(std::uint32_t body, std::span<const World
     const ContactPair& pair = pairs_[e];
     pair.contacts->end_contacts(motion_of(pair.reference, bodies), motion_of(pair.block, bodies));
   }
-  request_broad_phase();  // without it
+  request_broad_phase();  // without the removed body
 }
 
 void ContactPairTable::store_indentations(std::span<const WorldBody> bodies, SoilMemory& soil) {

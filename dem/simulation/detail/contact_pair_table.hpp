@@ -1,5 +1,6 @@
 #pragma once
-/// Contact pairs of a world: bodies near each other or the terrain, with their contact state.
+/// Contact pairs of a world: pairs of bodies that are near each other, or of a body near the
+/// terrain, with their contact state.
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -20,13 +21,13 @@ struct ContactPair {
   /// Index of the terrain in a pair.
   static constexpr std::uint32_t kTerrain = 0xffffffffu;
 
-  std::uint32_t reference;  ///< kTerrain, or the reference body
+  std::uint32_t reference;  ///< index of the reference body, or kTerrain
   std::uint32_t block;
   std::unique_ptr<PairContactState> contacts;
   // Kept here, where they are read for many pairs that do nothing:
   bool has_load = false;            ///< true if contact forces act
-  double separated_until = -1e300;  ///< displacement before which contact is impossible, m
-  double arm = 0.0;                ///< largest distance of the block from the reference's centre, m
+  double separated_until = -1e300;  ///< no contact below this `displacement_bound`, m
+  double arm = 0.0;  ///< largest distance of a block point from the centre of the reference body, m
   double time_since_update = 0.0;  ///< s
 
   template <class Bytes>
@@ -35,18 +36,18 @@ struct ContactPair {
   }
 
   BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
-  /// True if all its bodies have an index below `end`.
+  /// True if the indices of both bodies are below `end`; the terrain does not count.
   bool has_bodies_below(std::size_t end) const {
     return block < end && (reference == kTerrain || reference < end);
   }
 };
 
-/// Table of all pairs, kept while bodies are near. Loops write data of one pair only, so that
-/// results do not depend on the number of threads.
+/// Table of all pairs. A pair is kept while its bodies are near each other. Parallel loops write
+/// data of one pair only, so that results do not depend on the number of threads.
 class ContactPairTable {
  public:
   /// Makes an empty table; all arguments must outlive it.
-  /// @param terrain  null if there is none
+  /// @param terrain  terrain of the world, or null
   /// @param between_bodies  contact model of two bodies
   /// @param on_confining_walls  contact model of a wall and a confined body
   /// @param on_terrain  contact model of a body on the terrain
@@ -57,22 +58,22 @@ class ContactPairTable {
         on_confining_walls_(on_confining_walls),
         on_terrain_(on_terrain) {}
 
-  /// Computes the slack of the broad phase from the moving bodies.
+  /// Computes the slack of the broad phase from the sizes of the moving bodies.
   void update_slack(std::span<const WorldBody> bodies);
-  /// Runs the broad phase if necessary, and removes pairs that are no longer near.
+  /// Runs the broad phase if necessary. Pairs whose bodies are no longer near are removed.
   /// @param moved  bodies that may have moved since the last call; default: all
   void update_pairs(std::span<const WorldBody> bodies,
                     std::optional<std::span<const std::uint32_t>> moved = {});
-  /// Lists the active pairs; to be called whenever the moving bodies or the list of pairs have
+  /// Lists the active pairs. Must be called whenever the moving bodies or the list of pairs have
   /// changed.
   void update_active_list(std::span<const WorldBody> bodies);
-  /// Runs the narrow phase and the contact law of active pairs at the poses after a step of
-  /// `duration`; other loads are unchanged.
+  /// Computes contacts and loads of the active pairs at the poses after a step of `duration`. The
+  /// loads of other pairs do not change.
   void update(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
-  /// Computes contacts and loads of new pairs, without a step.
+  /// Computes contacts and loads of the pairs for which `is_new` is true, without a step.
   void begin_contacts(std::span<const WorldBody> bodies,
                       const std::function<bool(const ContactPair&)>& is_new);
-  /// Requests a broad phase at the next `update_pairs`, because the movable bodies have changed.
+  /// Requests a broad phase at the next `update_pairs`, as the set of movable bodies has changed.
   void request_broad_phase() { broad_phase_ = {}; }
   /// Stores the residual indentations of bodies that have left the ground, fallen asleep or left
   /// the world.
@@ -85,19 +86,19 @@ class ContactPairTable {
     return pair.contacts->clearance(motion_of(pair.reference, bodies),
                                     motion_of(pair.block, bodies));
   }
-  /// Returns how far a body may move before it can touch one without a pair, m.
+  /// Returns how far a body may move before it can touch a body with which it has no pair yet, m.
   double remaining_displacement(std::size_t body, const Vec3& centre) const {
     return broad_phase_.remaining_displacement(body, centre, slack_);
   }
 
-  /// Returns all pairs, sorted by the smaller index: the terrain first, then by the other body.
+  /// Returns all pairs, sorted by body index.
   std::span<const ContactPair> all_pairs() const { return pairs_; }
-  /// Returns the ascending indices of active pairs, by the last `update_active_list`.
+  /// Returns the ascending indices of the pairs that were active at the last `update_active_list`.
   std::span<const std::uint32_t> active_pairs() const { return active_; }
   /// Returns the ascending indices of the pairs of a body.
   std::span<const std::uint32_t> pairs_of(std::size_t body) const { return of_body_[body]; }
 
-  /// Energy dissipated or reassigned by contacts, including ended ones, J.
+  /// Energy dissipated or reassigned by contacts, including those of removed pairs, J.
   struct Losses {
     EnergyBalance on_ground, between_bodies;
     EnergyBalance& of(const ContactPair& pair) {
@@ -110,7 +111,7 @@ class ContactPairTable {
   };
   Losses losses() const;
   double stored_energy() const;  ///< J
-  /// True if either body of the pair is moving.
+  /// True if at least one body of the pair is moving.
   static bool is_active(const ContactPair& pair, std::span<const WorldBody> bodies) {
     return !bodies[pair.block].is_idle() ||
            (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].is_idle());
@@ -139,8 +140,8 @@ class ContactPairTable {
     return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
   }
   void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
-  /// Returns a displacement bound of any block point relative to the reference, m; only its
-  /// increase is meaningful.
+  /// Returns an upper bound of the accumulated displacement of any block point relative to the
+  /// reference body, m. Only differences between two times are meaningful.
   static double displacement_bound(const ContactPair& pair, std::span<const WorldBody> bodies);
   std::vector<BroadPhase::Pair> find_retained_pairs(std::span<const WorldBody> bodies) const;
   ContactPair make_contact_pair(std::uint32_t first, std::uint32_t second,
@@ -156,7 +157,7 @@ class ContactPairTable {
   std::vector<ContactPair> pairs_;
   std::vector<std::uint32_t> active_;
   std::vector<std::vector<std::uint32_t>> of_body_;
-  Losses ended_;  ///< of ended pairs
+  Losses ended_;  ///< losses of removed pairs
   std::uint64_t broad_phase_count_ = 0;
 };
 

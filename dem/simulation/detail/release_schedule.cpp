@@ -12,7 +12,7 @@ bool ReleaseSchedule::is_confined(std::size_t block) const {
 }
 
 bool ReleaseSchedule::starts_fixed(std::size_t block) const {
-  // While others settle, nothing else moves.
+  // While confined blocks settle, no other block moves.
   return settings_.at_once && !is_confined(block) &&
          (blocks_[block].release_time > 0.0 || !settings_.confining_walls.empty());
 }

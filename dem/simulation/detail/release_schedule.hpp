@@ -1,5 +1,5 @@
 #pragma once
-/// Schedule of settling, fixed and released blocks of a sequence.
+/// Schedule of a sequence: which blocks settle, are fixed or are released, and when.
 #include <cstddef>
 #include <span>
 
@@ -10,14 +10,14 @@ namespace clast::dem_detail {
 class ReleaseSchedule {
  public:
   /// Stores references.
-  /// @param blocks  must outlive this object, as must the settings
+  /// @param blocks  blocks of the sequence; must outlive this object, as must the settings
   ReleaseSchedule(std::span<const SequenceBlock> blocks, const SequenceSettings& settings)
       : blocks_(blocks), settings_(settings) {}
 
   /// True if a confining wall holds the block.
   bool is_confined(std::size_t block) const;
   bool starts_fixed(std::size_t block) const;
-  /// Returns the release time of a block since the first release, s, for multi-block releases.
+  /// Returns the release time of a block of a multi-block release, since the first release, s.
   double release_time(std::size_t block) const;
 
  private:

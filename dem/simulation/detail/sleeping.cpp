@@ -7,7 +7,7 @@ namespace clast::dem_detail {
 
 namespace {
 
-/// Two bodies that touch; a body that touches the terrain is none.
+/// True if the pair consists of two touching bodies; false for a body on the terrain.
 bool bodies_touch(const ContactPair& pair) {
   return pair.has_load && pair.reference != ContactPair::kTerrain && pair.contacts->is_touching();
 }
@@ -29,7 +29,7 @@ bool is_among_staying(std::uint32_t body, std::span<const WorldBody> bodies,
   });
 }
 
-/// @return  the kinetic energy that is gone, J
+/// @return  removed kinetic energy, J
 double put_body_to_sleep(std::uint32_t index, std::span<WorldBody> bodies,
                          const ContactPairTable& pairs) {
   WorldBody& body = bodies[index];
@@ -65,7 +65,7 @@ void SleepManager::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
     if (!bodies_touch(pair)) continue;
     const std::uint32_t other = other_of(pair, body);
     wake(other, bodies, pairs);
-    // Also one that is awake may have rested on it.
+    // A body that is awake may have rested on it, too.
     bodies[other].resting = 0.0;
     bodies[other].sleep_detector.reset();
   }

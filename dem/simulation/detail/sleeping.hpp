@@ -7,7 +7,7 @@
 
 namespace clast::dem_detail {
 
-/// Puts bodies to sleep and wakes them, changing their sleep state, velocities and detectors.
+/// Puts bodies to sleep and wakes them. Changes their sleep state, velocities and sleep detectors.
 class SleepManager {
  public:
   std::size_t count() const { return count_; }
@@ -16,15 +16,16 @@ class SleepManager {
     bytes(count_);
   }
 
-  /// Wakes bodies touched by moving bodies, and all sleeping bodies connected to them.
-  /// @param pairs  with an up-to-date list of active pairs; other pairs wake nothing
+  /// Wakes sleeping bodies touched by bodies that are not stationary, and all sleeping bodies
+  /// connected to those by contacts.
+  /// @param pairs  pairs with an up-to-date active list; only active pairs are examined
   void wake_touched(std::span<WorldBody> bodies, const ContactPairTable& pairs);
   /// Wakes a body that will be removed, the bodies that it touches, and all sleeping bodies
-  /// connected to them.
+  /// connected to those by contacts.
   void wake_around(std::uint32_t body, std::span<WorldBody> bodies, const ContactPairTable& pairs);
-  /// Puts stationary bodies to sleep if all bodies that they touch are stationary.
+  /// Puts each stationary body to sleep if all bodies that it touches are stationary too.
   /// @param moving  ascending indices of the bodies that moved in the step
-  /// @return removed kinetic energy, J
+  /// @return kinetic energy removed by setting velocities to zero, J
   double put_to_sleep(std::span<WorldBody> bodies, std::span<const std::uint32_t> moving,
                       const ContactPairTable& pairs);
 

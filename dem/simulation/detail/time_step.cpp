@@ -8,15 +8,16 @@
 namespace clast::dem_detail {
 namespace {
 
-/// @param energy  that passes through the contact, J
+/// @param energy  energy transferred by the contact, J
 bool in_impact(const WorldBody& body, double energy, double rest_energy) {
   if (body.is_idle()) return false;
   const double floor = kRockingEnergyFactor * rest_energy * body.shape->body.mass;
   return is_impact(energy, std::max(body.integrator.kinetic_energy(), floor));
 }
 
-/// 1/s^2 over k: with springs of stiffness k at its contacts, weighted, the body has no frequency
-/// above the root of k times this. Both ends of a spring between two bodies that move give way.
+/// Returns the mobility of a body at its contacts, 1/kg: with weighted springs of stiffness k
+/// there, it has no frequency above sqrt(k mobility). A spring between two moving bodies counts
+/// twice.
 double mobility_of(std::uint32_t index, std::span<const WorldBody> bodies,
                    const ContactPairTable& pairs) {
   const BodyShape& shape = *bodies[index].shape;
@@ -33,7 +34,7 @@ double mobility_of(std::uint32_t index, std::span<const WorldBody> bodies,
   return sum;
 }
 
-/// How long a pair that does not touch needs at least until it does, s.
+/// Returns a lower bound of the time until a pair without contact can touch, s.
 double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
                   const ContactPairTable& pairs, double gravity) {
   const WorldBody& block = bodies[pair.block];
@@ -45,7 +46,7 @@ double time_apart(const ContactPair& pair, std::span<const WorldBody> bodies,
   if (pair.reference != ContactPair::kTerrain && !bodies[pair.reference].is_idle()) {
     const RigidBodyIntegrator& reference = bodies[pair.reference].integrator;
     velocity -= reference.state().velocity;
-    // Seen from a body that turns, all around it turns.
+    // In the frame of a rotating reference body, the block rotates about it.
     const double arm = (block.integrator.state().position - reference.state().position).norm();
     turning += reference.max_angular_speed() * (arm + block.shape->radius);
   }

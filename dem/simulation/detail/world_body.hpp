@@ -23,11 +23,11 @@ struct BodyShape {
   RigidBody body;
   BlockSurface surface;
   double radius;                   ///< of the rounded body about its centre, m
-  std::vector<double> mobilities;  ///< of its vertices, 1/kg
+  std::vector<double> mobilities;  ///< `vertex_mobilities` of the body, 1/kg
   double largest_mobility;
 };
 
-/// Range of bodies held by a confining wall.
+/// Range of the bodies that a confining wall holds.
 struct ConfinedRange {
   std::size_t first = 0, end = 0;
 
@@ -60,7 +60,7 @@ struct WorldBody {
     rotation_path += 2.0 * (from.rotation.conjugate() * to.rotation).vec().norm();
     motion = over_step;
   }
-  /// True if the body takes no part in the next step.
+  /// True if the body does not move in the next step: it is fixed, inactive or asleep.
   bool is_idle() const { return is_immobile() || asleep; }
   /// Returns the kinetic plus potential energy, J.
   double energy(double gravity) const {
@@ -77,19 +77,19 @@ struct WorldBody {
   const BodyShape* shape;
   RigidBodyIntegrator integrator;
   bool fixed;
-  std::optional<ConfinedRange> confined;  ///< for a confining wall: the bodies that it touches
-  bool inactive = false;       ///< left the terrain or was removed; stays at its last pose
-  bool off_terrain = false;    ///< found in the last step: will leave
-  BodyMotion motion;           ///< over the last step
-  double path_length = 0.0;    ///< of its centre since it came, step by step, m
-  double rotation_path = 0.0;  ///< likewise: chords of its turns, m at an arm of 1 m
+  std::optional<ConfinedRange> confined;  ///< for a confining wall: the bodies that it holds
+  bool inactive = false;     ///< true if it left the terrain or was removed; it keeps its last pose
+  bool off_terrain = false;  ///< true if it left the terrain in the last step
+  BodyMotion motion;         ///< its motion over the last step
+  double path_length = 0.0;  ///< sum of the displacements of its centre in all steps, m
+  double rotation_path = 0.0;  ///< sum of 2 sin(angle/2) for the rotations of all steps
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
-  bool touching = false;           ///< has contacts
-  double correction_energy = 0.0;  ///< energy that events inside the last step added, J
+  bool touching = false;           ///< true if it has contacts
+  double correction_energy = 0.0;  ///< energy added by event impulses of the last step, J
   double resting = 0.0;            ///< s
-  bool asleep = false;             ///< at rest, and so is all that touches it: no part of the step
-  SleepDetector sleep_detector;    ///< while it is slow enough to rest
+  bool asleep = false;             ///< true if it and all bodies that it touches are at rest
+  SleepDetector sleep_detector;    ///< active while the body is slow enough to rest
   std::uint64_t pair_steps = 0;    ///< touching pairs in which it is the block, summed over steps
 };
 

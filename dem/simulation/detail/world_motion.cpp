@@ -11,7 +11,7 @@ namespace clast::dem_detail {
 
 namespace {
 
-/// Bodies that a thread takes at a time.
+/// Number of bodies that a thread takes at a time.
 constexpr std::size_t kBodiesAtATime = 16;
 
 /// Adds the events of one pair to those of one of its bodies.
@@ -151,7 +151,7 @@ void WorldMotion::release_bodies(std::span<const std::size_t> bodies) {
 
 void WorldMotion::begin_new_pairs(const IsNew& is_new) {
   pairs_.update_slack(bodies_);
-  // Bodies that start in contact bring what is stored there.
+  // Bodies that start in contact add the energy stored in it.
   const double before = losses().reassigned;
   pairs_.update_pairs(bodies_);
   invalidate_lists();
@@ -182,14 +182,14 @@ void WorldMotion::check_start_overlaps(const IsNew& is_new) const {
   }
 }
 
-/// Between two steps, when pairs came or went.
+/// Sums the loads of all bodies again between two steps, after pairs have changed.
 void WorldMotion::reapply_loads() {
   reassigned_ -= verlet_start_losses(step_length_);
   end_body_steps(0.0, false);
   reassigned_ += verlet_start_losses(step_length_);
 }
 
-/// What Verlet steps conserve depends on their length.
+/// The energy that Verlet steps conserve depends on their length.
 void WorldMotion::set_step_length(double dt) {
   if (dt == step_length_) return;
   reassigned_ += verlet_start_losses(dt) - verlet_start_losses(step_length_);
@@ -239,7 +239,7 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
     body.touching = touching > 0;
     if (body.is_immobile()) return;
     if (!flight) body.integrator.end_step(dt, body.force, body.torque, gravity());
-    if (events && dt > 0.0) {  // else they were applied at the end of the step before
+    if (events && dt > 0.0) {  // otherwise they were applied at the end of the previous step
       body.correction_energy =
           body.integrator.apply_event_impulse(events->impulse, events->angular_impulse,
                                               events->moment, events->angular_moment, gravity());
@@ -321,8 +321,8 @@ EnergyBalance WorldMotion::energy_balance() const {
   EnergyBalance energy_balance = losses();
   energy_balance.initial = initial_;
   double energy = pairs_.stored_energy();
-  // The potential counts from the heights at the end, so that the scale does not depend on the
-  // datum.
+  // Potential energy is relative to the heights at the end, so that the scale of the error does not
+  // depend on the datum.
   double datum = 0.0;
   for (const WorldBody& body : bodies_) {
     if (body.fixed) continue;

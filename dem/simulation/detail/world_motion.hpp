@@ -17,30 +17,30 @@
 
 namespace clast::dem_detail {
 
-/// Bodies with their contacts; not movable, because its members refer to each other.
+/// All bodies of a world and their contacts. Not movable, because members refer to each other.
 class WorldMotion {
  public:
   /// Makes a world.
-  /// @param on  terrain, or null; must outlive this object
-  /// @throws InputError  if settings are out of range; SimulationError if a shape has no mass or a
-  ///                     ground zone no parameters
+  /// @param on  terrain of the world, or null; must outlive this object
+  /// @throws InputError  if settings are out of range
+  /// @throws SimulationError  if a shape has no mass or a ground zone has no parameters
   WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& with, const TerrainSurface* on,
               std::vector<GroundParameters> ground_zones);
   WorldMotion(const WorldMotion&) = delete;
   WorldMotion& operator=(const WorldMotion&) = delete;
 
   /// Adds a body.
-  /// @param start  with a unit quaternion, on the terrain
+  /// @param start  initial state, with a unit quaternion; the centre is above the terrain
   void add_body(std::size_t shape, const RigidState& start, bool fixed);
-  /// Makes the last fixed body a confining wall.
+  /// Turns the body that was added last, which is fixed, into a confining wall.
   void set_confined_bodies(std::size_t wall, const ConfinedRange& confined) {
     bodies_[wall].confined = confined;
   }
-  /// Removes a body from the motion at its pose and wakes the bodies that it touched.
+  /// Removes a body and wakes the bodies that it touched. It becomes inactive and keeps its pose.
   void remove_body(std::size_t body);
-  /// Frees fixed bodies, each listed once.
+  /// Frees fixed bodies. Each may be listed only once.
   void release_bodies(std::span<const std::size_t> bodies);
-  /// Advances by a step as long as contacts allow, at most `longest`, s.
+  /// Advances by one step. It is as long as the contacts allow, but at most `longest`, s.
   void advance(double longest);
   /// Returns the ascending indices of moving bodies, valid until the next step.
   std::span<const std::uint32_t> moving_bodies() {
@@ -50,13 +50,13 @@ class WorldMotion {
   /// Advances the time while no body moves, s.
   void advance_time(double duration) { time_ += duration; }
 
-  /// Summarises the current contacts of a body, as `World::touch`.
+  /// Summarises the current contacts of a body, as `World::contact_summary`.
   ContactSummary contact_summary(std::size_t body) const;
   /// Returns the energy balance since the first body was added.
   EnergyBalance energy_balance() const;
   EnergySample energy_sample() const;
 
-  /// True if the body is idle, or has been slow and in contact for the rest duration.
+  /// True if the body is idle, or if it has been slow and in contact for the rest duration.
   bool is_resting(const WorldBody& body) const {
     return body.is_idle() || body.resting >= settings_.rest_duration;
   }
@@ -65,7 +65,7 @@ class WorldMotion {
   std::span<const BodyShape> shapes() const { return shapes_; }
   const std::vector<WorldBody>& bodies() const { return bodies_; }
   const ContactPairTable& pairs() const { return pairs_; }
-  /// True if the contacts of the body have been set up, which the first step does.
+  /// True if the contacts of the body have been set up, which its first step does.
   bool is_prepared(std::size_t body) const { return body < prepared_count_; }
   std::size_t sleeping_count() const { return sleep_manager_.count(); }
   double time() const { return time_; }  ///< s
@@ -101,19 +101,19 @@ class WorldMotion {
   }
   EnergyBalance losses() const {
     EnergyBalance sum = pairs_.losses().sum();
-    sum.reassigned += reassigned_;  ///< losses without a pair, J
+    sum.reassigned += reassigned_;  ///< losses that belong to no pair, J
     return sum;
   }
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
 
   void prepare_new_bodies();
-  /// Updates the lists of moving bodies and active pairs if necessary.
+  /// Updates the lists of moving bodies and active pairs if they are outdated.
   void update_moving_list();
-  /// Marks the lists as outdated; to be called if the moving bodies or active pairs change.
+  /// Marks the lists as outdated. Must be called if the moving bodies or active pairs change.
   void invalidate_lists() { listed_ = positions_known_ = false; }
-  /// Predicate: true if a pair has contacts for the first time, at a start.
+  /// Predicate: true if a pair is new because one of its bodies starts.
   using IsNew = std::function<bool(const ContactPair&)>;
-  /// Updates the pairs and starts the contacts of new ones.
+  /// Updates the pairs and computes the contacts of new ones.
   void begin_new_pairs(const IsNew& is_new);
   void check_start_overlaps(const IsNew& is_new) const;
   /// Updates all pairs to the poses of the bodies.
@@ -121,8 +121,7 @@ class WorldMotion {
   void wake_touched();
   void put_to_sleep();
   void reapply_loads();
-  /// Returns the energy that Verlet steps of this length lose by starting with the present loads,
-  /// J.
+  /// Returns the sum of `RigidBodyIntegrator::verlet_start_loss` for steps of length `dt`, J.
   double verlet_start_losses(double dt);
   void set_step_length(double dt);
   void begin_body_steps(const TimeStep& step);
@@ -147,27 +146,27 @@ class WorldMotion {
                          terrain_ ? std::span<const std::uint16_t>(terrain_->impl().zones)
                                   : std::span<const std::uint16_t>(),
                          soil_.is_enabled() ? &soil_ : nullptr)};
-  std::size_t prepared_count_ = 0;  ///< number of bodies with set-up contacts
+  std::size_t prepared_count_ = 0;  ///< number of bodies whose contacts have been set up
   SleepManager sleep_manager_;
   BodyObserver observer_;
-  /// State of a body at the start of the step, and whether it was without contact.
+  /// State of a body at the start of the step, and a flag for bodies without contact then.
   struct StartState {
     std::uint32_t body;
     RigidState state;
     bool free = false;
   };
-  std::vector<StartState> start_states_;  ///< of moving bodies, if observed
+  std::vector<StartState> start_states_;  ///< of moving bodies, if there is an observer
 
   // Sleeping bodies should cost next to nothing, so a step works on these lists only.
   bool listed_ = false;                ///< true if both lists and the active pairs are up to date
   std::vector<std::uint32_t> moving_;  ///< ascending indices of moving bodies
-  std::vector<std::uint32_t> awake_;   ///< bodies not asleep, including fixed ones
-  bool positions_known_ = false;       ///< the broad phase knows the positions of resting bodies
+  std::vector<std::uint32_t> awake_;   ///< bodies that are not asleep, including fixed ones
+  bool positions_known_ = false;  ///< true if the broad phase knows the positions of resting bodies
 
   double time_ = 0.0;
-  double step_length_ = settings_.stiffness.time_step;  ///< of the last step, s
+  double step_length_ = settings_.stiffness.time_step;  ///< length of the last step, s
   double initial_ = 0.0;                                ///< energy of added bodies, J
-  double reassigned_ = 0.0;                             ///< losses of no pair, J
+  double reassigned_ = 0.0;                             ///< losses that belong to no pair, J
   std::uint64_t steps_ = 0;
 };
 

@@ -6,13 +6,13 @@
 
 namespace clast::terrain_detail {
 
-/// Esri grid prepared for GDAL, which skips rows starting with a letter, as in "nan", and reads
-/// other words as 0. A grid whose heights start so is passed as a copy in memory, with its .prj and
-/// .aux.xml.
+/// Esri grid prepared for GDAL. GDAL skips rows that start with a letter, such as "nan", and reads
+/// other words as 0. If the heights start with a word, GDAL gets a copy in memory, with the .prj
+/// and .aux.xml files.
 class EsriGrid {
  public:
   /// Prepares a raster.
-  /// @param path  other kinds than Esri grids are unchanged
+  /// @param path  raster file; files that are not Esri grids are passed on unchanged
   /// @throws InputError  if a word among the heights is not a number
   explicit EsriGrid(const std::filesystem::path& path);
   ~EsriGrid();
@@ -24,7 +24,7 @@ class EsriGrid {
 
  private:
   std::string path_;
-  std::vector<std::string> copies_;  ///< in memory
+  std::vector<std::string> copies_;  ///< paths of the copies in memory
 };
 
 }  // namespace clast::terrain_detail

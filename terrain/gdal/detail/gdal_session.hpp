@@ -36,11 +36,11 @@ struct DatasetCloser {
 using DatasetPointer = std::unique_ptr<GDALDataset, DatasetCloser>;
 
 /// Checks that a GDAL write succeeded.
-/// @throws InputError  with file, action and GDAL's message
+/// @throws InputError  if it failed; the message gives file, action and GDAL's message
 void check_written(bool done, const std::filesystem::path& target, const std::string& what);
 
-/// Makes a spatial reference by name; a local one in metres if the name is empty or unknown,
-/// because coordinates without reference are read as degrees.
+/// Makes a spatial reference from an EPSG code or WKT. If the text is empty or unknown, a local
+/// system in metres is made, because other programs read coordinates without a system as degrees.
 OGRSpatialReference make_spatial_reference(const std::string& crs);
 
 /// Returns "EPSG:25832" if the system has a code, otherwise its WKT; empty if there is none.

@@ -23,24 +23,24 @@ struct TransformationDeleter {
 using Transformation = std::unique_ptr<OGRCoordinateTransformation, TransformationDeleter>;
 
 /// Opens a vector file.
-/// @param what  "polygons", "lines"
+/// @param what  kind of features for messages: "polygons" or "lines"
 /// @throws InputError  if it cannot be read
 DatasetPointer open_feature_file(const std::filesystem::path& path, const std::string& what);
 
-/// Finds the single layer with geometry; attribute tables, such as QGIS styles, are ignored.
-/// @throws InputError  if there is none, or several
+/// Finds the only layer with geometry. Attribute tables, such as QGIS styles, are ignored.
+/// @throws InputError  if no layer or several layers have geometry
 OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path& path,
                               const std::string& what);
 
-/// Makes the transformation from the layer's system to the terrain's; none if they agree or one is
-/// unknown. GeoJSON without a system counts as WGS 84 degrees, but coordinates beyond degrees are
-/// taken as map metres.
+/// Makes the transformation from the layer's coordinate system to that of the terrain; null if they
+/// are equal or one is unknown. GeoJSON without a system is in WGS 84 degrees. If its coordinates
+/// are too large for degrees, they are taken as metres in the terrain's system.
 /// @throws InputError  if GDAL cannot transform between the systems
 Transformation make_transformation(OGRLayer& layer, const std::string& crs,
                                    const std::filesystem::path& path);
 
-/// Returns the geometry of a feature on the terrain's map, with arcs linearised to a thousandth of
-/// their radius; null if it has none.
+/// Returns the geometry of a feature in the terrain's coordinate system; null if it has none. Arcs
+/// are replaced by lines that deviate by at most a thousandth of the radius.
 /// @throws InputError  if it cannot be transformed
 std::unique_ptr<OGRGeometry> linearised_geometry(const OGRFeature& feature,
                                                  OGRCoordinateTransformation* transform,

@@ -1,5 +1,5 @@
 #pragma once
-/// Streaming of point clouds to height grids; the memory depends on the grid only.
+/// Streaming of point clouds to height grids. The memory needed depends on the grid only.
 #include <filesystem>
 #include <span>
 #include <string>
@@ -17,19 +17,19 @@ struct CloudGrid {
   std::vector<std::string> notes;
 };
 
-/// Reads the clouds two or three times: for extent and density, for the number of points per cell,
-/// and, for a percentile or outliers, for up to 64 heights per cell, spread evenly over the file.
-/// Cells lie on multiples of their size. If points are classified, only ground points are used.
-/// @throws InputError  if a cloud cannot be read or has no points, there are too many cells, or
-///                     only outliers
+/// Computes the height grid of the clouds in `options`. If points are classified, only ground
+/// points are used. Cells lie on multiples of their size. The files are read twice. For percentiles
+/// and outliers, they are read a third time, for up to 64 heights per cell.
+/// @throws InputError  if a cloud cannot be read or has no points, if there are too many cells, or
+///                     if all points are outliers
 CloudGrid read_cloud_grid(const TerrainOptions& options);
 
 /// Makes an empty grid of square cells on multiples of their size over a plan box.
-/// @throws InputError  if there are too many cells; names `path`
+/// @throws InputError  if there are too many cells; the message names `path`
 HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
                               const std::filesystem::path& path);
 
-/// Computes the mean height per square cell; cells lie on multiples of `cell`.
+/// Computes the mean height of the points in each square cell. Cells lie on multiples of `cell`.
 HeightGrid bin_points(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

@@ -15,16 +15,18 @@ namespace clast::terrain_detail {
 /// Declared fill value of a grid, and advice for undeclared ones.
 struct NoDataRules {
   std::optional<double> declared = {};  ///< fill value declared by the file
-  /// Completes "If -9999 stands for no data, ..."; NUMBER is replaced by the value.
+  /// End of messages "If -9999 stands for no data, ..."; NUMBER is replaced by the value.
   std::string advice;
 };
 
-/// Checks for heights that are impossible, and for common fill values (-9999, 9999, -999, -99, 0
-/// and similar) farther from all other heights than their range, for 0 also by more than 100 m. If
-/// a fill value is declared, they are only noted, as are common fill values and repeated extremes
-/// whose cells border on steps ten times the mean step.
+/// Checks the heights of a grid for impossible values and undeclared fill values. A common fill
+/// value (-9999, 9999, -999, -99, 0 and similar) is suspicious if its distance from all other
+/// heights exceeds their range; 0 must also be more than 100 m away. If a fill value is declared,
+/// suspicious ones are only noted. Extremes and fill values with steps of ten times the mean step
+/// around them are noted, too.
 /// @return notes
-/// @throws InputError  with value, count and a position
+/// @throws InputError  if a height is impossible or suspicious; the message gives value and
+///                     position
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
                                            const NoDataRules& rules);
@@ -34,13 +36,12 @@ class PointHeightCheck {
  public:
   void include(double height);
   void include(const PointHeightCheck& other);
-  /// Checks for common fill values farther from all other heights than their range, for 0 also by
-  /// more than 100 m.
-  /// @throws InputError  with value and count
+  /// Checks for suspicious common fill values, as `check_fill_values`.
+  /// @throws InputError  if there is one; the message gives value and count
   void check(const std::filesystem::path& path) const;
 
  private:
-  std::map<double, std::size_t> fills_;  ///< number of points per value
+  std::map<double, std::size_t> fills_;  ///< number of points for each common fill value
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 

@@ -7,8 +7,8 @@
 namespace clast::terrain_detail {
 
 /// Removes fins: small parts attached at non-manifold edges whose removal makes all these edges
-/// manifold. Ambiguous parts are kept, to be refused later.
-/// @param links  of the surface as it is
+/// manifold. If it is ambiguous which part is the fin, all are kept.
+/// @param links  neighbours of the triangles before the removal
 /// @return true if any was removed
 bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainReport& report);
 

@@ -7,7 +7,8 @@
 
 namespace clast::terrain_detail {
 
-/// Plane z = height + slope . (x, y) about a vertex, by least squares through its neighbours.
+/// Least-squares plane through the neighbours of a vertex: z = height + slope . (x, y), with x and
+/// y relative to the vertex.
 struct RingPlane {
   double height = 0.0;  ///< at the vertex, m
   Vec2 slope = Vec2::Zero();
@@ -16,7 +17,7 @@ struct RingPlane {
   double height_at(const Vec2& from_vertex) const { return height + slope.dot(from_vertex); }
 };
 
-/// Fits the plane; empty with fewer than three or collinear neighbours.
+/// Fits the plane; empty if there are fewer than three neighbours or if they are collinear.
 /// @param ring  neighbours, without the vertex itself
 std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh,
                                         std::span<const std::uint32_t> ring, std::uint32_t vertex);

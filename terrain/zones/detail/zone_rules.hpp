@@ -7,22 +7,22 @@
 
 namespace clast::terrain_detail {
 
-/// Zone with its conditions, all of which must hold.
+/// Zone and the conditions for it, all of which must hold.
 struct ZoneRule {
   struct Condition {
-    bool of_slope = false;  ///< false: of height
-    bool above = false;     ///< true: greater than the bound; false: less
+    bool of_slope = false;  ///< true for a bound of the slope, false for one of the height
+    bool above = false;     ///< true if the value must exceed the bound, false if it must be below
     bool or_equal = false;
-    double bound = 0.0;  ///< rad, or m on the map
+    double bound = 0.0;  ///< slope in rad, or map height in m
   };
   std::string zone;
-  std::vector<Condition> conditions;  ///< empty: always
+  std::vector<Condition> conditions;  ///< if empty, the rule always applies
 
   bool applies(double slope, double height) const;
 };
 
-/// Parses rules such as "rock=slope>60", "scree=height<1450&slope>=30", "soil=else"; slopes in
-/// degrees (above 90: overhangs), heights in metres on the map.
+/// Parses rules such as "rock=slope>60", "scree=height<1450&slope>=30", "soil=else". Slopes are in
+/// degrees, above 90 for overhangs; heights are map heights in metres.
 /// @throws InputError  if a rule is invalid
 std::vector<ZoneRule> parse_zone_rules(const std::vector<std::string>& texts);
 
