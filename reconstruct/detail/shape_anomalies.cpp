@@ -26,8 +26,6 @@ constexpr double kHollowFill = 0.5;
 constexpr double kGroundLevel = 0.85, kRises = 0.35;
 /// It does not fall away from the body, as the flanks of a flat rock do: mean sine, outward.
 constexpr double kGroundFall = 0.12;
-/// Mean distance of the ground from its median height, against the height of what stands on it.
-constexpr double kGroundSpread = 0.12;
 constexpr double kMaxSlabHeight = 0.8;  ///< of the width: a needle that stands up has no ground
 constexpr double kMinGround = 0.2;      ///< of the plan area
 /// It reaches beyond the body, by this share of the width, in so many of the sectors of the plan.
@@ -124,7 +122,7 @@ std::optional<ShapeAnomaly> ground_around(const TriangleMesh& closed, const Vec3
   tall /= tall_area;
   const Vec3 east = up.unitOrthogonal(), north = up.cross(east);
   std::array<double, kGroundSectors> body{}, ground{};
-  double ground_area = 0.0, fall = 0.0, spread = 0.0;
+  double ground_area = 0.0, fall = 0.0;
   for (const PlanPiece& piece : upper) {
     const Vec3 away = piece.centre - tall;
     const double x = east.dot(away), y = north.dot(away), radius = std::hypot(x, y);
@@ -136,7 +134,6 @@ std::optional<ShapeAnomaly> ground_around(const TriangleMesh& closed, const Vec3
     } else if (piece.level > kGroundLevel) {
       ground[sector] = std::max(ground[sector], radius);
       ground_area += piece.area;
-      spread += piece.area * std::abs(piece.height - ground_height);
       fall += piece.area * (x * east.dot(piece.normal) + y * north.dot(piece.normal)) /
               std::max(radius, 1e-300);
     }
