@@ -45,7 +45,7 @@ struct PhotoScan {
   PhotoModel model;                         ///< in metres if `metric`
   MarkerSearchResult markers;               ///< positions in the frame of `model`
   std::vector<BoardCorner> corners;         ///< corners of a ChArUco board, in the frame of `model`
-  std::optional<PhotoScale> scale;          ///< scale
+  std::optional<PhotoScale> scale;          ///< scale from markers or a board
   std::vector<std::string> without_camera;  ///< names of photos without camera, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`

@@ -1,6 +1,5 @@
 #pragma once
-/// Scale boards with known distances, and their side length of the markers, measurement in a camera
-/// model.
+/// Scale boards with known distances, and their measurement in a camera model.
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +31,7 @@ inline constexpr NumberRange kBarLength{1e-4, 1e4, "m"};
 struct ScaleBoard {
   std::string dictionary;  ///< dictionary of the markers (`MarkerOptions::dictionary`)
   std::vector<BoardMarker> markers = {};   ///< markers of the board; empty for a ChArUco board
-  std::optional<double> marker_side = {};  ///< m
+  std::optional<double> marker_side = {};  ///< side length of the markers, m
   std::optional<CharucoBoard> charuco = {};
 
   void check() const;  ///< throws InputError naming the field and its value

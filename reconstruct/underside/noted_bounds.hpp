@@ -1,5 +1,5 @@
 #pragma once
-/// Volum per unit of the filee bracket of a closed scan, with notes.
+/// Volume bracket of a closed scan, with notes.
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,7 +38,7 @@ class ScannedSurface {
 /// Closed surface with its scanned part and uncertainty. Lengths are in units of the file.
 struct ClosedScan {
   const TriangleMesh& surface;
-  double unit = 1.0;                                ///< m
+  double unit = 1.0;                                ///< m per unit of the file
   const ScannedSurface* scanned = nullptr;          ///< null if the whole surface was scanned
   const SurfaceUncertainty* uncertainty = nullptr;  ///< null if the surface is exact
 };
