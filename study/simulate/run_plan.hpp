@@ -10,8 +10,7 @@ namespace clast::study_detail {
 
 /// Plans all runs and completes the header. The stiffness of the runs is not set.
 /// @param prepared  plan with campaign, blocks, terrain and header
-/// @throws InputError  if a point is outside the terrain, or there are too many runs for 32-bit
-///                     indices
+/// @throws InputError  if a point is outside the terrain, or there are more than 99,999,999 runs
 /// @throws SimulationError  if a start is inside the ground; names run, block, point, orientation
 ///                          and depth
 void plan_runs(CampaignPlan& prepared);
