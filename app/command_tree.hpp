@@ -1,5 +1,5 @@
 #pragma once
-/// Tree of commands and options as plain values, from which shell completion is generated.
+/// Tree of commands and options, from which help and shell completion are generated.
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,16 +9,18 @@ namespace clast {
 
 /// Option, flag or positional argument.
 struct OptionEntry {
-  std::vector<std::string> names;  ///< "-o", "--output"; for a positional argument its name
+  std::vector<std::string>
+      names;  ///< names, such as "-o" and "--output"; for a positional argument, its name
   bool positional = false;
-  bool repeated = false;             ///< accepts any number of values
-  std::string value;                 ///< placeholder in the help text, "FILE"; empty for flags
-  std::vector<std::string> choices;  ///< allowed values; empty: any
+  bool repeated = false;  ///< true if any number of values is accepted
+  std::string
+      value;  ///< placeholder of the value in the help text, such as "FILE"; empty for flags
+  std::vector<std::string> choices;  ///< allowed values; if empty, any value is allowed
   std::string description;
 };
 
 struct CommandEntry {
-  std::string name;  ///< last word
+  std::string name;  ///< last word of the command
   std::string summary;
   std::vector<OptionEntry> options;
   std::vector<CommandEntry> commands;

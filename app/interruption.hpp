@@ -1,14 +1,15 @@
 #pragma once
-/// Orderly end of long jobs on signals.
+/// Controlled end of long jobs on signals.
 
 namespace clast {
 
-/// While an object exists, the first SIGINT, SIGTERM or SIGHUP only sets a flag; the second ends
-/// the program at once.
+/// Handles signals while an object exists. The first SIGINT, SIGTERM or SIGHUP only sets a flag.
+/// The second ends the program immediately.
 class InterruptionWatch {
  public:
   /// Installs the signal handlers.
-  /// @param said  message written to stderr at the first signal, or empty; must outlive this object
+  /// @param said  message that is written to stderr at the first signal; may be empty; must outlive
+  ///              this object
   explicit InterruptionWatch(const char* said = "");
   ~InterruptionWatch();
   InterruptionWatch(const InterruptionWatch&) = delete;

@@ -5,11 +5,12 @@
 
 namespace clast {
 
-/// Replaces option fields in backticks by their command-line options: "`any_size`" becomes
-/// "--any-size". Other fields only lose their backticks.
+/// Replaces names of option fields in backticks by command-line options: "`any_size`" becomes
+/// "--any-size". The backticks of other names are removed.
 std::string replace_keys_by_flags(std::string_view text);
 
-/// Formats a message for the terminal: options replaced, non-printable characters escaped.
+/// Formats a message for the terminal. Names of option fields are replaced, and non-printable
+/// characters are escaped.
 std::string format_for_terminal(std::string_view text);
 
 }  // namespace clast

@@ -14,7 +14,7 @@ CLI::Validator within(const NumberRange& range);
 CLI::Validator whole_number(std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
 
 /// Runs a check of option values and reports its errors as misuse.
-/// @throws CLI::ValidationError  in place of InputError
+/// @throws CLI::ValidationError  if `check` throws InputError
 void check_usage(const std::function<void()>& check);
 
 }  // namespace clast

@@ -1,13 +1,13 @@
 #pragma once
-/// Progress of long jobs on stderr: a bar with rate and remaining time on a terminal, otherwise a
-/// line for every tenth. Nothing is shown during the first two seconds.
+/// Progress of long jobs on stderr. On a terminal, it is a bar with rate and remaining time;
+/// otherwise, a line is printed for every tenth. Nothing is shown during the first two seconds.
 #include <chrono>
 #include <cstddef>
 #include <string>
 
 namespace clast {
 
-/// Formats a duration, "3 min 20 s", in seconds or larger units.
+/// Formats a duration in seconds or larger units, such as "3 min 20 s".
 std::string format_duration(double seconds);
 
 class ProgressBar {
@@ -20,11 +20,12 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Sets the number of items done before the clock started; call before the first update.
+  /// Sets the number of items finished before the clock started. Must be called before the first
+  /// update.
   void start_from(std::size_t done);
   /// Updates the display.
   /// @param note  current activity, shown on a terminal
-  /// @param is_slow  show the activity on a line of its own, with its duration at the end
+  /// @param is_slow  true: shows the activity on a line of its own, with its duration when it ends
   void update(std::size_t done, const std::string& note = "", bool is_slow = false);
   /// Removes the bar from the terminal and ends an open line, so that other text can be printed.
   void clear();
@@ -35,9 +36,9 @@ class ProgressBar {
 
   std::string what_;
   std::size_t total_;
-  std::size_t first_ = 0;  ///< items done when the clock started
+  std::size_t first_ = 0;  ///< number of items finished when the clock started
   bool started_ = false;
-  std::size_t tenths_ = 0;  ///< of the last printed line
+  std::size_t tenths_ = 0;  ///< number of tenths of the last printed line
   bool terminal_;
   bool visible_ = false;
   std::chrono::steady_clock::time_point begin_;

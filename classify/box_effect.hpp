@@ -10,22 +10,23 @@
 
 namespace clast {
 
-/// Number of blocks that change class if the axes are measured by another convention.
+/// Number of blocks whose class changes if another box convention is used.
 struct BoxConventionEffect {
   BoxConvention convention = BoxConvention::kSmallest;
   std::string scheme;
-  std::size_t blocks = 0;        ///< blocks that have the boxes of all conventions
-  std::size_t reclassified = 0;  ///< blocks with another class
+  std::size_t blocks = 0;        ///< number of blocks with the boxes of all conventions
+  std::size_t reclassified = 0;  ///< number of blocks with another class
 };
 
-/// Compares the classes by each other convention with those by the axes in use, grouped by scheme.
-/// Blocks without `axes_by_box` (measured by tape) are left out; the result is empty if all are.
+/// Compares the classes for the axes in use with those for each other convention. Results are
+/// grouped by scheme. Blocks without `axes_by_box`, which were measured by tape, are omitted. The
+/// result is empty if all blocks are omitted.
 /// @throws InputError  if a scheme is unknown
 std::vector<BoxConventionEffect> compare_box_conventions(std::span<const MeasuredBlock> blocks,
                                                          std::span<const std::string> schemes,
                                                          const SchemeOptions& limits = {});
 
-/// Formats the effect as "By the inertia box 2 of 7 blocks have another class of sneed-folk."
+/// Formats an effect as "By the inertia box 2 of 7 blocks have another class of sneed-folk."
 std::string describe_box_effect(const BoxConventionEffect& effect);
 
 }  // namespace clast

@@ -10,43 +10,45 @@
 
 namespace clast {
 
-/// Blocks of a table, and the notes made while reading.
+/// Blocks of a table, with notes from reading it.
 struct DimensionTable {
   std::vector<MeasuredBlock> blocks;
   std::vector<std::string>
-      notes;                ///< the unit, skipped rows, sorted axes, masses left out, by line
-  std::size_t skipped = 0;  ///< rows without three valid axes
-  std::size_t sorted = 0;   ///< rows whose axes were not in the order L >= I >= S
+      notes;                ///< notes on the unit, skipped rows, sorted axes and ignored masses
+  std::size_t skipped = 0;  ///< number of rows without three valid axes
+  std::size_t sorted = 0;   ///< number of rows whose axes were not in the order L >= I >= S
   std::size_t without_mass =
-      0;  ///< blocks without a valid mass although the table has a mass column
+      0;  ///< number of blocks without a valid mass, if the table has a mass column
 };
 
-/// Columns of the quantities, each by name or 1-based number.
+/// Columns of the quantities, each given by name or by number from 1.
 struct DimensionColumns {
   std::string L = "L";
   std::string I = "I";
   std::string S = "S";
-  std::optional<std::string> mass = {};  ///< none: a column called "mass", if there is one
+  std::optional<std::string> mass =
+      {};  ///< if empty, a column called "mass" is used, if there is one
   std::optional<std::string> name =
-      {};                            ///< none: a column called "id", "name", "block" or the like
-  std::optional<double> units = {};  ///< m per unit of L, I, S; none: as the header says, else 1
+      {};  ///< if empty, a column called "id", "name", "block" or similar is used
+  std::optional<double> units =
+      {};  ///< m per unit of L, I and S; if empty, that of the header, otherwise 1
 };
 
 /// Reads a table separated by commas, semicolons, tabs or blanks.
 ///
-/// Column names are matched without case and without a unit suffix ("L_m", "l (cm)", "mass [t]"),
-/// which sets the unit unless `columns` does. If no column is called L, I or S, synonyms such as
-/// "Length", "b-axis", "Dicke (cm)" or "Espesor" are accepted, with a note. Without a header line
-/// the columns must be given by number. Fields may be quoted [rfc4180]; decimal commas are accepted
-/// unless the comma separates the columns.
+/// Column names are compared without case and without a unit suffix ("L_m", "l (cm)", "mass [t]").
+/// The suffix sets the unit unless `columns` does. If no column is called L, I or S, synonyms such
+/// as "Length", "b-axis", "Dicke (cm)" or "Espesor" are accepted, with a note. Without a header
+/// line, columns must be given by number. Fields may be quoted [rfc4180]. Decimal commas are
+/// accepted unless the comma separates the columns.
 ///
-/// Skipped with a note: summary rows ("Mean", "SD", "Summe") and rows with an axis that is missing,
-/// unreadable, zero, negative or outside 1e-9 to 1e9 m. Noted: unnamed rows equal to the mean or
-/// sum of the others, unreadable masses, text that is not UTF-8 (read as Windows-1252), and a unit
-/// by which most blocks are longer than 50 m. Names and notes are UTF-8.
+/// Summary rows ("Mean", "SD", "Summe") are skipped with a note, as are rows with an axis that is
+/// missing, unreadable, zero, negative or outside 1e-9 to 1e9 m. There are also notes on unnamed
+/// rows equal to the mean or sum of the others, unreadable masses, text that is not UTF-8 (read as
+/// Windows-1252), and a unit for which most blocks are longer than 50 m.
 /// @throws InputError  if the file is missing or not text, a column is missing, ambiguous or used
-///                     twice, units contradict each other, a row has another number of fields (or a
-///                     decimal comma in a comma-separated table), or no row is valid
+///                     twice, units contradict each other, a row has another number of fields, or
+///                     no row is valid
 /// @cite rfc4180
 DimensionTable read_dimension_table(const std::filesystem::path& path,
                                     const DimensionColumns& columns = {});

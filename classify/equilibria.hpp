@@ -6,21 +6,21 @@
 
 namespace clast {
 
-/// Numbers of static equilibria: directions in which the centre of mass is vertically above the
+/// Numbers of static equilibria: orientations in which the centre of mass is vertically above the
 /// contact with a horizontal plane. @cite domokos2010
 struct Equilibria {
   std::size_t stable = 0;    ///< resting on a face: minimum of the height of the centre of mass
   std::size_t unstable = 0;  ///< resting on a vertex: maximum of this height
   std::size_t saddle = 0;    ///< resting on an edge: saddle point of this height
 
-  /// True if S + U - H = 2 (Poincare-Hopf). Rounding errors can break this if the centre of mass
-  /// projects onto the border of a face or the end of an edge.
+  /// True if stable + unstable - saddle = 2 (Poincare-Hopf). Rounding errors can violate this if
+  /// the centre of mass projects onto the border of a face or the end of an edge.
   bool is_consistent() const { return stable + unstable == saddle + 2; }
 };
 
 /// Counts the equilibria of the convex hull; the rounding radius does not change them. Faces within
-/// 1e-6 rad of each other count as one. Finely meshed round parts have many equilibria close
-/// together, so count on simplified bodies.
+/// 1e-6 rad of each other are treated as one. Finely meshed round parts have many equilibria, so
+/// use simplified bodies.
 /// @param centre  centre of mass
 /// @throws GeometryError  if the vertices enclose no volume
 Equilibria static_equilibria(const SpheroPolyhedron& body, const Vec3& centre);

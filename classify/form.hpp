@@ -1,5 +1,5 @@
 #pragma once
-/// Form ratios and indices of the axes L >= I >= S.
+/// Shape ratios and indices of the axes L >= I >= S.
 #include <map>
 #include <optional>
 #include <span>
@@ -30,16 +30,16 @@ double maximum_projection_sphericity(const Axes& axes);
 double intercept_sphericity(const Axes& axes);
 /// Corey shape factor S/sqrt(L I). @cite corey1949
 double corey_shape_factor(const Axes& axes);
-/// Williams shape index: 1 - L S/I^2 if I^2 >= L S (oblate, up to 1), otherwise I^2/(L S) - 1
-/// (prolate, down to -1).
+/// Williams shape index, from -1 to 1: 1 - L S/I^2 if I^2 >= L S (oblate), otherwise I^2/(L S) - 1
+/// (prolate).
 /// @cite williams1965
 double williams_shape_index(const Axes& axes);
 /// Aschenbrenner working sphericity 12.8 (p^2 q)^(1/3) / (1 + p (1 + q) + 6 sqrt(1 + p^2 (1 +
 /// q^2))) with p = S/I, q = I/L.
 /// @cite aschenbrenner1956
 double aschenbrenner_working_sphericity(const Axes& axes);
-/// Oblate-prolate index 10 ((L - I)/(L - S) - 0.5) / (S/L): negative for discs, positive for rods;
-/// empty if L = S.
+/// Oblate-prolate index 10 ((L - I)/(L - S) - 0.5) / (S/L). It is negative for discs and positive
+/// for rods. Empty if L = S.
 /// @cite dobkins1970
 std::optional<double> oblate_prolate_index(const Axes& axes);
 
@@ -54,8 +54,8 @@ struct TernaryCoordinates {
 TernaryCoordinates ternary_coordinates(const Axes& axes);
 
 struct FormIndex {
-  const char* name;     ///< in tables and JSON
-  const char* formula;  ///< in terms of L, I and S
+  const char* name;     ///< name in tables and JSON
+  const char* formula;  ///< formula in L, I and S
   const char* source;   ///< key in docs/references.bib; empty for plain ratios
   std::optional<double> (*value)(const Axes&);
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Joint distribution of size and form in a population of blocks, for sampling.
+/// Joint distribution of size and shape in a population of blocks, for sampling.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -16,32 +16,32 @@ struct BlockForm {
   std::optional<double> convexity;  ///< empty if unknown
 };
 
-/// Rank correlation of two measures, in the population and in the blocks drawn from it.
+/// Rank correlation of two measures, in the population and in the sampled blocks.
 struct RankCorrelation {
   std::string first, second;
   double population = 0.0, drawn = 0.0;  ///< Spearman's coefficient
 };
 
-/// Goodness of fit between drawn blocks and their population.
+/// Agreement of sampled blocks with their population.
 struct CopulaFit {
   std::vector<RankCorrelation> correlations;
-  /// Largest difference between the distribution functions of population and drawn blocks over all
-  /// measures (Smirnov's D).
+  /// Largest difference between the distribution functions of population and sampled blocks
+  /// (Smirnov's D), over all measures.
   double max_cdf_difference = 0.0;
-  /// Reduction of the rank correlations that made their matrix positive definite, as a fraction;
-  /// usually 0.
+  /// Fraction by which the rank correlations were reduced to make their matrix positive definite.
+  /// Usually 0.
   double removed_correlation = 0.0;
 };
 
 /// Joint distribution of ln L, I/L and S/I, and of the convexity if all blocks have one. The
-/// marginals are the empirical distributions, linear between order statistics. A Gaussian copula
-/// joins them, with normal correlations 2 sin(pi r/6) for the rank correlations r of the population
-/// [kruskal1958]. Ratios stay in (0, 1], so that L >= I >= S holds for all drawn blocks.
+/// marginals are the empirical distributions, linear between order statistics. They are joined by a
+/// Gaussian copula. Its normal correlations are 2 sin(pi r/6) for the rank correlations r of the
+/// population [kruskal1958]. Sampled ratios are in (0, 1], so L >= I >= S.
 /// @cite kruskal1958 @cite nelsen2006
 class FormCopula {
  public:
   /// Fits the distribution to a population.
-  /// @throws InputError  for fewer than ten blocks, or axes that are not positive
+  /// @throws InputError  if there are fewer than ten blocks, or if axes are not positive
   explicit FormCopula(std::span<const BlockForm> population);
 
   BlockForm sample(Random& random) const;
@@ -52,10 +52,10 @@ class FormCopula {
   static Values measure_values(std::span<const BlockForm> blocks, bool convexity);
 
   bool has_convexity_ = false;
-  Values values_;  ///< of the population, in its order
-  Values sorted_;  ///< ascending
+  Values values_;  ///< values of the population, in its order
+  Values sorted_;  ///< values of each measure, ascending
   std::vector<std::vector<double>>
-      mixing_;  ///< lower triangular matrix from independent to correlated normals
+      mixing_;  ///< lower triangular matrix that maps independent to correlated normal variates
   double removed_correlation_ = 0.0;
 };
 

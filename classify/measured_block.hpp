@@ -1,5 +1,5 @@
 #pragma once
-/// Measurements of a block that shape classes and population statistics need.
+/// Measurements of a block from which shape classes and population statistics are computed.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,14 +10,14 @@ namespace clast {
 
 struct MeasuredBlock {
   std::string name;
-  Axes axes;                   ///< m
-  Axes axes_as_written;        ///< sorted, in the unit of the table, so that their ratios have no
-                               ///< rounding error from a unit conversion
+  Axes axes;             ///< m
+  Axes axes_as_written;  ///< sorted axes in the unit of the table, whose ratios have no rounding
+                         ///< error from a unit conversion
   std::optional<double> mass;  ///< kg
   double axis_error = 0.0;     ///< error bound of each axis, m
   std::vector<Axes>
-      axes_by_box;  ///< m, by each of `kBoxConventions`; empty for axes measured by tape
-  /// The unit of the lengths is unknown: the block has a form, but neither size nor mass.
+      axes_by_box;  ///< axes for each of `kBoxConventions`, m; empty if measured by tape
+  /// True if the unit of the lengths is unknown, so that the block has neither size nor mass.
   bool unscaled = false;
 };
 

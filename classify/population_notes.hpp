@@ -1,5 +1,5 @@
 #pragma once
-/// Notes on data quality that accompany the figures of a population.
+/// Notes on the data quality of a population.
 #include <span>
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace clast {
 
 /// Returns notes on repeated names, unscaled blocks, and axes whose error is as large as their
-/// length; empty if there are none.
+/// length.
 std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks);
 
 }  // namespace clast

@@ -14,8 +14,8 @@ namespace clast {
 
 struct PopulationOptions {
   SizeMeasure size = SizeMeasure::kIntermediate;
-  std::uint64_t seed = 1;                 ///< random samples for p-values
-  std::vector<std::string> schemes = {};  ///< empty: all
+  std::uint64_t seed = 1;                 ///< seed of the random samples for p-values
+  std::vector<std::string> schemes = {};  ///< names of the schemes; empty for all
   SchemeOptions limits = {};              ///< class limits that the schemes leave open
 
   /// Returns `schemes`, or all known schemes if it is empty.
@@ -31,8 +31,8 @@ struct SchemeFractions {
 /// Spearman correlation between size and a shape measure.
 struct SizeShapeCorrelation {
   const ShapeMeasure* measure = nullptr;
-  std::size_t blocks = 0;          ///< with a value of the measure
-  std::optional<TestResult> test;  ///< Kolmogorov-Smirnov; empty if a population has no values
+  std::size_t blocks = 0;          ///< number of blocks with a value of the measure
+  std::optional<TestResult> test;  ///< permutation test of the correlation
 };
 
 std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasure size);
@@ -44,11 +44,11 @@ struct PopulationSummary {
   std::vector<SchemeFractions> schemes;
   SizeDistribution size;
   std::vector<SizeShapeCorrelation> size_shape_correlations;
-  double c40 = 0.0;  ///< fraction with S/L <= 0.4
+  double c40 = 0.0;  ///< fraction of blocks with S/L <= 0.4
 };
 
 /// Computes the statistics of a population.
-/// @throws InputError  for an empty population or an unknown scheme
+/// @throws InputError  if the population is empty or a scheme is unknown
 PopulationSummary summarise_population(const Population& population,
                                        const PopulationOptions& options = {});
 
@@ -57,14 +57,15 @@ struct MeasureDifference {
   const ShapeMeasure* measure = nullptr;
   double median_a = 0.0;
   double median_b = 0.0;
-  std::optional<TestResult> test;  ///< Kolmogorov-Smirnov; none when a population has no values
-  std::string description;         ///< conclusion as a sentence
+  std::optional<TestResult> test;  ///< Kolmogorov-Smirnov test; empty if a population has no values
+  std::string description;         ///< sentence that states the conclusion
 };
 
 /// Difference of two populations in the classes of one scheme.
 struct ClassDifference {
   std::string scheme;
-  std::optional<ChiSquaredResult> test;  ///< none when all blocks of both are of one class
+  std::optional<ChiSquaredResult>
+      test;  ///< empty if all blocks of both populations have the same class
   std::string description;
 };
 
@@ -75,8 +76,8 @@ struct PopulationComparison {
   std::vector<ClassDifference> schemes;
 };
 
-/// Significance level: p-values below it are reported as differences, which happens by chance in
-/// one of twenty comparisons of equal populations.
+/// Significance level. Smaller p-values are reported as differences. This happens by chance in one
+/// of twenty comparisons of equal populations.
 inline constexpr double kSignificanceLevel = 0.05;
 
 /// Compares two populations in all shape measures and schemes.

@@ -7,16 +7,17 @@
 
 namespace clast {
 
-/// Finds each class of axes L >= I >= S that are all within `axis_error` of `axes`, in the order of
-/// `class_names`. On a class boundary the class of `shape_class` counts.
-/// @param axis_error  m, positive and finite; axes are at least 1e-6 of themselves
+/// Finds all classes that a block can have if each of its axes is within `axis_error` of `axes` and
+/// L >= I >= S. They are in the order of `class_names`. On a class boundary, the class is that of
+/// `shape_class`.
+/// @param axis_error  m, positive and finite; axes are not reduced below 1e-6 of their value
 /// @throws InputError  if the scheme is unknown
 std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& axes,
                                                double axis_error,
                                                const SchemeOptions& options = {});
 
-/// Finds each class of axes L >= I >= S between `lower` and `upper`.
-/// @param lower  positive, none above `upper`
+/// Finds all classes of axes L >= I >= S that are between `lower` and `upper`.
+/// @param lower  positive axes, not larger than `upper`
 std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& lower,
                                                const Axes& upper,
                                                const SchemeOptions& options = {});

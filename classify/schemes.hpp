@@ -11,11 +11,11 @@ namespace clast {
 /// Allowed range of `SchemeOptions::erdogan_limit`.
 inline constexpr NumberRange kErdoganLimit{1.0001, 1e3};
 
-/// Choices left open by the authors of the schemes.
+/// Parameters that the authors of the schemes left open.
 struct SchemeOptions {
   bool sneed_folk_thirds =
-      false;                   ///< limits 1/3 and 2/3 of (L - I)/(L - S) in place of 0.33 and 0.67
-  double erdogan_limit = 1.3;  ///< of L/I and I/S
+      false;  ///< true: limits of (L - I)/(L - S) are 1/3 and 2/3 instead of 0.33 and 0.67
+  double erdogan_limit = 1.3;  ///< limit of L/I and I/S
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -29,18 +29,21 @@ std::string garcia_class(const Axes& axes);
 /// Returns "oblate" for I^2 > L S, "prolate" for I^2 < L S, otherwise "neither".
 /// @cite williams1965
 std::string williams_class(const Axes& axes);
-/// Returns "platy" if only L/I is below the limit, "elongated" if only I/S is, otherwise
-/// "undetermined". @cite erdogan2006
+/// Returns "platy" if only L/I is below the limit, "elongated" if only I/S is below it, otherwise
+/// "undetermined".
+/// @cite erdogan2006
 std::string erdogan_class(const Axes& axes, const SchemeOptions& options = {});
-/// Returns one of 25 classes "..., ...": elongation by I/L and flatness by S/I, in steps of 0.2
-/// from "not" (0.8 and above) over "slightly", "moderately" and "very" to "extremely" (below 0.2).
+/// Returns one of 25 classes "..., ...", which state elongation (by I/L) and flatness (by S/I).
+/// Steps of 0.2 are "not" (0.8 and above), "slightly", "moderately", "very" and "extremely" (below
+/// 0.2).
 /// @cite blott2008
 std::string blott_pye_class(const Axes& axes);
-/// Returns "non-cubical" for L/S > 3, otherwise "cubical", as the shape index of aggregates.
+/// Returns "non-cubical" for L/S > 3, otherwise "cubical" (shape index of aggregates).
 /// @cite en933-4
 std::string en_933_4_class(const Axes& axes);
-/// Returns "flaky" for S < 0.625 I, otherwise "not flaky": the bar sieve of width D/2 for grains
-/// with I of about 0.8 D. @cite en933-3
+/// Returns "flaky" for S < 0.625 I, otherwise "not flaky". This corresponds to a bar sieve of width
+/// D/2 for grains with I of about 0.8 D.
+/// @cite en933-3
 std::string flakiness_class(const Axes& axes);
 
 /// Returns all scheme names: "sneed-folk", "zingg", "garcia", "williams", "erdogan", "blott-pye",
@@ -49,7 +52,7 @@ const std::vector<std::string>& scheme_names();
 /// Returns the class names of a scheme in table order.
 /// @throws InputError  if the scheme is unknown; the message lists all schemes
 const std::vector<std::string>& class_names(const std::string& scheme);
-/// Returns the class of a block by a scheme.
+/// Returns the class of a block in a scheme.
 /// @throws InputError  if the scheme is unknown
 std::string shape_class(const std::string& scheme, const Axes& axes,
                         const SchemeOptions& options = {});
@@ -61,13 +64,13 @@ struct SchemeRatio {
   std::vector<double> limits;  ///< ascending
 };
 
-/// Returns the ratios that a scheme uses for given axes; crossing a limit next to the value changes
-/// the class.
+/// Returns the ratios that determine the class of given axes. If a ratio crosses one of its limits,
+/// the class changes.
 /// @throws InputError  if the scheme is unknown
 std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
                                        const SchemeOptions& options = {});
 
-/// Class boundary: the values of I/L and S/L where one + I/L i + S/L s + (I/L)^2 ii is zero.
+/// Class boundary: the points where constant + i_l (I/L) + s_l (S/L) + i_l_squared (I/L)^2 = 0.
 struct SchemeLimit {
   double constant = 0.0;
   double i_l = 0.0;
@@ -75,8 +78,8 @@ struct SchemeLimit {
   double i_l_squared = 0.0;
 };
 
-/// Returns all class boundaries of a scheme: straight lines, except Williams' parabola, the only
-/// boundary of its scheme.
+/// Returns all class boundaries of a scheme. They are straight lines, except for the parabola of
+/// Williams.
 /// @throws InputError  if the scheme is unknown
 std::vector<SchemeLimit> scheme_limits(const std::string& scheme,
                                        const SchemeOptions& options = {});

@@ -11,18 +11,18 @@ namespace clast {
 
 struct ShapeMeasure {
   const char* name;     ///< column name
-  const char* formula;  ///< for readers
+  const char* formula;  ///< formula as shown to users
   std::optional<double> (*value)(const Axes&);
 };
 
-/// Returns s_c = L/I - 1, q = S/L and d = (L - I)/(L - S); d is undefined for L = S.
+/// Returns the measures s_c = L/I - 1, q = S/L and d = (L - I)/(L - S). d is undefined for L = S.
 const std::array<ShapeMeasure, 3>& shape_measures();
 
-/// Returns the values of a measure, rounded to 1e-12, so that ratios equal on paper, such as
-/// 1.1/0.8 and 0.55/0.4, are ties. Blocks without a value are omitted.
+/// Returns the values of a measure (see `remove_rounding`). Blocks without a value are omitted.
 std::vector<double> measure_values(const ShapeMeasure& measure, std::span<const Axes> blocks);
 
-/// Rounds a ratio to 1e-12, so that ties on paper are ties in memory.
+/// Rounds a ratio to 1e-12. Mathematically equal ratios, such as 1.1/0.8 and 0.55/0.4, then compare
+/// equal.
 double remove_rounding(double ratio);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Record of a block: shape, mass, axes, classes and origin.
+/// Record of a block: shape, mass properties, axes and origin.
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,15 +16,15 @@ namespace clast {
 
 struct BlockSource {
   std::string file;     ///< path as given by the user
-  std::string sha256;   ///< of that file
-  std::string options;  ///< all options that affect the block, as blank-separated "key=value"
-  std::string program_version;  ///< of the program that made the block
-  /// True if the scale of the source is unknown (photographs without a scale): lengths are in units
-  /// of the source, and the mass is meaningless; shape and density are valid.
+  std::string sha256;   ///< digest of the file
+  std::string options;  ///< all options that affect the block, as "key=value" separated by blanks
+  std::string program_version;  ///< version of the program that made the block
+  /// True if the scale of the source is unknown, as for photographs without a scale. Lengths are
+  /// then in units of the source, and the mass is meaningless. Shape and density are valid.
   bool unscaled = false;
 };
 
-/// Field notes, set by `clast library set`.
+/// Field data of a block, entered by the user.
 struct FieldNotes {
   std::string site;
   std::string note;
@@ -32,27 +32,29 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
-/// Block. Geometry is in the frame of the stored mesh (that of the source, in metres and z up),
-/// except the principal moments.
+/// Block. Geometry is in the frame of the source, in metres with z up, except for the principal
+/// moments.
 struct Block {
   std::string id;
   BlockSource source;
-  TriangleMesh surface;  ///< closed mesh from which the block was made: outer surface, or the core
+  TriangleMesh surface;  ///< closed mesh from which the block was made: outer surface or core
   SpheroPolyhedron body;
   double density = 2650.0;  ///< kg/m^3
-  MassProperties mass;      ///< of the rounded body
-  double area = 0.0;        ///< of the rounded surface, m^2
+  MassProperties mass;      ///< mass properties of the rounded body
+  double area = 0.0;        ///< area of the rounded surface, m^2
   PrincipalFrame principal;
-  OrientedBox box;             ///< smallest box of the rounded body
-  SurfaceDeviation deviation;  ///< rounded body against the full scan; zero for a core
+  OrientedBox box;  ///< smallest box of the rounded body
+  SurfaceDeviation
+      deviation;  ///< deviation of the rounded body from the full scan; zero for a core
   bool from_core = false;
-  std::optional<VolumeBracket> volume_bracket;  ///< empty if the scan is practically complete
+  std::optional<VolumeBracket>
+      volume_bracket;  ///< bounds of volume and axes; empty if the scan is practically complete
   std::vector<std::string> warnings;
   FieldNotes field;
 
   Axes axes() const { return {box.lengths[0], box.lengths[1], box.lengths[2]}; }
-  /// Returns the transform from the body frame, with its origin at the centre of mass and axes
-  /// along the principal axes.
+  /// Returns the transform from the body frame to the source frame. The body frame has its origin
+  /// at the centre of mass and its axes along the principal axes.
   Pose source_from_body() const { return {mass.centre, principal.rotation}; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Bounds of mass and classes of incompletely scanned blocks.
+/// Bounds of mass, density and shape classes of incompletely scanned blocks.
 #include <map>
 #include <optional>
 #include <string>
@@ -14,27 +14,28 @@ struct AxesBounds {
   Axes lower, upper;
 };
 
-/// Bounds derived from those of volume and axes.
+/// Bounds that are derived from the bounds of volume and axes.
 struct BlockBracket {
-  double lower_mass = 0.0;              ///< kg; equal to the upper bound for a weighed mass
-  std::optional<double> upper_mass;     ///< empty if there is no upper bound
-  std::optional<double> lower_density;  ///< kg/m^3; equal to the upper bound for a given density
+  double lower_mass = 0.0;           ///< kg; equal to the upper bound if the block was weighed
+  std::optional<double> upper_mass;  ///< empty if there is no upper bound
+  std::optional<double>
+      lower_density;  ///< kg/m^3; equal to the upper bound if the density is given
   double upper_density = 0.0;
-  std::optional<AxesBounds> axes;  ///< including the block's own axes; empty if unknown
+  std::optional<AxesBounds> axes;  ///< bounds that include the axes of the block; empty if unknown
   std::optional<double> lower_s_c, upper_s_c;
-  /// Possible classes by scheme ("sneed-folk", "zingg", "garcia") for axes within their bounds;
-  /// empty if the bounds are unknown.
+  /// Possible classes of axes within their bounds, by scheme ("sneed-folk", "zingg", "garcia").
+  /// Empty if the bounds are unknown.
   std::map<std::string, std::vector<std::string>> classes;
 };
 
-/// Derives the bounds of mass, density, s_c and classes of a block. The density is assumed to
-/// follow from the weighed mass if volume times density equals that mass.
+/// Derives the bounds of mass, density and classes of a block. If volume times density equals the
+/// weighed mass, the density is taken to follow from this mass.
 /// @pre the block has a volume bracket
 BlockBracket derive_block_bracket(const Block& block);
 
-/// Describes the bounds: "14 % of the surface is not seen but filled in; volume between 0.13 and
-/// 0.149 m3 (best 0.137), mass ...", or that there is no upper bound. Unscaled blocks have no mass
-/// and no metric units.
+/// Describes the bounds, such as "14 % of the surface is not seen but filled in; volume between
+/// 0.13 and 0.149 m3 (best 0.137), mass ...". The text of unscaled blocks has no mass and no metric
+/// units.
 /// @pre  the block has a volume bracket
 std::string describe_volume_bracket(const Block& block);
 

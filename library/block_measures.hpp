@@ -1,5 +1,5 @@
 #pragma once
-/// Measures computed on request from a stored block.
+/// Measures of a block that are not stored but computed on request.
 #include <map>
 #include <optional>
 #include <string>
@@ -11,19 +11,21 @@
 
 namespace clast {
 
-/// Computes the box of the rounded block by a convention.
+/// Computes the box of the rounded block according to a convention.
 OrientedBox block_box(const Block& block, BoxConvention convention);
 
 /// Computes the indices of axes and surface by name (docs/theory.md).
-/// @param axes  of the block, by the box convention in use
+/// @param axes  axes of the block for the box convention in use
 std::map<std::string, double> block_indices(const Block& block, const Axes& axes);
 
-/// Computes the static equilibria; empty for balls and capsules.
+/// Computes the static equilibria. Empty for balls and capsules.
 std::optional<Equilibria> block_equilibria(const Block& block);
 
-/// Computes the roundness of a rounded body on a mesh with this edge length, m.
+/// Computes the roundness of a rounded body.
+/// @param edge_length  edge length of the mesh on which it is measured, m
 Roundness body_roundness(const SpheroPolyhedron& body, double edge_length);
-/// Computes the roundness of the outer surface on a mesh with this edge length, m.
+/// Computes the roundness of the outer surface of a block.
+/// @param edge_length  edge length of the mesh on which it is measured, m
 Roundness block_roundness(const Block& block, double edge_length);
 
 }  // namespace clast

@@ -18,39 +18,40 @@ struct VariationRequest {
   std::string id;
 };
 
-/// Combines all parents with all variations, named PARENT_LABEL: by parent, then in the given
-/// order.
+/// Combines all parents with all variations. Ids are PARENT_LABEL. The requests are ordered by
+/// parent, then by variation.
 std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
                                                  std::span<const Variation> variations);
 
 struct SeriesOptions {
   VariationOptions variation;
-  unsigned threads = 0;  ///< 0: one per core; does not affect the result
+  unsigned threads = 0;  ///< number of threads; 0: one per core; does not affect the result
   ProgressCallback progress =
-      {};  ///< called per finished body, from any thread, one call at a time
+      {};  ///< called for each finished body, from any thread, one call at a time
 };
 
 struct BlockSeries {
-  std::vector<Block> blocks;          ///< in the order of the requests
-  std::vector<std::string> failures;  ///< bodies that could not be made, with reasons
+  std::vector<Block> blocks;          ///< finished bodies, in the order of the requests
+  std::vector<std::string> failures;  ///< ids of bodies that could not be made, with reasons
 };
 
-/// Makes all bodies.
-/// @param source  library and digest, for all bodies
+/// Makes all requested bodies.
+/// @param source  library and digest, stored in all bodies
 BlockSeries make_series(std::span<const VariationRequest> requests, const BlockSource& source,
                         const SeriesOptions& options = {});
 
-/// Bodies with sizes and shapes sampled from a population.
+/// Requests for bodies whose sizes and shapes were sampled from a population.
 struct SampledSeries {
   std::vector<VariationRequest> requests;
   CopulaFit fit;
 };
 
-/// Samples bodies: each is one of the three parents with the nearest shape, chosen at random,
-/// stretched to the sampled shape. Ids are PREFIX and a number.
-/// @param parents  scanned blocks; not balls or capsules
-/// @param population  sampled shapes: `block_forms` of a library, or of a table
-/// @throws InputError  if there is no parent; or as `FormCopula`
+/// Samples bodies. For each sampled shape, one of the three parents with the nearest shape is
+/// chosen at random and stretched to it. Ids are PREFIX and a number.
+/// @param parents  scanned blocks, not balls or capsules
+/// @param population  sizes and shapes from which is sampled, of a library (`block_forms`) or of a
+///                    table
+/// @throws InputError  if there is no parent, or if `FormCopula` cannot be fitted
 SampledSeries sample_series(std::span<const Block* const> parents,
                             std::span<const BlockForm> population, std::size_t count,
                             std::uint64_t seed, const std::string& prefix);

@@ -10,49 +10,51 @@
 
 namespace clast {
 
-/// Default edge length of the mesh for roundness, over the diameter of the ball of equal volume.
+/// Default edge length of the mesh for roundness, relative to the diameter of the ball of equal
+/// volume.
 inline constexpr double kDefaultRoundnessEdge = 0.05;
 
-/// Variation to given ratios of the smallest box, by stretching.
+/// Variation to given ratios of the sides of the smallest box, by stretching.
 struct StretchVariation {
   BoxRatios ratios;
 };
-/// Variation to a given convexity by filling concavities; the hull, and so L, I, S, is unchanged.
+/// Variation to a given convexity, by filling concavities. The hull and L, I, S are unchanged.
 struct ConvexityVariation {
   double convexity = 1.0;
 };
-/// Variation to a given Minkowski radius over S; I/L and S/L are kept.
+/// Variation to a given ratio of Minkowski radius to S. I/L and S/L are kept.
 struct RoundingVariation {
   double radius_share = 0.02;
 };
-/// Variation to a given Wadell roundness (classify/roundness.hpp) by the Minkowski radius; I/L and
-/// S/L are kept.
+/// Variation to a given Wadell roundness (classify/roundness.hpp), by changing the Minkowski
+/// radius. I/L and S/L are kept.
 struct RoundnessVariation {
   double roundness = 0.5;
   double edge_fraction =
-      kDefaultRoundnessEdge;  ///< edge length of the mesh, see `kDefaultRoundnessEdge`
+      kDefaultRoundnessEdge;  ///< relative edge length of the mesh, like `kDefaultRoundnessEdge`
 };
-/// Variation to a given number of core vertices; I/L and S/L are kept.
+/// Variation to a given number of core vertices. I/L and S/L are kept.
 struct VertexCountVariation {
   std::size_t vertices = 250;
 };
-/// Variation by scaling the surface detail (shapes/surface_detail.hpp); I/L and S/L are kept.
+/// Variation by scaling the surface detail (shapes/surface_detail.hpp). I/L and S/L are kept.
 struct DetailVariation {
   double gain = 0.0;
   int degree = 6;
 };
-/// Variation to a reference body with the block's I/L, S/L and ratio of radius to S.
+/// Variation to a reference body with the I/L, the S/L and the ratio of radius to S of the block.
 struct ReferenceVariation {
-  ReferenceShape form = ReferenceShape::kEllipsoid;  ///< target of a stretch or of a sampled body
-  double exponent = 4.0;                             ///< of the superellipsoid
+  ReferenceShape form = ReferenceShape::kEllipsoid;  ///< kind of reference body
+  double exponent = 4.0;                             ///< exponent of the superellipsoid
 };
-/// Variation to the ellipsoid or box with the block's mass and principal moments, at the required
-/// density: equal in free motion but different in contact.
+/// Variation to the ellipsoid or box with the mass and principal moments of the block. The density
+/// is adjusted. Such a body moves like the block in free flight but not in contact.
 struct InertiaVariation {
-  ReferenceShape form = ReferenceShape::kEllipsoid;  ///< or a box
+  ReferenceShape form = ReferenceShape::kEllipsoid;  ///< ellipsoid or box
 };
-/// Variation to a shape sampled from a population (classify/form_copula.hpp): stretched to the
-/// ratios, scaled to the length, and filled if the sampled convexity is above the block's.
+/// Variation to a shape sampled from a population (classify/form_copula.hpp). The block is
+/// stretched to the ratios and scaled to the length. Its concavities are filled if the sampled
+/// convexity is above that of the block.
 struct SampledFormVariation {
   BoxRatios ratios;
   double length = 1.0;  ///< L, m
@@ -62,50 +64,50 @@ using Variation = std::variant<StretchVariation, ConvexityVariation, RoundingVar
                                RoundnessVariation, VertexCountVariation, DetailVariation,
                                ReferenceVariation, InertiaVariation, SampledFormVariation>;
 
-/// Returns "stretch", "convexity", "rounding", "roundness", "vertices", "detail", "reference",
-/// "inertia" or "drawn".
+/// Returns the kind of a variation: "stretch", "convexity", "rounding", "roundness", "vertices",
+/// "detail", "reference", "inertia" or "drawn".
 std::string name_of_variation(const Variation& variation);
-/// Returns the label of a variation in ids: "il0.8_sl0.5".
+/// Returns the label of a variation in ids, such as "il0.8_sl0.5".
 std::string variation_label(const Variation& variation);
 
 enum class PreservedSize { kMass, kVolume, kLength };
 /// Parses "mass", "volume" or "L".
-/// @throws InputError  for another name
+/// @throws InputError  if the name is unknown
 PreservedSize parse_preserved_size(const std::string& name);
 std::string name_of(PreservedSize preserved);
 
 struct VariationOptions {
   PreservedSize keep =
-      PreservedSize::kMass;  ///< unused by `InertiaVariation` and `SampledFormVariation`
+      PreservedSize::kMass;  ///< not used by `InertiaVariation` and `SampledFormVariation`
   double accuracy = 1e-4;    ///< relative accuracy of volume and inertia
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Relative tolerance of targets; a block beyond it is an error.
+/// Relative tolerance of targets. A larger deviation is an error.
 inline constexpr double kVariationTolerance = 5e-3;
-/// Relative tolerance of roundness, about twice its mesh dependence.
+/// Relative tolerance of the roundness, about twice its dependence on the mesh.
 inline constexpr double kRoundnessTolerance = 1e-2;
 
-/// Makes the varied block. The variation and its results are stored in `source.options` (read by
-/// `parse_variation`); `source` is otherwise as given.
-/// @param source  library of the parent and its digest
+/// Makes the varied block. The variation and its results are appended to `source.options`, from
+/// which `parse_variation` reads them.
+/// @param source  library of the parent, with its digest
 /// @throws InputError, GeometryError  if the target cannot be reached; names the block, the target
 ///                                    and the nearest possible value
 Block vary_block(const std::string& id, const Block& parent, const Variation& variation,
                  BlockSource source, const VariationOptions& options = {});
 
-/// Variation that is recorded in a block's `source.options`.
+/// Variation that is stored in `source.options` of a block.
 struct VariationRecord {
   std::string kind;
-  std::string parent;             ///< block id
-  std::optional<BoxRatios> form;  ///< target of a stretch, or of a body that was drawn
-  double step = 0.0;              ///< target of other variations; 0 for references
+  std::string parent;             ///< id of the varied block
+  std::optional<BoxRatios> form;  ///< target ratios of a stretched or sampled body
+  double step = 0.0;              ///< target of other variations; 0 for reference bodies
   std::string reference;          ///< name of the reference body
 };
-/// Parses the variation of a block; empty if it is not varied.
+/// Parses the variation of a block. Empty if the block is not a variation.
 std::optional<VariationRecord> parse_variation(const Block& block);
-/// Describes a variation: "stretch to 0.8, 0.5", "vertices 250", "ellipsoid".
+/// Describes a variation, such as "stretch to 0.8, 0.5", "vertices 250" or "ellipsoid".
 std::string describe_variation(const VariationRecord& record);
 
 }  // namespace clast

@@ -8,22 +8,22 @@
 namespace clast {
 
 struct LibraryUpdateOptions {
-  /// Create an empty library if there is none.
+  /// If true, an empty library is created if there is none.
   bool create_if_missing = false;
-  /// Called once if another process is writing to the library.
+  /// Called once if another process writes to the library, before waiting.
   std::function<void()> on_wait = {};
 };
 
-/// Locks the library (core/files/file_lock.hpp), reads it, applies `change`, writes it and releases
-/// the lock, so that no concurrent change is lost.
+/// Applies `change` to a library file. The file is locked while it is read, changed and written
+/// (core/files/file_lock.hpp), so that no concurrent change is lost.
 /// @return the written library
-/// @throws InputError  as `BlockLibrary::read`, `BlockLibrary::write` and `FileLock`, and
-///                     exceptions of `change`; the file is then unchanged
+/// @throws InputError  if the library cannot be locked, read or written. Exceptions of `change` are
+///                     propagated. In both cases, the file is unchanged
 BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpdateOptions& options,
                             const std::function<void(BlockLibrary&)>& change);
 
-/// Checks before a computation that `update_library` can write the file.
-/// @throws InputError  if it cannot, or the existing file is not a library
+/// Checks that `update_library` can write the file. Call it before a long computation.
+/// @throws InputError  if it cannot, or if the existing file is not a library
 void check_library_target(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -14,31 +14,31 @@ struct RockMassOptions {
   std::vector<JointSet> joints;
   CuttingOptions cutting;
   BlockOptions block;        ///< radius and density
-  std::string prefix = "J";  ///< of the numbered ids: "J0001"
-  unsigned threads = 0;      ///< 0: one per core; does not affect the result
+  std::string prefix = "J";  ///< prefix of the numbered ids, such as "J0001"
+  unsigned threads = 0;      ///< number of threads; 0: one per core; does not affect the result
   ProgressCallback progress =
-      {};  ///< called per finished block, from any thread, one call at a time
+      {};  ///< called for each finished block, from any thread, one call at a time
 };
 
-/// Blocks of one or more rock masses, in their frame.
+/// Blocks of one or more rock masses, in the frame of these.
 struct RockMassBlocks {
   std::vector<Block> blocks;
-  double volume = 0.0;                ///< of the masses, m^3
-  double block_volume = 0.0;          ///< of the blocks, m^3
+  double volume = 0.0;                ///< total volume of the masses, m^3
+  double block_volume = 0.0;          ///< total volume of the blocks, m^3
   std::vector<std::string> failures;  ///< blocks or masses that could not be made, with reasons
 };
 
-/// Cuts a mass by joints and makes a block of each piece.
+/// Cuts a mass by joints and makes a block of each part.
 /// @param source  file and digest; the joints are added to its options
-/// @throws GeometryError, InputError  as `cut_by_joints`
+/// @throws GeometryError, InputError  if `cut_by_joints` throws
 RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source,
                              const RockMassOptions& options);
 
-/// Cuts several disjoint masses, each with its own joint positions; blocks are numbered
+/// Cuts several disjoint masses, each with its own joint positions. Blocks are numbered
 /// consecutively.
-/// @throws GeometryError, InputError  as `cut_by_joints`, if no mass can be cut; otherwise the
-///                                    reasons are among the failures
-/// @pre there is a mass
+/// @throws GeometryError, InputError  if no mass can be cut; if some can be cut, the reasons for
+///                                    the others are in `failures`
+/// @pre `masses` is not empty
 RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
                                const RockMassOptions& options);
 

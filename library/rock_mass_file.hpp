@@ -7,16 +7,16 @@
 
 namespace clast {
 
-/// Mesh file of a rock mass, such as a scar, and how to read it.
+/// Mesh file of a rock mass, with options for reading it.
 struct RockMassFile {
   std::filesystem::path path;
-  std::string units = "m";  ///< length unit, as in `parse_length_unit`
+  std::string units = "m";  ///< length unit (see `parse_length_unit`)
   std::string up =
-      "auto";  ///< axis that points up: "z", "y", or "auto", y of glTF, z of all others
+      "auto";  ///< up axis: "z", "y", or "auto", which is y for glTF and z for other formats
 };
 
 /// Reads and cuts a rock mass.
-/// @throws GeometryError, InputError  as `read_mesh` and `cut_rock_mass`, with the file's name
+/// @throws GeometryError, InputError  if `read_mesh` or `cut_rock_mass` throws; names the file
 RockMassBlocks cut_rock_mass_file(const RockMassFile& file, const RockMassOptions& options);
 
 }  // namespace clast

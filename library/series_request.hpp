@@ -15,38 +15,39 @@ namespace clast {
 /// Request for variations of library blocks and for bodies sampled from a population.
 struct SeriesRequest {
   std::filesystem::path library;
-  std::vector<std::string> ids;       ///< varied blocks; empty: all
+  std::vector<std::string> ids;       ///< ids of the blocks to vary; empty for all
   SeriesTargets steps;                ///< variations of each block
   std::vector<std::string> like_ids;  ///< library blocks to whose ratios the blocks are stretched
   std::size_t draw = 0;               ///< number of additional bodies sampled from a population
-  std::filesystem::path table;        ///< population of measured blocks; empty: the library blocks
-  std::string units;                  ///< of the table; empty: from its header, or m
-  std::string prefix = "V";           ///< of the ids of sampled bodies
+  std::filesystem::path table;        ///< table of the population of measured blocks; if empty, the
+                                      ///< library blocks are the population
+  std::string units;  ///< length unit of the table; if empty, that of its header, otherwise m
+  std::string prefix = "V";  ///< prefix of the ids of sampled bodies
   std::uint64_t seed = 1;
   SeriesOptions options;
-  std::filesystem::path output;  ///< library for the bodies; empty: none
-  bool replace = false;          ///< replace existing blocks of the same id
+  std::filesystem::path output;  ///< library to which the bodies are added; may be empty
+  bool replace = false;          ///< true: existing blocks with the same id are replaced
 
   bool is_empty() const;
-  void check() const;  ///< throws InputError naming the field and its value, or what is missing
+  void check() const;  ///< throws InputError naming the field and its value, or the missing field
 };
 
 struct SeriesResult {
   BlockSeries series;              ///< at least one body
   std::size_t wanted = 0;          ///< number of requested bodies
-  std::size_t output_blocks = 0;   ///< number of blocks in `output` afterwards
-  std::optional<CopulaFit> fit;    ///< of the population, if bodies were sampled
-  std::vector<std::string> notes;  ///< on the table
+  std::size_t output_blocks = 0;   ///< number of blocks in `output` after the bodies were added
+  std::optional<CopulaFit> fit;    ///< fit to the population, if bodies were sampled
+  std::vector<std::string> notes;  ///< notes on the table
 };
 
 /// Makes the bodies from a loaded library.
-/// @throws InputError  as `SeriesRequest::check`; if a block or file cannot be used, a body is
-///                     requested twice, or there are more than 100,000
+/// @throws InputError  if `SeriesRequest::check` throws, a block or file cannot be used, a body is
+///                     requested twice, or there are more than 100,000 bodies
 /// @throws GeometryError  if no body could be made
 SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& library);
 
 /// Reads the library, makes the bodies and adds them to `output`.
-/// @throws InputError  as above; or if a library cannot be used
+/// @throws InputError  if the other overload would throw, or a library cannot be used
 /// @throws GeometryError  if no body could be made
 SeriesResult make_series(const SeriesRequest& request);
 

@@ -9,40 +9,41 @@
 
 namespace clast {
 
-/// Grid of shapes over a diagram (classify/form_grid.hpp).
+/// Grid of shapes in a classification diagram (classify/form_grid.hpp).
 struct FormGrid {
-  std::string diagram = "sneed-folk";  ///< or "zingg"
+  std::string diagram = "sneed-folk";  ///< "sneed-folk" or "zingg"
   int steps = 10;
-  double least = 0.2;  ///< S/L, for zingg I/L and S/I
+  double least = 0.2;  ///< minimum of S/L, or of I/L and S/I for zingg
 };
 
-/// Targets of variations, any number of each kind.
+/// Targets of variations. There may be any number of each kind.
 struct SeriesTargets {
   std::vector<BoxRatios> ratios;
   std::optional<FormGrid> grid;
   std::vector<double> convexity;
-  std::vector<double> rounding;  ///< radius over S
+  std::vector<double> rounding;  ///< ratios of radius to S
   std::vector<double> roundness;
   double roundness_edge = kDefaultRoundnessEdge;
   std::vector<std::size_t> vertices;
-  std::vector<double> detail;  ///< gains
-  int degree = 6;              ///< of the detail
+  std::vector<double> detail;  ///< gains of the detail
+  int degree = 6;              ///< degree of the detail
   std::vector<std::string> reference;
-  double exponent = 4.0;  ///< of superellipsoids
+  double exponent = 4.0;  ///< exponent of superellipsoids
   std::vector<std::string> inertia;
 
   /// Returns the variations in the order of the members.
-  /// @throws InputError  if a diagram or reference shape is unknown; or as `sneed_folk_grid`
+  /// @throws InputError  if a diagram or reference shape is unknown, or if `sneed_folk_grid` throws
   std::vector<Variation> variations() const;
 };
 
-/// Names of the diagrams of `FormGrid`, and of the bodies of `InertiaVariation`.
+/// Returns the names of the diagrams of `FormGrid`; `inertia_form_names` returns those of the
+/// bodies of `InertiaVariation`.
 const std::vector<std::string>& form_grid_names();
 const std::vector<std::string>& inertia_form_names();
 
 /// Checks target ratios.
 /// @param written  ratios as written, for the message
-/// @throws InputError  unless they are I/L and S/L of a box, both from 0.01 to 1
+/// @throws InputError  if they are not I/L and S/L of a box, both from 0.01 to 1
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Unscaled blocks, from photographs without a scale.
+/// Unscaled blocks, which were made from photographs without a scale.
 #include <string>
 
 #include "library/block.hpp"
@@ -10,8 +10,8 @@ namespace clast {
 /// metric units, and the mass not at all.
 inline bool is_unscaled(const Block& block) { return block.source.unscaled; }
 
-/// Returns why the block is unscaled and how to scale it, as a clause: "its photographs gave no
-/// scale ...".
+/// Returns a clause that explains why a block is unscaled and how to scale it: "its photographs
+/// gave no scale ...".
 std::string explain_unscaled_block();
 
 }  // namespace clast

@@ -10,7 +10,7 @@ inline constexpr NumberRange kVariedRatio{0.01, 1.0};
 inline constexpr NumberRange kVariedConvexity{0.01, 1.0};
 inline constexpr NumberRange kVariedRadiusFraction{1e-3, 0.4, "of S", "sharp edges"};
 inline constexpr NumberRange kVariedRoundness{0.01, 1.0};
-/// Edge length of the roundness mesh over the diameter of the ball of equal volume.
+/// Edge length of the mesh for roundness, relative to the diameter of the ball of equal volume.
 inline constexpr NumberRange kRoundnessEdge{0.01, 0.2};
 inline constexpr NumberRange kDetailGain{0.01, 10.0, "", "smooth"};
 inline constexpr NumberRange kSuperellipsoidExponent{1.0, 20.0};
@@ -20,6 +20,6 @@ inline constexpr int kMaxGridSteps = 100;
 /// Number of vertices of a simplified core.
 inline constexpr std::size_t kMinVariedVertices = 8, kMaxVariedVertices = 2000;
 inline constexpr int kMinDegree = 2, kMaxDegree = 20;
-inline constexpr std::size_t kMaxSeriesBodies = 100'000;  ///< of one series
+inline constexpr std::size_t kMaxSeriesBodies = 100'000;  ///< maximum number of bodies of a series
 
 }  // namespace clast

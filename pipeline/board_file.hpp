@@ -1,6 +1,5 @@
 #pragma once
-/// Board file of `clast reconstruct --board`: markers on a plate, or a ChArUco board
-/// (docs/formats.md).
+/// Reader of board files (docs/formats.md). A board has markers on a plate, or is a ChArUco board.
 #include <filesystem>
 
 #include "reconstruct/photos/scale_board.hpp"
@@ -8,7 +7,8 @@
 namespace clast {
 
 /// Reads a board file.
-/// @throws InputError  if it is not readable or not a board; names file, line, key and expectation
+/// @throws InputError  if the file cannot be read or does not describe a board; names file, line,
+///                     key and expectation
 ScaleBoard read_scale_board(const std::filesystem::path& file);
 
 }  // namespace clast

@@ -18,13 +18,13 @@ struct ScanFile {
   bool is_shp() const;
 };
 
-/// Lists scans: files, and all mesh and shape files in folders (without ESRI shapefiles),
-/// recursively except in hidden folders, sorted by path and without duplicates. A folder with
-/// photographs and no such file is one block, as is each folder of photographs in a folder without
-/// any. The id is the file stem, the name of a folder of photographs (of its parent for names such
-/// as "images"), or the shape name if a .shp file has several. If ids are equal, the parent folder
-/// is added; if these are equal, too, the extension is, as for one scan in two formats.
-/// @throws InputError  if a folder has no scan or cannot be searched, or files share all of that
+/// Lists the scans of files and folders, sorted by path and without duplicates. Folders are
+/// searched for mesh and shape files (not ESRI shapefiles), recursively except in hidden folders. A
+/// folder of photographs without such files is one scan, and so is each folder of photographs in a
+/// folder without files. The id is the file stem, the name of a folder of photographs (of its
+/// parent for names such as "images"), or the shape name if a .shp file has several shapes. If ids
+/// are equal, the name of the parent folder is added, and then the extension.
+/// @throws InputError  if a folder has no scan or cannot be searched, or if ids are still equal
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
 
 }  // namespace clast

@@ -18,20 +18,23 @@ namespace clast {
 
 struct ScanToBlockOptions {
   ScanOptions scan;
-  std::string units = "m";  ///< as given by the user, for messages and the record
-  /// Two points whose distance gave the unit, in the scan's units and axes.
+  std::string units =
+      "m";  ///< length unit as given by the user, for messages and `BlockSource::options`
+  /// Two points whose distance determined the scale, in units and axes of the scan.
   std::optional<std::array<Vec3, 2>> scale_points;
-  double scale_factor = 1.0;  ///< factor in `scan.unit` besides the unit
-  /// Maximum number of vertices, unused for a core. Empty: the smallest number from 8 to 2000, to
-  /// about a tenth, that is within tolerance; the radius is halved if none is.
+  double scale_factor = 1.0;  ///< factor that `scan.unit` includes in addition to the unit
+  /// Maximum number of vertices; not used for a core. If empty, the smallest number from 8 to 2000
+  /// that is within tolerance is searched (`FewestVerticesSearch`).
   std::optional<std::size_t> vertices;
   BlockOptions block;
-  bool radius_given = false;  ///< the radius, or its ratio to S, was given by the user and is kept
-  bool allow_any_size = false;  ///< accept blocks outside the usual sizes
-  bool up_given = false;        ///< `scan.up` was given by the user and overrides the ground
+  bool radius_given =
+      false;  ///< true if the user gave the radius or its ratio to S; it is then not changed
+  bool allow_any_size = false;  ///< true: blocks of unusual size are accepted
+  bool up_given = false;  ///< true if the user gave `scan.up`; it then overrides the up axis of a
+                          ///< detected ground
   bool find_ground = true;
-  bool split = false;       ///< make all blocks above the ground of a scan
-  PhotoScanOptions photos;  ///< null unless the source is a folder of photographs
+  bool split = false;       ///< true: makes all blocks above the ground of a scan
+  PhotoScanOptions photos;  ///< options for folders of photographs
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -56,19 +59,21 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
 
 /// Data from which a block was made.
 struct BlockOrigin {
-  /// Mesh as read, in the file's units and axes; points only for a cloud; null for a .shp shape.
+  /// Mesh as read, in units and axes of the file. Without triangles for a cloud; null for a .shp
+  /// shape.
   const TriangleMesh* raw = nullptr;
   const FieldBlock* field_block =
-      nullptr;                        ///< closed scan in the block frame; null for a .shp shape
-  const PhotoScan* photos = nullptr;  ///< of a folder of photographs, else null
-  std::string up = "z";               ///< up axis of the file
+      nullptr;  ///< closed scan in the block frame; null for a .shp shape
+  const PhotoScan* photos =
+      nullptr;           ///< photo scan; null if the source is not a folder of photographs
+  std::string up = "z";  ///< up axis of the file
 };
 
-/// Callbacks during the processing of a scan; all optional.
+/// Callbacks during the processing of a scan. All are optional.
 struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
-  /// Called for a failed block of a split scan; if set, the other blocks are still made.
+  /// Called for a failed block of a split scan. If it is set, the other blocks are still made.
   std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 
   void begin_step(const std::string& what, bool is_slow = false) const {
@@ -77,21 +82,21 @@ struct ScanCallbacks {
 };
 
 /// Returns the SHA-256 of a file, or of the photographs in a folder.
-/// @throws InputError  if it cannot be read
+/// @throws InputError  if the file or a photograph cannot be read
 std::string scan_digest(const std::filesystem::path& path);
 
-/// Reads, repairs, simplifies and measures a scan: a mesh, a cloud or a folder of photographs. With
-/// `split` the blocks are `id`_1, `id`_2, ..., ordered by x, then y of the file; otherwise there is
-/// one block, `id`.
-/// @throws InputError, GeometryError  with the file or id in the message; also for implausible
-///                                    sizes
+/// Makes the blocks of a scan: reads, repairs, simplifies and measures it. The scan is a mesh, a
+/// cloud or a folder of photographs. With `split`, the blocks are `id`_1, `id`_2, ..., ordered by
+/// x, then y of the file; otherwise, there is one block, `id`.
+/// @throws InputError, GeometryError  if a step fails or a size is implausible; names the file or
+///                                    the id
 std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
                                       const ScanToBlockOptions& options = {},
                                       const ScanCallbacks& callbacks = {});
 
-/// Processes a mesh in memory, or points if it has no triangles. The record names `id` as source,
-/// with the digest of the coordinates.
-/// @throws InputError, GeometryError  as for a file
+/// Makes the blocks of a mesh in memory, or of a cloud if it has no triangles. The source of the
+/// blocks is `id` with the digest of the coordinates.
+/// @throws InputError, GeometryError  if `reconstruct_blocks` would throw
 std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::string& id,
                                            const ScanToBlockOptions& options = {},
                                            const ScanCallbacks& callbacks = {});

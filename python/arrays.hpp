@@ -1,6 +1,6 @@
 #pragma once
-/// Conversion between NumPy arrays and vectors: views if an owner keeps the data, otherwise a
-/// single copy.
+/// Conversion between NumPy arrays and vectors. Data are copied at most once, and not at all if an
+/// owner keeps them.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -37,18 +37,18 @@ pybind11::array_t<double> to_array(const Quat& turn);    ///< of shape (4,): w, 
 pybind11::tuple to_arrays(TriangleMesh mesh);
 
 /// Converts an array of shape (n, 3) to points.
-/// @param name  for messages
+/// @param name  name of the argument in messages
 /// @throws TypeError  if it is not an array of numbers
 /// @throws InputError  if its shape is wrong or a value is not finite
 std::vector<Vec3> parse_points(const pybind11::object& array, const char* name);
-/// Makes a mesh from vertices of shape (n, 3) and triangles of shape (m, 3), of any float and
-/// integer type and memory layout.
-/// @throws TypeError, InputError  as `parse_points`; or if an index has no vertex
+/// Makes a mesh from vertices of shape (n, 3) and triangles of shape (m, 3). They may have any
+/// float and integer type and memory layout.
+/// @throws TypeError, InputError  if `parse_points` would throw, or if an index has no vertex
 TriangleMesh parse_mesh(const pybind11::object& vertices, const pybind11::object& triangles);
 /// Converts an array of three numbers.
 Vec3 parse_vector(const pybind11::object& array, const char* name);
-/// Converts a quaternion w, x, y, z of norm 1 within 1e-3, which is normalised, or a rotation
-/// matrix of shape (3, 3).
+/// Converts a quaternion (w, x, y, z) or a rotation matrix of shape (3, 3). The norm of the
+/// quaternion must be 1 within 1e-3; it is normalised.
 Quat parse_rotation(const pybind11::object& array, const char* name);
 
 }  // namespace clast::python_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of the extension clast._core; each function adds its classes and functions to the module.
+/// Parts of the extension clast._core. Each function adds its classes and functions to the module.
 #include <pybind11/pybind11.h>
 
 namespace clast::python_detail {

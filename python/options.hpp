@@ -11,7 +11,7 @@
 
 namespace clast::python_detail {
 
-/// Keyword arguments of one call; None means not given.
+/// Keyword arguments of one call. None is treated as not given.
 class Keywords {
  public:
   explicit Keywords(const pybind11::dict& given);
@@ -28,10 +28,10 @@ class Keywords {
   void read(const char* name, std::optional<T>& field) {
     if (has(name)) field = cast<T>(name);
   }
-  /// Returns a text or path, or a list of them, as texts.
+  /// Returns the texts of an argument, which is a text, a path or a list of these.
   std::vector<std::string> texts(const char* name);
   /// Checks that all given arguments were used.
-  /// @throws TypeError  naming an unused argument
+  /// @throws TypeError  if an argument was not used; names it
   void check_all_used() const;
 
   pybind11::object object(const char* name) const { return given_[name]; }
@@ -51,7 +51,7 @@ class Keywords {
   std::vector<std::string> taken_;
 };
 
-/// Converts a text or path, or a list of them, to texts.
+/// Converts a text, a path or a list of these to texts.
 std::vector<std::string> parse_texts(const pybind11::handle& object, const char* name);
 
 }  // namespace clast::python_detail

@@ -9,8 +9,8 @@
 
 namespace clast::python_detail {
 
-/// Returns (values, units, meanings): dicts keyed by column name, of NumPy arrays (float64, int64,
-/// texts) and of texts.
+/// Returns (values, units, meanings), three dicts with the column names as keys. Values are NumPy
+/// arrays of float64, int64 or texts. Units and meanings are texts.
 pybind11::tuple make_table(TableValues table);
 
 /// Converts JSON to dict, list, str, int, float, bool or None.

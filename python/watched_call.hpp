@@ -1,5 +1,5 @@
 #pragma once
-/// Long calls with a running interpreter, Ctrl-C and progress.
+/// Long calls during which the interpreter runs, with progress and interruption by Ctrl-C.
 #include <pybind11/pybind11.h>
 
 #include <functional>
@@ -10,21 +10,21 @@
 
 namespace clast::python_detail {
 
-/// Mutex for file access: HDF5 is not thread-safe, and Python may call from several threads. Lock
-/// it without holding the GIL. Shared by both extensions.
+/// Returns the mutex for file access, which both extensions share. It is needed because HDF5 is not
+/// thread-safe and Python may call from several threads. It must be locked without holding the GIL.
 /// @pre  the GIL is held
 std::mutex& file_mutex();
 
-/// Runs `job` on another thread that locks `busy`, while this thread releases the GIL, checks for
-/// signals twenty times per second, and calls `progress` with a dict (done, total, before, what) on
-/// changes. A signal, or an exception of `progress`, ends the job at its next progress step and is
-/// raised here.
+/// Runs `job` on another thread that locks `busy`. Meanwhile, this thread releases the GIL, checks
+/// for signals twenty times per second, and calls `progress` with a dict (done, total, before,
+/// what) on changes. A signal or an exception of `progress` ends the job at its next progress step,
+/// and is raised here.
 /// @param progress  None or a callable
 void call_with_progress(const pybind11::object& progress,
                         const std::function<void(const ProgressCallback&)>& job,
                         std::mutex& busy = file_mutex());
 
-/// Runs a job that returns a value; see `watch`.
+/// Runs a job that returns a value (see `watch`).
 template <class Job>
 auto run_with_progress(const pybind11::object& progress, const Job& job) {
   std::optional<decltype(job(ProgressCallback()))> result;

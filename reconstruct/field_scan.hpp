@@ -1,5 +1,6 @@
 #pragma once
-/// Blocks from field scans: ground removed, underside closed, uncertainty bounded.
+/// Extraction of blocks from field scans: removes the ground, closes the underside, and bounds the
+/// unobserved part.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,10 +16,12 @@
 namespace clast {
 
 struct FieldScanOptions {
-  ScanOptions scan;         ///< closed, metres, z up
-  bool up_given = false;    ///< `scan.up` was given; otherwise z points up from a detected ground
-  bool find_ground = true;  ///< false: the scan is of a single block
-  bool split = false;       ///< all blocks above the ground; otherwise the one near the centre
+  ScanOptions scan;  ///< unit, up axis and repair options
+  bool up_given =
+      false;  ///< true if `scan.up` was given; otherwise, z points up from a detected ground
+  bool find_ground = true;  ///< false if the scan contains a single block without ground
+  bool split =
+      false;  ///< true: extracts all blocks above the ground; false: the one near the centre
   CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
   /// Free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
@@ -27,28 +30,29 @@ struct FieldScanOptions {
 };
 
 struct FieldBlock {
-  Scan scan;                            ///< closed, in metres, z up
-  std::optional<Underside> underside;   ///< of an open scan, in the frame of `scan`
-  std::optional<VolumeBracket> bounds;  ///< empty if the scan is practically closed
+  Scan scan;                           ///< closed mesh with repairs, in metres, z up
+  std::optional<Underside> underside;  ///< for an open scan, in the frame of `scan`
+  std::optional<VolumeBracket>
+      bounds;  ///< bounds of the volume; empty if the scan is practically closed
   /// Transform from file coordinates in metres, z up, to the frame of `scan`.
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };
 
 struct FieldScan {
-  TriangleMesh raw;  ///< as read, in the file's units and axes; points only for a cloud
+  TriangleMesh raw;  ///< mesh as read, in the file's units and axes; without triangles for a cloud
   std::vector<FieldBlock> blocks;
 };
 
 /// Reads a mesh or cloud and extracts its blocks, at least one. Closed meshes are cleaned as by
-/// `read_scan`; in open ones the ground is removed and the underside closed; points become a
-/// surface first. With `split`, blocks are ordered by x, then y of the file; otherwise there is
-/// one.
-/// @throws InputError  as `read_mesh` and `stream_cloud`; if a cloud has too few points, or too few
-///                     stored digits have lost the block's shape
-/// @throws GeometryError  for only ground; and as `clean_scan` and `close_underside`
+/// `read_scan`. In open meshes, the ground is removed and the underside is closed. For clouds, a
+/// surface is reconstructed first. With `split`, blocks are ordered by x, then y of the file;
+/// otherwise, there is one block.
+/// @throws InputError  if `read_mesh` or `stream_cloud` throws, if a cloud has too few points, or
+///                     if the file stores too few digits for the shape of the block
+/// @throws GeometryError  if there is only ground, or if `clean_scan` or `close_underside` throws
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& options = {});
 
-/// Extracts the blocks of a mesh or points in memory; `name` is used in messages.
+/// Extracts the blocks of a mesh or cloud in memory. Messages refer to it as `name`.
 std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
                                              const FieldScanOptions& options = {});
 std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading of scans to closed, outward meshes in metres.
+/// Reading of scans as closed, outward meshes in metres.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,9 +14,10 @@ namespace clast {
 
 struct ScanOptions {
   double unit = 1.0;  ///< metres per unit of the file
-  /// Up axis of the file: "y", "z", or "auto", y for glTF files and z for others.
+  /// Up axis of the file: "y", "z" or "auto". If "auto", y is used for glTF files and z for others.
   std::string up = "auto";
-  /// Columns x, y and z of a text cloud, by name or 1-based number; empty: by its heading.
+  /// Columns x, y and z of a text cloud, each given by name or by number from 1. If empty, the
+  /// heading of the file determines them.
   std::vector<std::string> columns = {};
   RepairOptions repair = {};
 
@@ -32,24 +33,25 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
   visit("repair", repair);
 }
 
-/// Resolves "auto" of `up` for a file; z without a file.
+/// Replaces "auto" of `up` by the axis of the file, or by "z" if there is no file.
 ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options);
 
 /// Closed mesh of a scan, with its repairs.
 struct Scan {
-  TriangleMesh mesh;               ///< closed, 2-manifold, outward; metres, z up; cavities inward
+  TriangleMesh mesh;               ///< closed 2-manifold, outward, m, z up; cavities inward
   RepairReport report;             ///< positions in file coordinates
   std::vector<std::string> notes;  ///< repairs with counts, and warnings about the file
 };
 
 /// Reads, repairs, scales and rotates a scan to z up.
-/// @throws InputError  as `read_mesh`; if too few stored digits have lost the block's shape
-/// @throws GeometryError  as `repair_mesh`, with the file's name
+/// @throws InputError  if `read_mesh` throws, or if the file stores too few digits for the shape of
+///                     the block
+/// @throws GeometryError  if `repair_mesh` throws; names the file
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
-/// Processes a mesh in memory; `name` is used in messages.
-/// @param upright_pose  in metres, z up, applied before the repair, so that the returned surface is
-///                      the verified one (a later rotation would round all vertices)
+/// Processes a mesh in memory. Messages refer to it as `name`.
+/// @param upright_pose  pose in metres, z up. It is applied before the repair, because a later
+///                      rotation would round the vertices of the verified surface
 Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {},
                 const std::optional<Pose>& upright_pose = {});
 

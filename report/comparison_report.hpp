@@ -14,7 +14,7 @@ namespace clast {
 /// recognised.
 FolderKind comparison_folder_kind();
 
-/// Writes tables, provenance.json, stops.gpkg, rasters/ and report.html to `folder`.
+/// Writes tables, provenance.json, stops.gpkg, rasters/ and report.html to a folder.
 /// @return the written files, the report last
 /// @throws InputError  if the folder cannot be created or written
 std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
@@ -22,17 +22,20 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
 
 /// Optional contents of a report folder.
 struct ComparisonReportOptions {
-  std::size_t animated = 0;            ///< runs in animation/animation.pvd; 0: no animation
-  std::filesystem::path browser = {};  ///< prints report.pdf; empty: no PDF
+  std::size_t animated =
+      0;  ///< number of runs in animation/animation.pvd; 0: no animation is written
+  std::filesystem::path browser =
+      {};  ///< browser that prints report.pdf; if empty, no PDF is written
 };
 
 struct WrittenReport {
-  std::vector<std::filesystem::path> files;  ///< relative to the folder, the report last
-  std::optional<std::string> no_pdf;         ///< reason if the PDF could not be printed
+  std::vector<std::filesystem::path>
+      files;                          ///< written files, relative to the folder, the report last
+  std::optional<std::string> no_pdf;  ///< reason why the PDF could not be printed
 };
 
 /// Writes the report with its optional contents, and commits the folder.
-/// @throws InputError  as `write_comparison` and `OutputFolder::commit`; or if there is no
+/// @throws InputError  if `write_comparison` or `OutputFolder::commit` throws, or if there is no
 ///                     trajectory to animate
 WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
                           const ComparisonReportOptions& extras = {});

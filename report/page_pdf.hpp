@@ -4,12 +4,12 @@
 
 namespace clast {
 
-/// Finds the browser: the one named by CLAST_BROWSER, otherwise the first of Chromium and Chrome on
+/// Finds a browser. It is named by CLAST_BROWSER; otherwise, Chromium and Chrome are searched on
 /// PATH.
-/// @throws InputError  if there is none; the message says what to install
+/// @throws InputError  if there is none; the message states the package to install
 std::filesystem::path find_browser();
 
-/// Prints a page with its charts to A4. The browser uses a temporary profile.
+/// Prints a page with its charts as PDF in A4. The browser uses a temporary profile.
 /// @param page  HTML file
 /// @param pdf  output file, overwritten
 /// @param seconds  time limit

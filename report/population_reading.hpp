@@ -9,19 +9,21 @@
 
 namespace clast {
 
-/// Input files of a population, and how tables are read.
+/// Input files of a population, and options for reading them.
 struct PopulationFiles {
   std::vector<std::string> inputs;  ///< libraries or text tables
-  std::string columns;              ///< "L=5,I=6,S=7,mass=4"
-  std::string units;                ///< of length; empty: from the table header, or m
+  std::string columns;              ///< columns of tables, such as "L=5,I=6,S=7,mass=4"
+  std::string units;  ///< unit of lengths; if empty, that of the table header, otherwise m
 };
 
 struct BlockMeasuringOptions {
-  std::string box = "smallest";           ///< box whose sides are the axes of library blocks
-  bool box_given = false;                 ///< explicitly requested, which is an error for tables
-  std::optional<double> axis_error = {};  ///< of the axes, m; empty: by the kind of source
-  /// Compute surface measures of library blocks; if `roundness_edge` is given, also roundness with
-  /// triangles of that edge length (m).
+  std::string box = "smallest";  ///< box whose sides are the axes of library blocks
+  bool box_given =
+      false;  ///< true if the box was requested explicitly, which is an error for tables
+  std::optional<double> axis_error =
+      {};  ///< error of the axes, m; if empty, it depends on the kind of source
+  /// If true, surface measures of library blocks are computed. If `roundness_edge` (m) is also set,
+  /// roundness is computed with triangles of this edge length.
   bool surfaces = false;
   std::optional<double> roundness_edge = {};
 };
@@ -29,7 +31,8 @@ struct BlockMeasuringOptions {
 /// Request for one population, or two to compare.
 struct PopulationRequest {
   PopulationFiles first = {{}, "L=L,I=I,S=S", ""};
-  /// Second population; none without inputs. Empty columns and units are those of the first.
+  /// Second population. There is none if it has no inputs. If columns or units are empty, those of
+  /// the first are used.
   PopulationFiles against = {};
   BlockMeasuringOptions reading = {};
   PopulationOptions options = {};
@@ -40,15 +43,16 @@ struct PopulationRequest {
   void check() const;
 };
 
-/// True if a file is a block library, by its content or else its name.
+/// True if a file is a block library: it is an HDF5 file, or its name ends in .h5 or .hdf5.
 bool is_library(const std::string& path);
 
-/// Parses "L=5,I=6,S=7,mass=4,name=2" and the unit of the lengths (may be empty).
-/// @throws InputError  naming `columns` or `units`
+/// Parses columns such as "L=5,I=6,S=7,mass=4,name=2", and the unit of lengths, which may be empty.
+/// @throws InputError  if they are invalid; names `columns` or `units`
 DimensionColumns parse_dimension_columns(const std::string& columns, const std::string& units);
 
 /// Reads, summarises and compares the requested populations.
-/// @throws InputError  as `PopulationRequest::check`; or if a file cannot be read or has no block
+/// @throws InputError  if `PopulationRequest::check` throws, or if a file cannot be read or has no
+///                     block
 PopulationReport read_populations(const PopulationRequest& request);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Results for one block population, or two.
+/// Results for one or two block populations.
 #include <map>
 #include <optional>
 #include <string>
@@ -16,31 +16,32 @@ struct InputFile {
   std::string sha256;
 };
 
-/// Options by which axes were measured; empty if not given or not applicable.
+/// Options used to measure the axes of blocks. Empty if they were not given or do not apply.
 struct MeasuringOptions {
-  std::optional<std::string> box = {};      ///< convention, for library blocks
-  std::optional<std::string> columns = {};  ///< of tables
-  std::optional<std::string> units = {};    ///< of tables
-  std::optional<double> axis_error = {};    ///< m
+  std::optional<std::string> box = {};      ///< box whose sides are the axes, for library blocks
+  std::optional<std::string> columns = {};  ///< columns of tables
+  std::optional<std::string> units = {};    ///< unit of lengths in tables
+  std::optional<double> axis_error = {};    ///< error of the axes, m
 };
 
-/// Measures that need the whole surface of a block.
+/// Measures computed from the whole surface of a block.
 struct SurfaceMeasures {
-  std::map<std::string, double> indices;  ///< including indices of the axes
-  std::optional<Equilibria> sides;        ///< empty for balls and capsules
-  std::optional<Roundness> roundness;     ///< if requested
+  std::map<std::string, double>
+      indices;  ///< shape indices by name, including those computed from the axes
+  std::optional<Equilibria> sides;     ///< number of equilibria; empty for balls and capsules
+  std::optional<Roundness> roundness;  ///< set if requested
 };
 
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
   std::string
-      measured;  ///< how L, I, S were measured: "sides of the smallest box", "as in the table"
+      measured;  ///< origin of L, I, S, such as "sides of the smallest box" or "as in the table"
   MeasuringOptions reading;
   std::vector<InputFile> inputs;
   std::size_t skipped = 0;         ///< number of skipped table rows
   std::vector<std::string> notes;  ///< problems of the inputs
-  /// Short notes for terminals: the first one of each table, with its name.
+  /// Short notes for terminals: the first note on each table, with the name of the table.
   std::vector<std::string> brief_notes;
   /// Surface measures, one entry per block; `nullopt` for blocks read from a table. Empty if not
   /// requested.

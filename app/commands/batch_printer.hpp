@@ -12,14 +12,14 @@
 
 namespace clast {
 
-/// Prints blocks as lines or JSON to stdout and failures to stderr, and writes a page for each
-/// block if requested.
+/// Prints blocks to stdout, as lines or JSON, and failures to stderr. Writes a page for each block
+/// if requested.
 class BatchPrinter : public BatchObserver {
  public:
   /// Starts the output.
   /// @param scans  number of scans
-  /// @param report  folder of pages; empty: no pages
-  /// @param json  print the blocks as JSON at the end instead of lines
+  /// @param report  folder of pages; if empty, no pages are written
+  /// @param json  true: prints the blocks as JSON at the end; false: prints lines
   /// @throws InputError  if the folder of pages cannot be written
   BatchPrinter(std::size_t scans, const BatchOptions& options, const std::string& report,
                bool json);
@@ -32,13 +32,13 @@ class BatchPrinter : public BatchObserver {
   void on_scan_failed(const ScanFile& scan, const std::string& reason) override;
   void on_note(const std::string& text) override;
 
-  /// Updates the progress bar; slow steps have a line of their own unless several scans run in
-  /// parallel.
+  /// Updates the progress bar. Slow steps have a line of their own, unless several scans are
+  /// processed in parallel.
   void show(const ProgressUpdate& step) {
     bar_.update(step.done, step.activity, step.is_slow && options_.jobs == 1);
   }
   /// Prints the summary and writes the summary page.
-  /// @throws InputError  if a scan gave no block; for a single scan with its own reason
+  /// @throws InputError  if a scan gave no block; states the reason if there is a single scan
   void finish(const BatchResult& result);
 
  private:
@@ -51,9 +51,9 @@ class BatchPrinter : public BatchObserver {
   bool json_;
   ProgressBar bar_;
   std::optional<ScanReport> report_;
-  std::mutex mutex_;                    ///< guards `photos_`
-  std::map<std::string, Json> photos_;  ///< by block id
-  Json accepted_;                       ///< block that is added next
+  std::mutex mutex_;                    ///< protects `photos_`
+  std::map<std::string, Json> photos_;  ///< JSON of photo scans, by block id
+  Json accepted_;                       ///< JSON of the block that is added next
   Json made_ = Json::array(), failed_ = Json::array();
   std::string last_failure_;
 };

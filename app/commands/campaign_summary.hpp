@@ -1,5 +1,5 @@
 #pragma once
-/// Output of `clast simulate` about a campaign and its results.
+/// Output of `clast simulate` on a campaign and its results.
 #include "study/results/results.hpp"
 #include "study/simulate/campaign_runner.hpp"
 

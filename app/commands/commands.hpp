@@ -26,12 +26,12 @@ void add_compare(CLI::App& app);
 void add_import(CLI::App& app);
 void add_calibrate(CLI::App& app);
 
-/// Source of the help of `reconstruct`, which is a separate executable.
+/// Functions that give the help of `reconstruct`, which is a separate executable.
 struct ReconstructHelp {
   std::function<void()> show;             ///< prints its help to stdout
   std::function<CommandEntry()> options;  ///< returns its options
 };
-/// Adds `help`.
+/// Adds the command `help`.
 /// @param app  must outlive the parsing
 void add_help(CLI::App& app, const ReconstructHelp& reconstruct);
 

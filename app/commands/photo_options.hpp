@@ -11,14 +11,14 @@ namespace clast {
 
 struct PhotoArgs {
   std::vector<std::string> bars;
-  std::filesystem::path board;  ///< file; empty if not given
-  double marker_size = 0.0;     ///< m; 0 if not given
+  std::filesystem::path board;  ///< board file; empty if not given
+  double marker_size = 0.0;     ///< side length of the markers, m; 0 if not given
   double colmap_minutes = 60.0;
   PhotoScanOptions options;
 
   /// Parses the options.
   /// @throws CLI::ValidationError  if a scale bar is invalid, or a marker is not on the board
-  /// @throws InputError  as `read_scale_board`
+  /// @throws InputError  if `read_scale_board` throws
   PhotoScanOptions parse() const;
 };
 

@@ -7,8 +7,8 @@
 namespace clast {
 
 struct SceneExportArgs {
-  std::string engine;  ///< empty: blocks are exported
-  std::string runs;    ///< "0-15,20"; empty: all
+  std::string engine;  ///< name of the engine; if empty, blocks are exported
+  std::string runs;    ///< indices of the runs, such as "0-15,20"; empty for all
 };
 
 void add_scene_options(CLI::App& command, SceneExportArgs& args);

@@ -14,21 +14,21 @@ namespace clast::classify_detail {
 inline constexpr std::array<const char*, 3> kAxisNames = {"L", "I", "S"};
 
 struct TableLayout {
-  std::string file;  ///< for messages
+  std::string file;  ///< file name for messages
   char separator = ',';
   bool has_header = false;
-  bool has_summary = false;           ///< contains rows such as the mean of the others
+  bool has_summary = false;  ///< true if there are summary rows, such as the mean of the others
   std::array<std::size_t, 3> axes{};  ///< column indices of L, I and S
   std::optional<std::size_t> mass;
   std::optional<std::size_t> name;
   double units = 1.0;            ///< m per unit of the table
-  bool units_are_known = false;  ///< given by the user or the header
+  bool units_are_known = false;  ///< true if the user or the header states the unit
   double mass_units = 1.0;       ///< kg per unit of the table
 };
 
 /// Finds the columns by name or number in the first row, which may be the header.
 /// @param notes  receives notes on the units
-/// @throws InputError  for columns and units, as in `read_dimension_table`
+/// @throws InputError  if columns or units are invalid (see `read_dimension_table`)
 TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
                               const std::string& file, std::vector<std::string>& notes);
 

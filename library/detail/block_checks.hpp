@@ -6,12 +6,12 @@
 
 namespace clast::library_detail {
 
-/// Checks a block: mass equals density times volume; moments are physically possible and those of
-/// its inertia tensor; the box encloses its core; volume and moments are those of its core if a
-/// closed form exists. Numbers agree to rounding for all versions of clast, integrated ones to
-/// their stated error.
-/// @param where  prefix of messages: "blocks.h5: block B017"
-/// @throws InputError  with both numbers
+/// Checks a block. The mass must equal density times volume. The moments must be physically
+/// possible and agree with the inertia tensor. The box must enclose the core. If a closed form
+/// exists, volume and moments must be those of the core. The tolerance is that of rounding; for
+/// numerically integrated values, it is their stated error.
+/// @param where  prefix of messages, such as "blocks.h5: block B017"
+/// @throws InputError  if a check fails; states both numbers
 void check_block_consistency(const Block& block, const std::string& where);
 
 }  // namespace clast::library_detail

@@ -4,10 +4,10 @@
 
 namespace clast::library_detail {
 
-/// Finds the body between `body` and its hull (shapes/hull_interpolation.hpp) with a given
-/// convexity.
-/// @throws GeometryError  if the target is below the body's convexity or above 1, or the body is
-///                        not star-shaped, unless the target is its own convexity or 1
+/// Finds the body with a given convexity among those between `body` and its hull
+/// (shapes/hull_interpolation.hpp).
+/// @throws GeometryError  if the target is below the convexity of the body or above 1. Also if the
+///                        body is not star-shaped and the target is neither its convexity nor 1
 SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double initial_convexity,
                                         double target);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Checked reading and writing of vectors, tensors, points and indices as datasets. `where` is the
-/// prefix of messages: "blocks.h5: block B017".
+/// prefix of messages, such as "blocks.h5: block B017".
 #include <array>
 #include <cstdint>
 #include <string>
@@ -17,12 +17,12 @@ void require(bool condition, const std::string& where, const std::string& what);
 
 void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,
                   const std::string& unit);
-/// Reads finite numbers of a given shape.
+/// Reads an array of finite numbers with a given shape.
 std::vector<double> read_array(const Hdf5Group& group, const std::string& name,
                                const std::vector<std::size_t>& shape, const std::string& where);
 Vec3 read_vector(const Hdf5Group& group, const std::string& name, const std::string& where);
 Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::string& where);
-/// Reads a finite attribute of at least `least`.
+/// Reads a finite number, at least `least`, from an attribute.
 double read_scalar(const Hdf5Group& group, const std::string& name, double least,
                    const std::string& where);
 

@@ -8,17 +8,18 @@ namespace clast::library_detail {
 
 struct RoundedBody {
   SpheroPolyhedron body;
-  double radius_share = 0.0;  ///< radius over S
-  double roundness = 0.0;     ///< measured value
+  double radius_share = 0.0;  ///< ratio of radius to S
+  double roundness = 0.0;     ///< measured roundness
 };
 
-/// Finds the radius by regula falsi (Illinois) on the measured roundness, between the largest
-/// radius and the first of a descending sequence with a smaller roundness, which avoids small radii
-/// that take longest to measure.
-/// @param rounded  returns the body for a ratio of radius to S
-/// @param edge_length  of the roundness mesh, m
-/// @throws GeometryError  if the target is out of reach or missed by more than
-///                        `kRoundnessTolerance`; states the nearest value
+/// Finds the body with a given roundness. The radius is found by regula falsi (Illinois) on the
+/// measured roundness. The interval begins at the largest radius. Its other end is the first of a
+/// descending sequence with a smaller roundness than the target, because small radii take longest
+/// to measure.
+/// @param rounded  function that returns the body for a ratio of radius to S
+/// @param edge_length  edge length of the mesh on which roundness is measured, m
+/// @throws GeometryError  if the target cannot be reached within `kRoundnessTolerance`; states the
+///                        nearest value
 RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
                                    double target, double edge_length);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Varied bodies before scaling to their size.
+/// Varied bodies before they are scaled to their size.
 #include <optional>
 #include <string>
 
@@ -9,7 +9,7 @@ namespace clast::library_detail {
 
 struct VariedBody {
   SpheroPolyhedron body;
-  std::string record;  ///< additional "key=value" pairs for the record
+  std::string record;  ///< additional "key=value" pairs for `BlockSource::options`
 };
 
 VariedBody vary_body(const Block& parent, const StretchVariation& target);

@@ -4,7 +4,8 @@
 
 namespace clast::pipeline_detail {
 
-/// Adds a warning if `surface`, from which `block` was made unchanged, intersects itself.
+/// Adds a warning to `block` if `surface` intersects itself. The block must have been made from
+/// `surface` without repair.
 void warn_of_self_intersections(Block& block, const TriangleMesh& surface);
 
 }  // namespace clast::pipeline_detail

@@ -7,16 +7,16 @@
 
 namespace clast::pipeline_detail {
 
-/// Blocks with the cameras and scale of the photographs.
+/// Blocks, with cameras and scale of the photographs.
 struct PhotographedBlocks {
   FieldScan found;
   PhotoScan photos;
 };
 
 /// Reconstructs blocks from photographs.
-/// @param reading  options for the points; their scale is that of the photographs
+/// @param reading  options for the points, except for their scale, which is that of the photographs
 /// @param source  origin of the blocks, to which the photo data are added
-/// @throws InputError, GeometryError  with the folder in the message
+/// @throws InputError, GeometryError  if a step fails; names the folder
 PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
                                            const ScanToBlockOptions& options,
                                            FieldScanOptions reading, BlockSource& source,

@@ -1,6 +1,6 @@
 #pragma once
-/// PCL operations on plain points. PCL uses floats, so coordinates are relative to a local origin;
-/// results do not depend on the number of threads.
+/// Point cloud operations of PCL on `Vec3` points. PCL uses floats, so coordinates are relative to
+/// a local origin. Results do not depend on the number of threads.
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,22 +10,22 @@
 
 namespace clast::reconstruct_detail {
 
-/// Returns the ascending indices of points whose mean distance to their `neighbours` nearest points
-/// is at most `deviations` standard deviations above the mean of all.
+/// Returns the ascending indices of the inliers. An inlier's mean distance to its `neighbours`
+/// nearest points exceeds the mean over all points by at most `deviations` standard deviations.
 /// @cite rusu2008
 std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighbours,
                                         double deviations);
 
-/// Decimates points to the mean per cube of side `cell`, m.
+/// Decimates points: replaces the points in each cube of side `cell` (m) by their mean.
 std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
 
-/// Finds clusters of points connected by steps of at most `reach`, the largest first; clusters
-/// below `min_points` are omitted.
+/// Finds clusters of points connected by steps of at most `max_gap`, the largest first. Clusters
+/// with fewer than `min_points` points are omitted.
 std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double max_gap,
                                                       std::size_t min_points);
 
-/// Estimates unit normals of arbitrary sign from the planes through the `neighbours` nearest
-/// points.
+/// Estimates unit normals from planes fitted to the `neighbours` nearest points. Their sign is
+/// arbitrary.
 std::vector<Vec3> estimate_normals(std::span<const Vec3> points, int neighbours);
 
 /// Search for nearest points with a k-d tree.

@@ -1,5 +1,6 @@
 #pragma once
-/// Surface reconstruction from the points of one block, open where it was not observed.
+/// Surface reconstruction from the points of one block. The surface is open where the block was not
+/// observed.
 #include <cstddef>
 #include <span>
 
@@ -9,10 +10,10 @@
 namespace clast {
 
 struct CloudSurfaceOptions {
-  /// Side of averaging cubes as a fraction of the diagonal; used if points are closer together than
-  /// half of it.
+  /// Side of the cubes in which points are averaged, as a fraction of the diagonal. Points are
+  /// averaged only if they are closer together than half of this side.
   double averaging_cell = 0.008;
-  /// Radius of an empty ball at the border of a hole, in local point spacings.
+  /// Radius of the empty balls at the border of a hole, in local point spacings.
   double hole_ball_radius = 1.5;
   std::size_t min_points = 500;  ///< minimum number of points of a block
 
@@ -20,21 +21,22 @@ struct CloudSurfaceOptions {
 };
 
 struct CloudSurface {
-  /// Oriented 2-manifold of one component, outward; closed if points are all around; m.
+  /// Oriented 2-manifold of one component, outward, m. Closed if the points cover all sides.
   TriangleMesh mesh;
-  SurfaceUncertainty uncertainty;  ///< of the observed part
-  std::size_t outliers = 0;        ///< number of points off the surface
-  /// Number of filled gaps, each below 0.5 % of the area.
+  SurfaceUncertainty uncertainty;  ///< uncertainty of the observed part
+  std::size_t outliers = 0;        ///< number of removed points off the surface
+  /// Number of filled gaps. Each has less than 0.5 % of the surface area.
   std::size_t gaps = 0;
-  double gap_fraction = 0.0;         ///< of the area
-  Vec3 gap_position = Vec3::Zero();  ///< in the largest gap, m
+  double gap_fraction = 0.0;         ///< area of the filled gaps over the surface area
+  Vec3 gap_position = Vec3::Zero();  ///< position in the largest gap, m
 };
 
-/// Reconstructs a surface: orients normals by propagation [hoppe1992], solves for the indicator
-/// function [kazhdan2006], removes noise by moving least squares [levin2004], and extracts the
-/// Delaunay triangles between inside and outside [amenta1999], so that each vertex is a point.
-/// Parts farther from the points than their spacing explains are unobserved and left open.
-/// @param points  of one block, in any length unit
+/// Reconstructs a surface. Normals are oriented by propagation [hoppe1992], the indicator function
+/// is solved [kazhdan2006], and noise is removed by moving least squares [levin2004]. The surface
+/// consists of the Delaunay triangles between inside and outside [amenta1999], so each vertex is a
+/// point. Parts that are farther from the points than their spacing explains are unobserved and
+/// left open.
+/// @param points  points of one block, in any length unit
 /// @throws InputError  if there are too few points
 /// @throws GeometryError  if the points are coplanar or collinear, or no surface was found
 /// @cite hoppe1992 @cite kazhdan2006 @cite levin2004 @cite amenta1999 @cite richardson1911

@@ -1,5 +1,5 @@
 #pragma once
-/// Sample points of a surface, and extraction of the parts nearest to some of them.
+/// Sampling of points on a surface, and extraction of the surface parts nearest to selected points.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace clast::reconstruct_detail {
 
-/// Samples about 60,000 points uniformly over the surface; deterministic.
+/// Samples about 60,000 points uniformly over the surface. The result is deterministic.
 std::vector<Vec3> sample_surface_points(const TriangleMesh& mesh);
 
-/// Returns the components of triangles whose vertices and centroid are nearest to `block`, without
-/// triangles attached by a single edge; the largest first.
-/// @param tree  of the points on `sheet`
+/// Returns the components of the surface nearest to the points `block`, the largest first. A
+/// triangle is included if all of its vertices and its centroid are nearest to one of these points.
+/// Triangles attached by a single edge are removed.
+/// @param tree  tree of the points sampled on `sheet`
 /// @param block  indices of the points on the block
 std::vector<Component> extract_nearest_components(const TriangleMesh& sheet, const PointTree& tree,
                                                   std::span<const std::uint32_t> block);

@@ -8,18 +8,17 @@
 
 namespace clast::reconstruct_detail {
 
-/// Removes duplicate points, as written by scanners and merged files, in unchanged order.
+/// Removes duplicate points. The order of the others is unchanged.
 std::vector<Vec3> remove_duplicate_points(std::span<const Vec3> points);
 
-/// Computes the local point spacing, m: 1/sqrt(density) of points scattered over a surface, from
-/// the distance of the sixth nearest point.
+/// Computes the local spacing of each point, m. The spacing is 1/sqrt(n), where the number n of
+/// points per area is estimated from the distance to the sixth nearest point.
 /// @pre more than six points
 std::vector<double> compute_local_spacings(std::span<const Vec3> points);
 
-/// Returns the ascending indices of points that are not outliers. An outlier is isolated (its
-/// spacing is much larger than that of its neighbours) and off their plane by more than their
-/// spacing and scatter; points in sparse areas or at borders are not outliers. No fixed fraction is
-/// removed: clean clouds keep all points.
+/// Returns the ascending indices of points that are not outliers. An outlier has a much larger
+/// spacing than its neighbours, and its distance from their plane exceeds their spacing and
+/// scatter. Points in sparse areas or at borders are not outliers. A clean cloud keeps all points.
 std::vector<std::uint32_t> find_non_isolated_points(std::span<const Vec3> points);
 
 }  // namespace clast::reconstruct_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Uncertainty of the surface of a block from points.
+/// Uncertainty of a surface that was reconstructed from points.
 #include <vector>
 
 #include "core/types.hpp"
@@ -8,9 +8,10 @@ namespace clast {
 
 /// Bounds due to point spacing and noise.
 struct SurfaceUncertainty {
-  std::vector<Vec3> inner;    ///< points whose hull is inside that of the block, m
-  std::vector<Vec3> outer;    ///< points whose hull contains the block, m
-  double extent_error = 0.0;  ///< possible error of each end of each side due to noise, m
+  std::vector<Vec3> inner;  ///< points whose hull is inside that of the block, m
+  std::vector<Vec3> outer;  ///< points whose hull contains the block, m
+  double extent_error =
+      0.0;  ///< possible error at both ends of each side of the box due to noise, m
   /// Possible decrease and increase of the volume, m^3.
   double volume_below = 0.0, volume_above = 0.0;
 };

@@ -8,28 +8,28 @@
 
 namespace clast::reconstruct_detail {
 
-/// Block above the ground, with data for its closure.
+/// Block above the ground, with data for closing its underside.
 struct ChosenBlock {
   std::vector<std::uint32_t> point_indices;  ///< ascending
   std::vector<Vec3> points;
-  Vec3 centre = Vec3::Zero();  ///< of its box
+  Vec3 centre = Vec3::Zero();  ///< centre of its bounding box
   Plane ground;                ///< tangent plane of the ground below it
 };
 
-/// Selected blocks: all with `split`, otherwise the one near the centre.
+/// Selected blocks.
 struct ChosenBlocks {
   std::vector<ChosenBlock> blocks;
   std::vector<std::string> notes;
 };
 
-/// Selects blocks.
-/// @param name  of the scan, for messages
+/// Selects all blocks if `split`, otherwise the block near the centre of the scan.
+/// @param name  name of the scan, for messages
 /// @throws GeometryError  if no part above the ground is a block
 ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Ground& ground,
                                      const std::string& name, bool split);
 
-/// Throws the error for a scan of ground only.
-/// @param fraction  of the scan that is ground
+/// Throws the error for a scan that contains only ground.
+/// @param fraction  fraction of the scan that is ground
 [[noreturn]] void throw_bare_ground(const std::string& name, double fraction);
 
 }  // namespace clast::reconstruct_detail

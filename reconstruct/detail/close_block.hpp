@@ -8,34 +8,36 @@
 
 namespace clast::reconstruct_detail {
 
-/// Area fraction of the largest component above which another component is not debris.
+/// Maximum area of debris as a fraction of the area of the largest component. Larger components are
+/// not debris.
 inline constexpr double kFragmentArea = 0.1;
 
 /// Surface of one block as extracted from a scan, in units and axes of the file.
 struct OpenBlock {
   TriangleMesh surface;
-  std::optional<Plane> ground = {};   ///< below the block; empty if it was scanned alone
-  Vec3 centre = Vec3::Zero();         ///< of its box, if there is a ground
+  std::optional<Plane> ground = {};   ///< ground below the block; empty if it was scanned alone
+  Vec3 centre = Vec3::Zero();         ///< centre of its bounding box, if there is a ground
   const TriangleMesh* raw = nullptr;  ///< mesh as read; null for a cloud
-  RepairReport repaired = {};         ///< repairs so far, in metres; empty for a cloud
-  const SurfaceUncertainty* uncertainty = nullptr;  ///< of a cloud's surface; null for a mesh
-  std::vector<std::string> notes = {};              ///< so far
+  RepairReport repaired = {};         ///< previous repairs, in metres; empty for a cloud
+  const SurfaceUncertainty* uncertainty =
+      nullptr;                          ///< uncertainty of the surface of a cloud; null for a mesh
+  std::vector<std::string> notes = {};  ///< previous notes
 };
 
-/// Fills small holes, closes the unobserved side, repairs, bounds the uncertainty, and transforms
-/// the block to metres with z up.
-/// @param name  of the scan, for messages
-/// @throws GeometryError  as `clean_scan` and `close_underside`
+/// Fills small holes, closes the unobserved side, repairs the surface and computes its bounds.
+/// Transforms the block to metres with z up.
+/// @param name  name of the scan, for messages
+/// @throws GeometryError  if `clean_scan` or `close_underside` throws
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& options);
 
 /// Makes a block from a mesh that only needs repair.
-/// @throws GeometryError  as `clean_scan`
+/// @throws GeometryError  if `clean_scan` throws
 FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
                        const FieldScanOptions& options);
 
 /// Returns `report` with added hole fillings.
 /// @param fillings  in the file's units
-/// @param area  of the surface with them, in the file's units
+/// @param area  area of the surface with the fillings, in the file's units
 /// @param unit  metres per unit of the file
 RepairReport report_with_fillings(RepairReport report, const std::vector<FilledHole>& fillings,
                                   double area, double unit);

@@ -7,11 +7,12 @@
 
 namespace clast::reconstruct_detail {
 
-/// Removes duplicates, outliers, far points and, if present, the ground, and closes each block.
-/// @param name  of the scan, for messages
-/// @throws InputError  if a point is out of range, or there are too few
-/// @throws GeometryError  for separate clusters without ground, or only ground; and as
-///                        `close_block`
+/// Extracts the blocks of a cloud. Removes duplicates, outliers, far points and, if present, the
+/// ground. Closes each block.
+/// @param name  name of the scan, for messages
+/// @throws InputError  if a point is out of range, or there are too few points
+/// @throws GeometryError  if there are separate clusters but no ground, if there is only ground, or
+///                        if `close_block` throws
 std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
                                              const FieldScanOptions& options);
 

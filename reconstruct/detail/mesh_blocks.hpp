@@ -7,10 +7,10 @@
 
 namespace clast::reconstruct_detail {
 
-/// Cleans closed or repairable meshes. For open meshes, removes copies and debris and, if present,
-/// the ground, and closes each block.
-/// @param name  of the scan, for messages
-/// @throws GeometryError  for only ground; and as `clean_block` and `close_block`
+/// Extracts the blocks of a mesh. Closed and repairable meshes are only cleaned. In open meshes,
+/// copies, debris and, if present, the ground are removed, and each block is closed.
+/// @param name  name of the scan, for messages
+/// @throws GeometryError  if there is only ground, or if `clean_block` or `close_block` throws
 std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::string& name,
                                             const FieldScanOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Detection of closed bodies that do not look like a single rock.
+/// Detection of closed surfaces that probably do not bound a single rock.
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,24 +13,26 @@ namespace clast::reconstruct_detail {
 /// Sign that a closed surface is not a single rock.
 struct ShapeAnomaly {
   enum class Kind {
-    kShell,   ///< thin walls everywhere, as of a thickened surface; `size`: thickness
-    kHollow,  ///< much of the convex hull is empty; `size`: depth of the deepest concavity
-    kSlab,    ///< block with surrounding ground or turntable; `size`: total width
-    kSeam,    ///< two touching or connected bodies; `size`: width of the seam
+    kShell,   ///< thin walls everywhere, as in a thickened surface; `size` is their thickness
+    kHollow,  ///< much of the convex hull is empty; `size` is the depth of the deepest concavity
+    kSlab,    ///< block with surrounding ground or turntable; `size` is the total width
+    kSeam,    ///< two touching or connected bodies; `size` is the width of the seam
   };
   Kind kind = Kind::kShell;
   Vec3 position = Vec3::Zero();  ///< m
   double size = 0.0;             ///< m
-  double fraction = 0.0;  ///< kShell, kHollow: volume over that of the convex hull; kSeam: volume
-                          ///< fraction of the smaller body; kSlab: plan area fraction of the ground
-  std::optional<Plane> seam = {};  ///< for kSeam: normal towards the smaller body
+  double fraction =
+      0.0;  ///< kShell, kHollow: volume relative to that of the convex hull; kSeam: volume fraction
+            ///< of the smaller body; kSlab: fraction of the plan area that is ground
+  std::optional<Plane> seam =
+      {};  ///< plane of the seam for kSeam, with its normal towards the smaller body
 };
 
 /// Finds anomalies of a closed body, at most one of each kind.
 /// @param closed  outward, in metres
 std::vector<ShapeAnomaly> find_shape_anomalies(const TriangleMesh& closed);
 
-/// Formats an anomaly as a note: appearance, position, size and advice.
+/// Formats an anomaly as a note that states appearance, position, size and advice.
 /// @param format_file_position  formats a position in file coordinates
 std::string format_shape_anomaly(
     const ShapeAnomaly& anomaly,

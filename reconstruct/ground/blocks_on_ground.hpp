@@ -10,8 +10,8 @@ namespace clast {
 
 struct BlockOnGround {
   std::vector<std::uint32_t> points;  ///< ascending indices of its points
-  Vec3 centre = Vec3::Zero();         ///< of its box, m
-  double height = 0.0;                ///< above the ground, m
+  Vec3 centre = Vec3::Zero();         ///< centre of its bounding box, m
+  double height = 0.0;                ///< height above the ground, m
 };
 
 /// Blocks and ground points of a scan.
@@ -21,9 +21,10 @@ struct BlocksOnGround {
   std::vector<std::uint32_t> ground;  ///< indices of the ground points
 };
 
-/// Finds blocks as clusters above three times the ground's roughness. Points in the strip below
-/// belong to a block if the straight extension of the wall above is nearer than the ground,
-/// relative to their roughnesses. Much smaller or lower clusters are not blocks.
+/// Finds blocks as clusters of points that are higher than three times the ground's roughness. A
+/// lower point belongs to a block if it is nearer to the straight extension of the block's wall
+/// than to the ground. Both distances are relative to the roughness of the surface. Clusters that
+/// are much smaller or lower than the others are not blocks.
 BlocksOnGround find_blocks_on_ground(std::span<const Vec3> points, const Ground& ground,
                                      const GroundDetectionOptions& options = {});
 

@@ -12,15 +12,15 @@ namespace clast {
 
 /// Options of ground detection; lengths are fractions of the scan's diagonal.
 struct GroundDetectionOptions {
-  std::uint64_t seed = 1;    ///< of the random planes
+  std::uint64_t seed = 1;    ///< seed of the random planes
   int trials = 1000;         ///< number of random planes
-  double tolerance = 0.01;   ///< of the first plane; the local surface is fitted more closely
-  double least_rise = 0.03;  ///< minimum height of blocks
+  double tolerance = 0.01;   ///< maximum distance of points from the initial plane
+  double least_rise = 0.03;  ///< minimum height of blocks above the ground
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Ground as a plane with smooth heights above it.
+/// Ground, described by a plane and smooth heights above it.
 class Ground {
  public:
   struct Surface;
@@ -30,11 +30,11 @@ class Ground {
   Ground& operator=(Ground&&) noexcept;
   ~Ground();
 
-  const Plane& plane() const { return plane_; }    ///< normal up, away from what lies below
+  const Plane& plane() const { return plane_; }    ///< reference plane; its normal points up
   double roughness() const { return roughness_; }  ///< standard deviation about the surface, m
   /// Returns the height above the local ground surface along the plane's normal, m.
   double height(const Vec3& point) const;
-  /// Returns the tangent plane of the ground below `point`, averaged over a size.
+  /// Returns the tangent plane of the ground below `point`, averaged over the length `size` (m).
   Plane tangent_plane_below(const Vec3& point, double size) const;
 
  private:
@@ -43,10 +43,11 @@ class Ground {
   double roughness_;
 };
 
-/// Finds the ground: the plane that contains most points, with nearly all others on one side and
-/// ground visible around them; then a smooth height surface fitted to its points.
-/// @param points  without outliers, m
-/// @returns empty if no plane is a ground, as for a single block
+/// Finds the ground. The plane that contains most points is the ground if nearly all other points
+/// are on one side of it, and if it is visible around them. A smooth height surface is then fitted
+/// to the points near the plane.
+/// @param points  points without outliers, m
+/// @returns empty if no plane is a ground, for example if the scan contains a single block only
 /// @cite fischler1981
 std::optional<Ground> find_ground(std::span<const Vec3> points,
                                   const GroundDetectionOptions& options = {});

@@ -1,5 +1,5 @@
 #pragma once
-/// Camera positions around a block, for its page.
+/// Camera positions around a block.
 #include <string>
 #include <vector>
 
@@ -11,33 +11,32 @@ namespace clast {
 struct CameraPosition {
   std::string name;
   double azimuth = 0.0;    ///< from x towards y, -pi to pi, rad
-  double elevation = 0.0;  ///< above the horizon, rad
-  double distance = 0.0;   ///< from the centre of the block, m
-  std::size_t pairs = 0;   ///< number of compared pairs with this photo
+  double elevation = 0.0;  ///< angle above the horizontal, rad
+  double distance = 0.0;   ///< distance from the centre of the block, m
+  std::size_t pairs = 0;   ///< number of stereo pairs that contain this photo
   bool blurred = false;
 };
 
-/// Azimuth range without a compared photo.
+/// Azimuth range without a camera whose photo was used for stereo.
 struct AzimuthGap {
   std::size_t first = 0, second = 0;  ///< indices of the cameras at its ends
   double from = 0.0;                  ///< azimuth of the first camera, rad
   double width = 0.0;                 ///< rad
 };
 
-/// Width above which gaps are reported; photos should be 10 to 15 degrees apart.
+/// Width above which gaps are reported, rad. Photos should be 10 to 15 degrees apart.
 inline constexpr double kWideAzimuthGap = 20.0 * kRadiansPerDegree;
 
 struct CameraRing {
   Vec3 middle = Vec3::Zero();           ///< centre of the block, in its frame
-  std::vector<CameraPosition> cameras;  ///< in order of the photos
+  std::vector<CameraPosition> cameras;  ///< one entry per photo, in their order
   std::vector<AzimuthGap> gaps;         ///< wider than `kWideAzimuthGap`, in order of azimuth
-  double largest_gap =
-      0.0;  ///< largest azimuth range without a compared photo, rad; 2 pi without photos
-  double gap_azimuth = 0.0;  ///< azimuth of its centre, rad
+  double largest_gap = 0.0;             ///< width of the largest gap, rad; 2 pi without cameras
+  double gap_azimuth = 0.0;             ///< azimuth of the centre of the largest gap, rad
 };
 
 /// Computes the camera positions.
-/// @param block_from_model  from the frame of the cameras to that of the block, z up
+/// @param block_from_model  transform from the camera model to the frame of the block, z up
 CameraRing compute_camera_ring(const PhotoScan& scan, const Pose& block_from_model);
 
 }  // namespace clast

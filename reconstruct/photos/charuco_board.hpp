@@ -1,5 +1,5 @@
 #pragma once
-/// ChArUco boards in photos: printed chessboards with markers in the white squares.
+/// Location of ChArUco boards (printed chessboards with markers in the white squares) from photos.
 #include <string>
 #include <vector>
 
@@ -8,20 +8,20 @@
 
 namespace clast {
 
-/// ChArUco board. Its corners are those between four squares, row-major: corner k is in column k %
-/// (columns - 1) and row k / (columns - 1).
+/// ChArUco board. Its corners are the points at which four squares meet. They are numbered row by
+/// row: corner k is in column k % (columns - 1) and row k / (columns - 1).
 struct CharucoBoard {
-  std::string dictionary;     ///< of its markers, as `MarkerOptions::dictionary`; not "auto"
+  std::string dictionary;  ///< dictionary of its markers (`MarkerOptions::dictionary`), not "auto"
   int columns = 0, rows = 0;  ///< number of squares, at least 3 each
   double square = 0.0;        ///< side length of a square, m
-  double marker = 0.0;        ///< side length of a marker's black square, m; less than `square`
-  /// Pattern of boards with an even number of rows: the first corner has a white square before
-  /// OpenCV 4.6 (true) and a black one later (opencv issue 23152).
+  double marker = 0.0;  ///< side length of the black square of a marker, m; less than `square`
+  /// True if a board with an even number of rows has a white square in its first corner, as drawn
+  /// by OpenCV before version 4.6. Later versions draw a black one (opencv issue 23152).
   bool older_pattern = false;
 
   /// Checks the board.
-  /// @throws InputError  naming field and value; also if the pattern is not supported by the OpenCV
-  ///                     in use
+  /// @throws InputError  if a value is out of range, or the OpenCV in use does not support the
+  ///                     pattern; names field and value
   void check() const;
 };
 
@@ -40,14 +40,14 @@ void visit_fields(const CharucoBoard& options, Visit&& visit) {
 struct BoardCorner {
   int index = 0;
   Vec3 position = Vec3::Zero();  ///< in the frame of the model
-  std::size_t photos = 0;        ///< number of inlier photos
+  std::size_t photos = 0;        ///< number of photos that agree on its position
   double error = 0.0;            ///< root mean square reprojection error, px
 };
 
-/// Finds and triangulates the corners, in index order. Chessboard corners are saddle points, whose
-/// position is not biased by blur, unlike marker corners.
-/// @param model  with files
-/// @param options  with the board's dictionary
+/// Finds and triangulates the corners, ordered by index. Unlike the corners of markers, those of a
+/// chessboard are saddle points, whose position is not biased by blur.
+/// @param model  camera model whose photo files are located
+/// @param options  marker options with the dictionary of the board
 std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const CharucoBoard& board,
                                             const MarkerOptions& options = {});
 

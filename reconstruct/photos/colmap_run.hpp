@@ -10,17 +10,19 @@
 namespace clast {
 
 struct ColmapOptions {
-  std::string program = "colmap";  ///< path, or a name looked up in PATH
-  /// Cache folder of models, by photo digest; empty: `default_photo_cache`.
+  std::string program = "colmap";  ///< path of the program, or its name in PATH
+  /// Cache folder, in which models are stored by photo digest. If empty, `default_photo_cache` is
+  /// used.
   std::filesystem::path cache = {};
-  /// Folder of masks (`find_masks`), or empty; features are detected in white areas.
+  /// Folder of masks (`find_masks`), or empty. Features are only detected in white areas.
   std::filesystem::path masks = {};
-  double time_limit = 3600.0;         ///< time limit of each step, s
-  int features = 4000;                ///< maximum number per photo
-  int most_pixels = 2000;             ///< of the longer side; larger photos are reduced
-  std::size_t exhaustive_up_to = 60;  ///< number of photos up to which all pairs are matched; for
-                                      ///< more, neighbours in order first
-  /// Minimum fraction of photos with a camera; with fewer, a side of the block is missing.
+  double time_limit = 3600.0;  ///< time limit of each step, s
+  int features = 4000;         ///< maximum number of features per photo
+  int most_pixels = 2000;  ///< maximum length of the longer side, px; larger photos are scaled down
+  std::size_t exhaustive_up_to = 60;  ///< maximum number of photos for which all pairs are matched;
+                                      ///< otherwise, neighbours in order are matched first
+  /// Minimum fraction of photos for which a camera is found. Otherwise, a side of the block is
+  /// missing.
   double least_share = 0.6;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -40,23 +42,23 @@ void visit_fields(const ColmapOptions& options, Visit&& visit) {
   visit("least_share", least_share);
 }
 
-/// Returns clast/photos in the user's cache folder (XDG_CACHE_HOME or ~/.cache), otherwise in the
-/// temporary folder.
+/// Returns the folder clast/photos in the user's cache folder (XDG_CACHE_HOME or ~/.cache). Without
+/// a cache folder, it is in the temporary folder.
 std::filesystem::path default_photo_cache();
 
 /// Computes the digest of a set of photos from their names and contents.
 /// @throws InputError  if a file cannot be read
 std::string compute_photo_digest(const std::filesystem::path& folder);
 
-/// Runs COLMAP on the CPU without display: features, matching and mapping; uses the cache for known
-/// photos. COLMAP's matching is randomised even on one thread, so that only the cache makes results
-/// reproducible.
+/// Runs COLMAP on the CPU without display: feature detection, matching and mapping. If the cache
+/// contains the photos, its model is used. COLMAP's matching is random even on one thread, so only
+/// the cache makes results reproducible.
 ///
-/// Returns the largest connected group of photos, with files.
+/// Returns the largest connected group of photos, with their files.
 /// @param stage  called with the current step
-/// @throws InputError  as `find_masks`; if COLMAP is not installed (names the package), there are
-///                     fewer than three photos, the photos are not connected, or COLMAP fails or
-///                     exceeds its time limit
+/// @throws InputError  if `find_masks` throws, COLMAP is not installed, there are fewer than three
+///                     photos, the photos are not connected, or COLMAP fails or exceeds its time
+///                     limit
 /// @cite schoenberger2016
 PhotoModel run_colmap(const std::filesystem::path& folder, const ColmapOptions& options = {},
                       const std::function<void(const std::string&)>& stage = {});

@@ -15,10 +15,11 @@ namespace clast {
 
 struct DenseOptions {
   StereoPairOptions pairs = {};
-  int most_pixels = 1100;  ///< largest side of compared image regions; larger ones are reduced
-  std::size_t min_agreeing_pairs = 3;  ///< minimum number of consistent depths from pairs per point
-  double tolerance = 1.0;              ///< disparity difference of consistent depths, px
-  double cell = 1.7;                   ///< spacing of the points, in units of the model
+  int most_pixels =
+      1100;  ///< maximum side of the compared image regions, px; larger ones are scaled down
+  std::size_t min_agreeing_pairs = 3;  ///< minimum number of pairs with consistent depths per point
+  double tolerance = 1.0;              ///< maximum disparity difference of consistent depths, px
+  double cell = 1.7;  ///< spacing of the points, in pixels of the compared photos at the block
   bool skip_blurred = true;
   /// Folder of masks (`find_masks`), or empty.
   std::filesystem::path masks = {};
@@ -48,15 +49,17 @@ struct DenseCloud {
   PhotoRegion region;
   std::vector<StereoPair> pairs;
   std::vector<std::size_t> blurred;  ///< indices of skipped photos
-  double cell = 0.0;                 ///< of the points, in units of the model
+  double cell = 0.0;                 ///< spacing of the points, in units of the model
   std::vector<std::string> notes;
 };
 
-/// Compares neighbouring photos and keeps points on which several pairs agree and through which no
-/// more pairs see, averaged over the pairs (docs/theory.md).
-/// @param model  with files
+/// Computes points by stereo matching of neighbouring photos. A point is kept if several pairs
+/// agree on its depth, and if no more pairs see farther along the same line of sight. It is
+/// averaged over the agreeing pairs (docs/theory.md).
+/// @param model  camera model whose photo files are located
 /// @param progress  called with the finished and total number of steps, from one thread at a time
-/// @throws InputError  as `stereo_pairs`; if masks are missing or photos do not agree
+/// @throws InputError  if `stereo_pairs` throws, if masks are missing, or if the photos do not
+///                     agree
 DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& options = {},
                                const std::function<void(std::size_t, std::size_t)>& progress = {});
 

@@ -7,16 +7,18 @@
 
 namespace clast {
 
-/// Central projection with distortion that covers the models of COLMAP, Metashape and AliceVision.
+/// Central projection with lens distortion. It covers the models of COLMAP, Metashape and
+/// AliceVision.
 ///
 /// Camera frame: x right, y down, z forward. Pixels: x right, y down, with the centre of the first
-/// pixel at (0, 0), as in OpenCV; other conventions are converted on reading.
+/// pixel at (0, 0), as in OpenCV. Readers convert other conventions.
 ///
-/// (a, b) = (x / z, y / z), for a fisheye scaled to length atan |(a, b)|; with r^2 = a^2 + b^2 and
-/// g = (1 + k1 r^2 + k2 r^4 + k3 r^6 + k4 r^8) / (1 + d1 r^2 + d2 r^4 + d3 r^6)
+/// The pixel (u, v) of a point (x, y, z) follows from (a, b) = (x / z, y / z). For a fisheye, (a,
+/// b) is scaled to the length atan |(a, b)|. With r^2 = a^2 + b^2 and g = (1 + k1 r^2 + k2 r^4 + k3
+/// r^6 + k4 r^8) / (1 + d1 r^2 + d2 r^4 + d3 r^6),
 ///
-///     a' = g a + 2 p1 a b + p2 (r^2 + 2 a^2),   u = fx a' + skew b' + cx
-///     b' = g b + p1 (r^2 + 2 b^2) + 2 p2 a b,   v = fy b' + cy
+/// a' = g a + 2 p1 a b + p2 (r^2 + 2 a^2),   u = fx a' + skew b' + cx b' = g b + p1 (r^2 + 2 b^2) +
+/// 2 p2 a b,   v = fy b' + cy
 /// @cite brown1966
 struct CameraIntrinsics {
   int width = 0;  ///< px
@@ -26,11 +28,11 @@ struct CameraIntrinsics {
   double skew = 0.0;                ///< px
   std::array<double, 4> radial{};   ///< k1 to k4
   std::array<double, 3> divisor{};  ///< d1 to d3
-  double p1 = 0.0, p2 = 0.0;        ///< tangential
+  double p1 = 0.0, p2 = 0.0;        ///< tangential distortion
   bool fisheye = false;
 
   /// Checks all values.
-  /// @throws InputError  naming an impossible value
+  /// @throws InputError  if a value is impossible; names the value
   void check() const;
 };
 
@@ -38,12 +40,12 @@ struct CameraIntrinsics {
 /// point is behind the camera or beyond the monotonic range of the distortion.
 std::optional<Vec2> project(const CameraIntrinsics& lens, const Vec3& in_camera);
 
-/// Returns the direction (x / z, y / z, 1) of a pixel, to 1e-9 px. Empty if the distortion cannot
-/// be inverted there.
+/// Returns the direction (x / z, y / z, 1) of a pixel, accurate to 1e-9 px. Empty if the distortion
+/// cannot be inverted at the pixel.
 std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
 /// Returns the intrinsics of resized photos.
-/// @throws InputError  if the sides are not scaled by a common factor (within a pixel)
+/// @throws InputError  if width and height are not scaled by a common factor, within a pixel
 CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int height);
 
 }  // namespace clast

@@ -9,11 +9,12 @@ struct PhotoRegion {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
   bool from_ground =
-      false;  ///< a block was found above a ground; false: estimated from the cameras
+      false;  ///< true if a block was found above a ground; false if estimated from the cameras
 };
 
-/// Finds the block above the ground near the cameras' viewing centre in the sparse points. Without
-/// ground, uses the sphere about the viewing centre that most photos contain.
+/// Finds the region of the block from the sparse points. The block is the one above the ground that
+/// is nearest to the viewing centre of the cameras. Without a ground, the region is the sphere
+/// about the viewing centre that most photos contain.
 /// @throws InputError  if there are fewer than two photos, or cameras without a common viewing
 ///                     centre
 PhotoRegion find_photo_region(const PhotoModel& model);

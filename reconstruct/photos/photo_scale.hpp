@@ -1,5 +1,5 @@
 #pragma once
-/// Scale of a camera model from markers.
+/// Estimation of the scale of a camera model from markers.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace clast {
 
 /// Known distance between the centres of two markers.
 struct ScaleBar {
-  int first = 0, second = 0;  ///< ids
+  int first = 0, second = 0;  ///< marker ids
   double length = 0.0;        ///< as given, m
 };
 
@@ -23,12 +23,14 @@ void visit_fields(const ScaleBar& options, Visit&& visit) {
   visit("length", length);
 }
 
-/// Known lengths. Distances between markers have priority over sides, because they are longer.
+/// Known lengths. Distances between markers have priority over marker sides, because they are
+/// longer.
 struct ScaleOptions {
   std::vector<ScaleBar> bars = {};
   std::optional<ScaleBoard> board = {};
-  std::optional<double> marker_side = {};  ///< of the black square of all markers, m
-  /// Relative deviation from the others above which a length is excluded and reported.
+  std::optional<double> marker_side = {};  ///< side length of the black square of all markers, m
+  /// Maximum relative deviation of a length from the others. Lengths that deviate more are excluded
+  /// and reported.
   double largest_disagreement = 0.005;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -45,30 +47,30 @@ void visit_fields(const ScaleOptions& options, Visit&& visit) {
 
 /// Known length compared with the model.
 struct ScaleMeasure {
-  std::string name;     ///< "marker 2", "markers 0 and 3" or "row 2 of the board, ..."
+  std::string name;     ///< such as "marker 2", "markers 0 and 3" or "row 2 of the board, ..."
   double length = 0.0;  ///< as given, m
-  double factor = 0.0;  ///< metres per model unit from this length alone
-  double leave_one_out_error =
-      0.0;  ///< relative error of its length when the others set the scale; 0 if alone
+  double factor = 0.0;  ///< scale from this length alone, m per model unit
+  double leave_one_out_error = 0.0;  ///< relative error of its length if the scale is estimated
+                                     ///< from the others; 0 if there are no others
   bool used = false;
-  std::vector<int> markers = {};  ///< ids of its markers
+  std::vector<int> markers = {};  ///< ids of the markers that define it
 };
 
 struct PhotoScale {
   double metres_per_unit = 1.0;
   double spread = 0.0;                 ///< relative standard deviation of the used factors
-  bool from_bars = false;              ///< from distances (bars or a board)
-  std::vector<ScaleMeasure> measures;  ///< distances or sides, whichever determined the scale
-  /// Mean marker side by the distances relative to the given side, if both are known.
+  bool from_bars = false;              ///< true if estimated from distances (bars or a board)
+  std::vector<ScaleMeasure> measures;  ///< lengths that determined the scale: distances or sides
+  /// Mean marker side, scaled by the distances, relative to the given side. Set if both are known.
   std::optional<double> side_check;
-  std::vector<int> misplaced;  ///< board markers at other positions than stated
+  std::vector<int> misplaced;  ///< ids of board markers that are not at the stated positions
   std::vector<std::string> notes;
 };
 
-/// Estimates the scale as the mean of consistent factors. Bars and board distances have priority
-/// over sides. With three or more, factors that deviate too much from the median are excluded and
-/// reported; of two, neither is preferred.
-/// @param corners  of the ChArUco board, if any
+/// Estimates the scale as the mean of the factors of consistent lengths. Bars and board distances
+/// have priority over marker sides. If there are three or more lengths, those whose factor deviates
+/// too much from the median are excluded and reported.
+/// @param corners  corners of the ChArUco board, if there is one
 /// @throws InputError  if no distance or side is given, a bar names a marker that was not found, or
 ///                     lengths contradict each other
 PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers,

@@ -14,15 +14,15 @@
 namespace clast {
 
 struct PhotoScanOptions {
-  /// Camera model (`read_photo_model`). Empty: a model in the photo folder, otherwise COLMAP is
-  /// run.
-  std::filesystem::path model = {};  ///< in metres if `metric`
+  /// Path of the camera model (`read_photo_model`). If empty, a model in the photo folder is used;
+  /// without one, COLMAP is run.
+  std::filesystem::path model = {};
   ColmapOptions colmap = {};
-  MarkerOptions markers = {};  ///< in the frame of `model`
-  ScaleOptions scale = {};     ///< from markers or a board
-  /// Metres per model unit, if known otherwise.
+  MarkerOptions markers = {};
+  ScaleOptions scale = {};  ///< from markers or a board
+  /// Known scale of the model, m per model unit. Empty if it is estimated or stated by the model.
   std::optional<double> metres_per_unit = {};
-  bool allow_unscaled = false;  ///< accept an unknown scale
+  bool allow_unscaled = false;  ///< true: an unknown scale is accepted
   DenseOptions dense = {};
 
   void check() const;  ///< throws what its members throw
@@ -42,22 +42,22 @@ void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
 
 /// Photo scan: model, markers, scale and points.
 struct PhotoScan {
-  PhotoModel model;                         ///< in metres where `metric`
-  MarkerSearchResult markers;               ///< places in the frame of `model`
-  std::vector<BoardCorner> corners;         ///< of a ChArUco board, in the frame of `model`
-  std::optional<PhotoScale> scale;          ///< from markers or a board
+  PhotoModel model;                         ///< in metres if `metric`
+  MarkerSearchResult markers;               ///< positions in the frame of `model`
+  std::vector<BoardCorner> corners;         ///< corners of a ChArUco board, in the frame of `model`
+  std::optional<PhotoScale> scale;          ///< scale from markers or a board
   std::vector<std::string> without_camera;  ///< names of photos without camera, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`
-  std::string scale_source;  ///< "markers' distances", "none", ...
+  std::string scale_source;  ///< source of the scale, such as "markers' distances" or "none"
   std::vector<std::string> notes;
 };
 
-/// Reconstructs cameras, scale and points. A marker scale has priority over the model's own scale,
-/// and both are compared.
-/// @param folder  of photos, or one with a folder `images`
+/// Reconstructs cameras, scale and points. A scale from markers has priority over that of the
+/// model. If both exist, they are compared.
+/// @param folder  folder of photos, or folder that contains a folder `images`
 /// @param stage  called with the current step
-/// @throws InputError  as the steps; if there is no scale and none is allowed
+/// @throws InputError  if a step fails, or if there is no scale and `allow_unscaled` is false
 PhotoScan reconstruct_from_photos(const std::filesystem::path& folder,
                                   const PhotoScanOptions& options = {},
                                   const std::function<void(const std::string&)>& stage = {});

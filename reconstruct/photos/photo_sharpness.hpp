@@ -7,17 +7,17 @@
 namespace clast {
 
 struct Sharpness {
-  double relative = 1.0;  ///< relative to the median of the photos
+  double relative = 1.0;  ///< sharpness relative to the median over the photos
   bool blurred = false;
 };
 
-/// Relative sharpness below which a photo is blurred.
+/// Relative sharpness below which a photo is classified as blurred.
 inline constexpr double kBlurred = 0.25;
 
-/// Measures sharpness in the region of the block: the energy of fine detail over that of the
-/// slightly smoothed photo, in the direction where it is smallest, because a blurred photo loses
-/// nothing by smoothing. Independent of lighting and nearly of content.
-/// @param model  with files
+/// Measures the sharpness of each photo in the region of the block. It is the energy of fine detail
+/// relative to that of the slightly smoothed photo, in the direction where this ratio is smallest.
+/// It does not depend on lighting and hardly depends on content.
+/// @param model  camera model whose photo files are located
 std::vector<Sharpness> measure_sharpness(const PhotoModel& model, const PhotoRegion& region,
                                          unsigned threads = 1);
 

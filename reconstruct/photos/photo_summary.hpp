@@ -1,5 +1,5 @@
 #pragma once
-/// Summary of a photo scan, for the block's page and JSON.
+/// Summary of a photo scan, for the page and the JSON file of a block.
 #include <array>
 #include <string>
 #include <vector>
@@ -10,27 +10,28 @@
 
 namespace clast {
 
-/// Fraction of the closed surface seen by a minimum number of photos or pairs.
+/// Fractions of the closed surface that are seen by a minimum number of photos or pairs.
 struct ViewCoverage {
   std::uint16_t min_views = 0;
   double photos = 0.0, pairs = 0.0;
 };
 
-/// Numbers of views for coverages: one pair gives a depth, three agreeing pairs a point.
+/// Minimum numbers of views for which the coverage is computed. One pair gives a depth; three
+/// agreeing pairs give a point.
 inline constexpr std::array<std::uint16_t, 5> kCoverageSteps = {1, 2, 3, 5, 10};
 
 struct MarkerUsage {
   int id = 0;
   std::size_t photos = 0;
-  double error = 0.0;  ///< px; 0 if not located
-  double side = 0.0;   ///< by the model, m; 0 if not located
-  bool used = false;   ///< for the scale
-  std::string reason;  ///< why it was not used; empty if it was
+  double error = 0.0;  ///< reprojection error, px; 0 if not located
+  double side = 0.0;   ///< side length in the model, m; 0 if not located
+  bool used = false;   ///< true if used for the scale
+  std::string reason;  ///< reason why it was not used; empty if it was used
 };
 
 struct PhotoSummary {
   CameraRing ring;
-  SurfaceViews views;  ///< of the triangles of the closed scan
+  SurfaceViews views;  ///< number of views of each triangle of the closed scan
   std::vector<ViewCoverage> coverage;
   std::vector<MarkerUsage> markers;  ///< ordered by id
 };

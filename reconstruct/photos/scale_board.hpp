@@ -1,5 +1,5 @@
 #pragma once
-/// Scale boards with known distances, and their measurement in photos.
+/// Scale boards with known distances, and their measurement in a camera model.
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace clast {
 
 struct BoardMarker {
   int id = 0;
-  Vec3 centre = Vec3::Zero();  ///< m, in any frame
+  Vec3 centre = Vec3::Zero();  ///< position in any frame, m
 };
 
 template <class Visit>
@@ -29,9 +29,9 @@ inline constexpr NumberRange kBarLength{1e-4, 1e4, "m"};
 
 /// Board of markers with known centres, or ChArUco board.
 struct ScaleBoard {
-  std::string dictionary;                  ///< of the markers, as `MarkerOptions::dictionary`
-  std::vector<BoardMarker> markers = {};   ///< ids of its markers
-  std::optional<double> marker_side = {};  ///< m
+  std::string dictionary;  ///< dictionary of the markers (`MarkerOptions::dictionary`)
+  std::vector<BoardMarker> markers = {};   ///< markers of the board; empty for a ChArUco board
+  std::optional<double> marker_side = {};  ///< side length of the markers, m
   std::optional<CharucoBoard> charuco = {};
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -48,30 +48,30 @@ void visit_fields(const ScaleBoard& options, Visit&& visit) {
 
 /// Length known in metres and in model units.
 struct KnownLength {
-  std::string name;               ///< "markers 0 and 3"
-  double metres = 0.0;            ///< as given
-  double units = 0.0;             ///< in the model
-  std::vector<int> markers = {};  ///< ids of those that it is of or between
+  std::string name;               ///< such as "markers 0 and 3"
+  double metres = 0.0;            ///< length as given, m
+  double units = 0.0;             ///< length in the model, in model units
+  std::vector<int> markers = {};  ///< ids of the markers that define it
 };
 
 struct BoardLengths {
   std::vector<KnownLength> lengths;
-  std::vector<std::string> notes;  ///< missing and excluded items
-  std::vector<int> misplaced;      ///< ids or indices of excluded items
+  std::vector<std::string> notes;  ///< notes on missing and excluded markers or corners
+  std::vector<int> misplaced;      ///< ids of excluded markers, or indices of excluded corners
 };
 
-/// Measures the distances between all located markers of a board. If board and model differ by more
-/// than `largest_disagreement` of the longest distance, the marker whose removal improves the
-/// agreement most is excluded, repeatedly, while at least three and more than half remain.
-/// @throws InputError  if the rest still disagrees; with three markers the wrong one cannot be
-///                     identified
+/// Measures the distances between all located markers of a board. While board and model differ by
+/// more than `largest_disagreement` of the longest distance, the marker whose removal improves the
+/// agreement most is excluded. At least three markers, and more than half, must remain.
+/// @throws InputError  if the remaining markers still disagree; among three, the wrong one cannot
+///                     be identified
 BoardLengths measure_marker_lengths(const ScaleBoard& board,
                                     const std::vector<LocatedMarker>& markers,
                                     double largest_disagreement);
 
-/// Measures the rows and columns of a ChArUco board between the outermost corners found. Corners
-/// are excluded like markers.
-/// @throws InputError  as above; or if no row or column has two corners
+/// Measures the rows and columns of a ChArUco board. Each length is that between the outermost
+/// corners that were found. Corners are excluded in the same way as markers.
+/// @throws InputError  if the remaining corners disagree, or no row or column has two corners
 BoardLengths measure_charuco_lengths(const CharucoBoard& board,
                                      const std::vector<BoardCorner>& corners,
                                      double largest_disagreement);

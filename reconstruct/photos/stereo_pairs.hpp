@@ -9,13 +9,14 @@
 
 namespace clast {
 
-/// Pair of photos of the same side of a block.
+/// Pair of photos that show the same side of a block.
 struct StereoPair {
   std::size_t first = 0, second = 0;  ///< photo indices, first < second
-  double angle = 0.0;                 ///< viewing angle at the block, rad
+  double angle = 0.0;                 ///< angle between the viewing directions at the block, rad
 };
 
-/// Criteria for pairs: far enough apart for depth, near enough to look alike. Angles in rad.
+/// Criteria for pairs. The photos must be far enough apart to give depth, and near enough to look
+/// alike. Angles in rad.
 struct StereoPairOptions {
   double least_angle = 6.0 * kRadiansPerDegree;
   double best_angle = 15.0 * kRadiansPerDegree;
@@ -37,9 +38,10 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
   visit("fewest_pairs", fewest_pairs);
 }
 
-/// Chooses for each photo that shows the region's centre the partners nearest to the best angle, on
-/// both sides if possible, in photo order.
-/// @param excluded  ascending indices of unused (blurred) photos
+/// Chooses partners for each photo that shows the centre of the region. They are the photos whose
+/// angle is nearest to the best angle, on both sides if possible. Pairs are in the order of the
+/// photos.
+/// @param excluded  ascending indices of photos that are not used, such as blurred ones
 /// @throws InputError  if there are too few pairs; states how far the photos are apart
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
                                      const std::vector<std::size_t>& excluded = {},

@@ -12,16 +12,19 @@ struct Component {
   double area = 0.0;
 };
 
-/// Returns the components connected over edges, largest area first, without unused vertices.
+/// Returns the edge-connected components without unused vertices. The component with the largest
+/// area is the first.
 std::vector<Component> connected_components(const TriangleMesh& mesh);
 
-/// True if the closed surface encloses `point`, by its winding number, for either orientation; the
-/// point must not lie on the surface.
+/// True if the closed surface encloses `point`, as given by the winding number. The surface may
+/// have either orientation. The point must not lie on it.
 bool encloses(const TriangleMesh& closed, const Vec3& point);
 
-/// True if all vertices of the component are inside the block or touch it from inside. Overlapping
-/// blocks have vertices outside; touching ones have their centre outside.
-/// @param tree  of `block`, which is closed, with either orientation
+/// True if all vertices of the component are inside the block or touch it from inside. This is
+/// false for other blocks: if they overlap, they have vertices outside; if they touch, their centre
+/// is outside.
+/// @param block  closed, with either orientation
+/// @param tree  tree of `block`
 bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
                      const TriangleTree& tree);
 

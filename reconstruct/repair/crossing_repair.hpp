@@ -1,5 +1,5 @@
 #pragma once
-/// Repair of self-intersections of closed surfaces, with the mildest method first.
+/// Repair of self-intersections of closed surfaces. The least invasive method is tried first.
 #include <cstddef>
 #include <optional>
 
@@ -7,27 +7,29 @@
 
 namespace clast::reconstruct_detail {
 
-/// Largest acceptable relative volume change of a self-intersection repair.
+/// Maximum relative volume change of a self-intersection repair.
 inline constexpr double kCrossingVolume = 0.02;
 
-/// Rounds vertices computed about a local `origin` to the positions they will have after adding it;
-/// rounding afterwards could cause new intersections.
+/// Rounds vertices relative to a local `origin` such that `origin` can be added without rounding
+/// errors. Later rounding could cause new intersections.
 TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin);
 
 /// Surface without self-intersections.
 struct CrossingFreeSurface {
   TriangleMesh mesh;
-  /// Relative excess volume of a wrap before scaling, if wrapping was necessary.
+  /// Relative volume by which a wrap exceeded the surface before it was scaled. Set if wrapping was
+  /// necessary.
   std::optional<double> wrap_bias;
 };
 
-/// Repairs self-intersections: separates touching sheets minimally; otherwise smooths intersecting
-/// triangles, or removes them with growing neighbourhoods and fills the holes; otherwise wraps the
-/// surface and scales the wrap to its volume.
+/// Repairs self-intersections. Touching sheets are separated by a small distance. If intersections
+/// remain, intersecting triangles are smoothed, or they and their neighbours are removed and the
+/// holes are filled. If this fails, the surface is wrapped and the wrap is scaled to the volume of
+/// the surface.
 /// @param mesh  closed, oriented 2-manifold of one component, already `snapped_to_grid`
-/// @param origin  of its coordinates; the result is on the same grid
-/// @return closed, oriented, one component, without self-intersections, volume within
-///          `kCrossingVolume`; empty if no method succeeds
+/// @param origin  origin of the vertex coordinates; the result is snapped to the same grid
+/// @return closed, oriented surface of one component without self-intersections; empty if no method
+/// succeeds within `kCrossingVolume`
 std::optional<CrossingFreeSurface> repair_crossings(const TriangleMesh& mesh, const Vec3& origin);
 
 }  // namespace clast::reconstruct_detail

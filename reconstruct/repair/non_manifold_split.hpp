@@ -10,28 +10,29 @@
 namespace clast::reconstruct_detail {
 
 /// Returns the directions from an edge into its triangles, perpendicular to the edge.
-/// @param sides  of one edge, not empty
+/// @param sides  half-edges of one edge, not empty
 std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const HalfEdge> sides);
 
-/// Split edges and the origin of the triangles.
+/// Result of splitting non-manifold edges.
 struct SplitEdges {
-  RepairChange split;  ///< counts edges
-  /// Original triangle of each triangle.
+  RepairChange split;  ///< number of split edges
+  /// Index of the original triangle, one per triangle.
   std::vector<std::uint32_t> source;
 };
 
-/// Splits non-manifold edges into manifold ones without moving vertices: touching sheets are
-/// separated so that each pair bounds rock. If sheets also meet at both ends of an edge, each pair
-/// gets a vertex at its midpoint, so that closed surfaces stay closed. Overlapping triangles cannot
-/// be separated and are removed.
-/// @pre oriented as far as possible
+/// Splits non-manifold edges into manifold edges without moving vertices. Touching sheets are
+/// separated such that the rock is between the two sheets of each pair. If the sheets also meet at
+/// both ends of an edge, each pair gets a vertex at its midpoint, which keeps closed surfaces
+/// closed. Overlapping triangles cannot be separated and are removed.
+/// @pre the mesh is oriented as far as possible
 SplitEdges split_non_manifold_edges(TriangleMesh& mesh);
 
-/// Splits non-manifold vertices, with one vertex per fan. Counts split vertices.
+/// Splits non-manifold vertices into one vertex per fan of triangles. Returns the number of split
+/// vertices.
 RepairChange split_non_manifold_vertices(TriangleMesh& mesh);
 
-/// Separates coincident (split) vertices by `distance` each: into the rock if the other sheet is on
-/// the air side, otherwise outwards.
+/// Separates coincident vertices of touching sheets by moving each of them by `distance`. A vertex
+/// moves into the rock if the other sheet is outside, and outwards otherwise.
 /// @param mesh  closed, outward
 void separate_touching_vertices(TriangleMesh& mesh, double distance);
 

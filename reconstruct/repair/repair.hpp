@@ -9,15 +9,17 @@
 namespace clast {
 
 struct RepairOptions {
-  double weld_tolerance = 1e-5;  ///< fraction of the diagonal within which vertices are merged
-  bool keep_inner_shells =
-      false;  ///< closed shells inside stay as cavities; false: rock fills them
-  /// True: missing surface is filled. False for a core, whose vertices are exact: holes of more
-  /// than four edges and non-manifold edges are errors, spikes and self-intersections are kept.
+  double weld_tolerance =
+      1e-5;  ///< distance within which vertices are merged, as a fraction of the diagonal
+  bool keep_inner_shells = false;  ///< true: closed shells inside the block are kept as cavities;
+                                   ///< false: they are removed
+  /// If true, missing surface is filled. If false, holes of more than four edges and non-manifold
+  /// edges are errors, and spikes and self-intersections are kept. Use false for cores, whose
+  /// vertices are exact.
   bool fill_missing = true;
-  double largest_hole =
-      0.4;  ///< largest fraction of the repaired surface that one filling may have
-  /// Converts positions for messages and report, for example to file coordinates; empty: unchanged.
+  double largest_hole = 0.4;  ///< maximum area of a filling as a fraction of the repaired surface
+  /// Converts positions for messages and report, for example to file coordinates. If empty,
+  /// positions are unchanged.
   std::function<Vec3(const Vec3&)> reported_place = {};
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -34,22 +36,20 @@ void visit_fields(const RepairOptions& options, Visit&& visit) {
   visit("reported_place", ExcludedField{reported_place});
 }
 
-/// Maximum coordinate, m. Larger values are damaged data; squares and cubes of lengths stay finite
-/// below it.
+/// Maximum coordinate, m. Larger values are regarded as damaged data.
 inline constexpr double kMaxCoordinate = 1e15;
 
 struct RepairedMesh {
-  TriangleMesh mesh;  ///< closed, 2-manifold, outward, without self-intersections; cavities inward
+  TriangleMesh mesh;  ///< closed 2-manifold without self-intersections, outward; cavities inward
   RepairReport report;
 };
 
-/// Repairs a surface in stages: weld; remove degenerate, duplicate and protruding triangles;
+/// Repairs a surface. The stages are: weld; remove degenerate, duplicate and protruding triangles;
 /// orient; split touching sheets; close tears between existing vertices; flatten spikes; fill holes
-/// (Liepa 2003); replace intersecting triangles; orient outwards; remove islands, duplicate sheets
-/// and copies; verify. If intersections remain, the filled surface is wrapped (Portaneri et al.
-/// 2022) and scaled to its volume. Sound meshes are returned unchanged. Order and limits:
-/// docs/theory.md, "Repair".
-/// @throws GeometryError  naming the remaining defect, its position and advice
+/// [liepa2003]; replace intersecting triangles; orient outwards; remove islands, duplicate sheets
+/// and copies; verify. If intersections remain, the surface is wrapped [portaneri2022] and the wrap
+/// is scaled to its volume. Sound meshes are returned unchanged. See "Repair" in docs/theory.md.
+/// @throws GeometryError  if a defect remains; states the defect, its position and advice
 /// @cite liepa2003 portaneri2022
 RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options = {});
 

@@ -11,28 +11,28 @@ namespace clast::reconstruct_detail {
 struct RepairChange {
   std::size_t count = 0;
   double area = 0.0;             ///< removed area
-  Vec3 position = Vec3::Zero();  ///< of the first; undefined if `count` is 0
+  Vec3 position = Vec3::Zero();  ///< position of the first change; undefined if `count` is 0
 };
 
-/// Removes the marked triangles and unused vertices. Counts triangles.
-/// @pre one flag per triangle
+/// Removes the marked triangles and unused vertices. Returns the number of removed triangles.
+/// @param drop  one flag per triangle
 RepairChange remove_triangles(TriangleMesh& mesh, const std::vector<bool>& drop);
 
-/// Removes pairs of coincident, opposite triangles: one of them if the surface continues on both
-/// sides (stored twice, or two-sided throughout), both if they are a welded sliver. Counts
-/// triangles.
+/// Removes one or both triangles of each pair of coincident, opposite triangles. One is removed if
+/// the surface continues on both sides, as in surfaces that are stored twice. Both are removed if
+/// they are a sliver closed by welding. Returns the number of removed triangles.
 RepairChange remove_opposite_pairs(TriangleMesh& mesh);
 
-/// Maximum area fraction of a fin.
+/// Maximum area of a fin as a fraction of the surface area.
 inline constexpr double kFinArea = 0.05;
 
-/// Removes fins and overlying sheets: small parts attached at non-manifold edges that continue less
-/// smoothly than the rest. Counts triangles.
-/// @param largest_share  maximum area fraction of such a part
+/// Removes fins and overlying sheets. These are small parts at non-manifold edges that continue the
+/// surface less smoothly than the others. Returns the number of removed triangles.
+/// @param largest_share  maximum area of such a part as a fraction of the surface area
 RepairChange remove_fins(TriangleMesh& mesh, double largest_share);
 
-/// Removes triangles attached by a single edge with a free tip: fins at borders, for scans with
-/// fins elsewhere. Counts triangles.
+/// Removes fins at borders: triangles that are attached by a single edge and have a free vertex.
+/// Only used if the scan has other fins. Returns the number of removed triangles.
 RepairChange remove_border_fins(TriangleMesh& mesh);
 
 struct OrientationResult {
@@ -42,20 +42,21 @@ struct OrientationResult {
   std::uint32_t first = 0;     ///< vertex of the first flipped triangle
 };
 
-/// Orients triangles consistently over manifold edges; each component keeps the majority
-/// orientation.
+/// Orients triangles consistently across manifold edges. Each component keeps the orientation of
+/// the majority of its triangles.
 OrientationResult orient_consistently(TriangleMesh& mesh);
 
-/// Result of all steps above and `split_non_manifold_edges`.
+/// Changes by the steps of `repair_soup`.
 struct SoupRepairResult {
   RepairChange folded, fins, touching;
-  OrientationResult orientation;  ///< counts both passes
+  OrientationResult
+      orientation;  ///< orientation before and after splitting edges; counts are added
 };
 
-/// Runs all steps. If orientations conflict and few triangles are affected, these are removed: two
-/// sheets that touched along an edge each lost one there. Afterwards all edges are manifold and
-/// consistently oriented; otherwise `orientation` reports it and the mesh is incomplete.
-/// @param max_fin_fraction  maximum area fraction of a fin
+/// Runs the steps above and `split_non_manifold_edges`. If orientations conflict at few triangles,
+/// these are removed. In the result, all edges are manifold and consistently oriented. If this is
+/// impossible, `orientation` reports the conflict, and the mesh is not completely processed.
+/// @param max_fin_fraction  maximum area of a fin as a fraction of the surface area
 SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction);
 
 }  // namespace clast::reconstruct_detail

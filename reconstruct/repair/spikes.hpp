@@ -12,11 +12,10 @@ struct SpikeSummary {
   Vec3 position = Vec3::Zero();
 };
 
-/// Flattens spikes in a few passes, the highest first: inner vertices move to the centroid of their
-/// neighbours, border vertices to the plane of the surface beyond their triangles. A vertex is a
-/// spike if it is high, and if flattening reduces the bending of the surface beyond its triangles
-/// much. Corners of coarse models and ridge ends are kept, because the surface around continues to
-/// the tip.
+/// Flattens spikes in a few passes, the highest first. Inner vertices move to the centroid of their
+/// neighbours, border vertices to the plane of the surrounding surface. A vertex is a spike if it
+/// is high, and if flattening it clearly reduces the bending of the surface around its triangles.
+/// Corners of coarse models and ends of ridges are kept.
 /// @param mesh  consistently oriented
 SpikeSummary flatten_spikes(TriangleMesh& mesh);
 

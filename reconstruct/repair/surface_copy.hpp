@@ -1,5 +1,6 @@
 #pragma once
-/// Detection of duplicate surfaces: the same rock, scanned or stored twice with a small offset.
+/// Detection of duplicate surfaces, which occur if a rock is scanned or stored twice with a small
+/// offset.
 #include <optional>
 #include <vector>
 
@@ -10,29 +11,30 @@
 
 namespace clast::reconstruct_detail {
 
-/// Position of a copy relative to the original surface.
+/// Position and size of a copy relative to the original surface.
 struct SurfaceCopy {
   double offset = 0.0;    ///< mean distance, positive outside the surface, m
   double distance = 0.0;  ///< root mean square distance, m
-  double scale = 1.0;     ///< of the copy relative to the surface
+  double scale = 1.0;     ///< size of the copy relative to the surface
 };
 
 /// Registers a component to the surface (point to plane [chen1992], with scale). It is a copy if it
-/// was within 8 % of the diagonal, has consistent (or consistently opposite) normals, needs at most
-/// 12 % scaling, and fits several times better afterwards. Bubbles do not fit, or face both ways.
-/// @param tree  of the surface, outward or inward
-/// @param diagonal  of the surface, m
+/// was within 8 % of the diagonal from the surface, if its normals are consistently equal or
+/// opposite, if the scale differs by at most 12 %, and if registration improves the fit several
+/// times. Bubbles do not meet these conditions.
+/// @param tree  tree of the surface, outward or inward
+/// @param diagonal  diagonal of the surface, m
 /// @cite chen1992
 std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component,
                                               const TriangleTree& tree, double diagonal);
 
-/// Moves the best copy of the first component to the front: closed is better than open, and of
-/// similar ones a quarter more triangles is better.
-/// @param components  not empty, the largest first
+/// Moves the best copy of the first component to the front. A closed copy is better than an open
+/// one. Of similar copies, one with at least a quarter more triangles is better.
+/// @param components  components, not empty, the largest first
 void move_best_copy_first(std::vector<Component>& components);
 
-/// Describes a removed copy: why the other was kept, and the volume change.
-/// @param kept  outward surface of the tree
+/// Describes a removed copy, including the reason why the other copy was kept.
+/// @param kept  retained surface, outward; `tree` is its tree
 DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
                                const TriangleMesh& kept, const TriangleTree& tree);
 

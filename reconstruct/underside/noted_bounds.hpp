@@ -13,18 +13,18 @@
 
 namespace clast::reconstruct_detail {
 
-/// Scanned part of a surface that was repaired.
+/// Scanned part of a repaired surface.
 class ScannedSurface {
  public:
   /// Stores a mesh.
-  /// @param raw  as read; any faces
+  /// @param raw  mesh as read; may have defects
   explicit ScannedSurface(const TriangleMesh& raw);
   /// Stores points.
-  /// @param points  of a cloud, on its surface; more than six
+  /// @param points  more than six points of a cloud, on its surface
   explicit ScannedSurface(std::span<const Vec3> points);
 
-  /// True if the position is on a scanned triangle or between points at their usual spacing; false
-  /// on fillings, replaced spikes and similar.
+  /// True if the position is on a scanned triangle, or between points at their usual spacing. False
+  /// on fillings and other repairs.
   bool contains(const Vec3& position) const;
 
  private:
@@ -35,10 +35,10 @@ class ScannedSurface {
   std::vector<double> spacings_;
 };
 
-/// Closed surface with its scanned part and uncertainty; lengths in units of the file.
+/// Closed surface with its scanned part and uncertainty. Lengths are in units of the file.
 struct ClosedScan {
   const TriangleMesh& surface;
-  double unit = 1.0;                                ///< m
+  double unit = 1.0;                                ///< m per unit of the file
   const ScannedSurface* scanned = nullptr;          ///< null if the whole surface was scanned
   const SurfaceUncertainty* uncertainty = nullptr;  ///< null if the surface is exact
 };
@@ -49,14 +49,14 @@ struct NotedBounds : VolumeBracket {
 };
 
 /// Brackets the volume of a closed scan.
-/// @param report  of the repair, in metres
-/// @returns m, m^3; empty if the bounds are insignificantly narrow
+/// @param report  report of the repair, in metres
+/// @returns bounds in m and m^3; empty if they are so narrow that they are insignificant
 std::optional<NotedBounds> compute_closed_scan_bracket(const ClosedScan& scan,
                                                        const RepairReport& report);
 
 /// Brackets the volume of a block with a closed underside.
-/// @param side  in metres
-/// @param report  of the repair, in metres: copies of the surface widen the bounds
+/// @param side  closed scan, in metres
+/// @param report  report of the repair, in metres; copies of the surface widen the bounds
 VolumeBracket compute_underside_bracket(const Underside& side, const RepairReport& report);
 
 }  // namespace clast::reconstruct_detail

@@ -12,15 +12,15 @@ namespace clast::report_detail {
 /// Default colour of blocks.
 inline constexpr Rgb kRock{214, 205, 190};
 
-/// Returns the direction towards the viewer, in front of a block (-y) and above.
+/// Returns the direction from a block towards the viewer, who is in front of it (-y) and above.
 inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }
 
-/// Diverging colours of deviations (RdBu of ColorBrewer): blue inside the scan, pale on it, red
-/// outside.
+/// Diverging colours of deviations from a scan (RdBu of ColorBrewer): blue inside the scan, white
+/// on it, red outside.
 inline constexpr std::array<Rgb, 5> kDeviationColours = {
     {{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
-/// Interpolates between these colours.
-/// @param share  deviation over the largest deviation, clamped to [-1, 1]
+/// Interpolates between `kDeviationColours`.
+/// @param share  deviation divided by the largest deviation, clamped to [-1, 1]
 Rgb deviation_colour(double share);
 
 /// Renders a thumbnail of a surface as a PNG file.

@@ -1,5 +1,5 @@
 #pragma once
-/// Gallery page of a block library, filtered by class and size.
+/// Gallery page of a block library, with filters by class and size.
 #include <filesystem>
 #include <span>
 #include <string>
@@ -14,7 +14,7 @@ FolderKind gallery_folder_kind();
 
 /// Writes FOLDER/gallery.html, a self-contained page with an image, the measures and an interactive
 /// view of each block.
-/// @param title  such as the library's name
+/// @param title  title of the page, such as the name of the library
 /// @return path of the page
 /// @throws InputError  if the folder cannot be created or written
 std::filesystem::path write_gallery(std::span<const Block* const> blocks, const std::string& title,

@@ -17,20 +17,20 @@ struct Camera {
   Vec3 right = Vec3::UnitX(), up = Vec3::UnitZ(),
        toward = -Vec3::UnitY();  ///< unit vectors; `toward` points to the viewer
   Vec3 target = Vec3::Zero();    ///< centre of the image, m
-  double pixel = 1.0;            ///< side length, m
+  double pixel = 1.0;            ///< side length of a pixel, m
   std::uint32_t width = 0, height = 0;
 
-  /// Projects a point: pixels to the right and down from the top left corner, and depth towards the
-  /// viewer, m.
+  /// Projects a point. The result is its position in pixels to the right and down from the top left
+  /// corner, and its depth towards the viewer, m.
   Vec3 seen(const Vec3& point) const;
 };
 
-/// Makes a camera in direction `toward` from its target, with z as upright as possible and an empty
-/// image.
+/// Makes a camera that looks at its target from the direction `toward`. The z axis is as upright as
+/// possible.
 Camera make_camera(const Vec3& toward);
 
-/// Fits the cameras to the points: centred and at a common scale. Images without points have pixels
-/// of 1 m.
+/// Centres the cameras on the points and sets a common scale. Without points, pixels have a side of
+/// 1 m.
 void frame(std::span<Camera> cameras, std::span<const Vec3> points, std::uint32_t width,
            std::uint32_t height);
 
@@ -39,22 +39,23 @@ class Canvas {
  public:
   explicit Canvas(const Camera& camera);
 
-  /// Returns the unshaded colour of a point on a triangle; `behind` is true for back faces.
+  /// Function that returns the unshaded colour of a point on a triangle. `behind` is true for back
+  /// faces.
   using Paint = std::function<Rgb(std::uint32_t triangle, const Vec3& place, bool behind)>;
-  /// Draws shaded triangles, lit from the upper left; `paint` is called once per pixel and
+  /// Draws shaded triangles, lit from the upper left. `paint` is called once per pixel and
   /// triangle.
   /// @param ambient  fraction of ambient light, 0 to 1
   void draw(const TriangleMesh& mesh, const Paint& paint, double ambient = 0.42);
-  /// Draws dots of two pixels, nearer ones darker.
+  /// Draws dots of two pixels. Nearer dots are darker.
   void draw(std::span<const Vec3> points, const Rgb& colour);
   /// Draws the visible parts of lines, 1.5 pixels wide.
   void draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour);
 
-  /// True if the point is visible, with a depth tolerance of 0.5 % of the image width.
+  /// True if the point is visible. The depth tolerance is 0.5 % of the image width.
   bool is_visible(const Vec3& point) const;
 
   const Camera& camera() const { return camera_; }
-  std::vector<Rgb> picture() const;  ///< row-major from the top
+  std::vector<Rgb> picture() const;  ///< pixels, row-major from the top
 
  private:
   struct Sample {
@@ -65,7 +66,7 @@ class Canvas {
   Sample& at(std::int64_t column, std::int64_t row);
 
   Camera camera_;
-  std::int64_t columns_, rows_;  ///< samples, several per pixel
+  std::int64_t columns_, rows_;  ///< number of samples; there are several per pixel
   std::vector<Sample> samples_;
 };
 

@@ -7,10 +7,11 @@
 
 namespace clast::report_detail {
 
-/// Formats a table for each stretched block with S/L down and I/L across (S/I down if that needs
-/// fewer rows), and one for each other kind of variation with blocks down and steps across. Images
-/// are buttons of class "cell" with the block number in data-source. Empty if no block is a
-/// variation (library/block_variation.hpp); sampled bodies are omitted.
+/// Formats the tables as HTML. For each stretched block, a table has one row per S/L (or S/I, if
+/// that needs fewer rows) and one column per I/L. For each other kind of variation, a table has one
+/// row per block and one column per step. Images are buttons of class "cell" with the block number
+/// in data-source. Sampled bodies are omitted. Empty if no block is a variation
+/// (library/block_variation.hpp).
 std::string format_series_matrices(std::span<const Block* const> blocks);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Axis ranges and histogram bins with round edges.
+/// Axis ranges, and histogram bins with round edges.
 #include <cstddef>
 #include <vector>
 
@@ -11,21 +11,22 @@ struct Span {
   double high = 1.0;
 };
 
-/// Chooses the axis range for values from `low` to `high`: extended to zero if close, and widened
-/// if all values are equal. [0, 1] if low > high.
+/// Chooses the axis range for values from `low` to `high`. It includes zero if zero is close, and
+/// is widened if all values are equal. It is [0, 1] if `low` > `high`.
 Span nice_axis_range(double low, double high);
 
-/// Equal bins. A value on an edge belongs to the bin below, as in classes "up to" a limit.
+/// Bins of equal width. A value on an edge belongs to the lower bin.
 struct Bins {
   double low = 0.0;
   double width = 1.0;
   std::size_t count = 1;
 
-  std::size_t of(double value) const;  ///< index of the bin of a value, below `count`
+  std::size_t of(double value) const;  ///< index of the bin that contains a value
   double edge(std::size_t bin) const { return low + width * static_cast<double>(bin); }
 };
 
-/// Chooses about 24 bins with round edges; up to 60 if only these put the limits on edges.
+/// Chooses about 24 bins with round edges. Up to 60 bins are used if this makes all `limits` edges
+/// of bins.
 Bins choose_bins(const Span& values, const std::vector<double>& limits = {});
 
 }  // namespace clast::report_detail

@@ -13,14 +13,15 @@ struct FractionWithInterval {
   std::string note;  ///< tooltip
 };
 
-/// One series, such as a population, or fractions by mass.
+/// Series of class fractions, such as those of one population.
 struct ClassFractionSeries {
   std::string name;
   std::string colour;
   std::vector<FractionWithInterval> shares;  ///< one per class
 };
 
-/// Draws one row per class, including empty ones: bars from zero with intervals as whiskers.
+/// Draws bars from zero with intervals as whiskers. There is one row per class, including empty
+/// classes.
 std::string draw_class_fractions(const std::string& title, const std::vector<std::string>& classes,
                                  const std::vector<ClassFractionSeries>& series);
 

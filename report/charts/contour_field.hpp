@@ -1,5 +1,5 @@
 #pragma once
-/// Smooth interpolation of scattered values, as bands and contour lines.
+/// Smooth interpolation of scattered values, drawn as bands and contour lines.
 #include <span>
 #include <string>
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace clast::report_detail {
 
-/// Thin-plate spline: the sum of r^2 log r about the points and a plane.
+/// Thin-plate spline: a plane plus a weighted sum of r^2 log r, where r is the distance from each
+/// point.
 /// @cite duchon1977
 class ThinPlateSpline {
  public:
   /// Interpolates the values.
-  /// @param places  distinct, not all collinear
+  /// @param places  distinct points, not all collinear
   /// @param values  one per point
   ThinPlateSpline(std::span<const Vec2> places, std::span<const double> values);
 
@@ -23,18 +24,18 @@ class ThinPlateSpline {
   std::vector<Vec2> places_;
   Vec2 centre_;
   double scale_ = 1.0;
-  std::vector<double> weights_;  ///< of the points, then of 1, x, y
+  std::vector<double> weights_;  ///< weights of the points, then coefficients of 1, x and y
 };
 
-/// Returns the vertices of the convex hull, counter-clockwise; fewer than three if all points are
-/// collinear.
+/// Returns the vertices of the convex hull, counter-clockwise. There are fewer than three if all
+/// points are collinear.
 std::vector<Vec2> convex_hull_of(std::span<const Vec2> places);
 /// True if a point is inside the hull, within a tolerance.
 bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 
-/// Formats the region inside the hull where the surface is at least `level`, as path data of one
-/// SVG path with closed parts. Computed on a lattice of equilateral triangles with sides of `side`
-/// px, linearly in each.
+/// Formats the region inside the hull where the surface is at least `level`. The result is the path
+/// data of one SVG path with closed parts. The surface is interpolated linearly on a lattice of
+/// equilateral triangles with sides of `side` px.
 std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull,
                              double level, double side);
 

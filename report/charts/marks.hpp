@@ -1,5 +1,5 @@
 #pragma once
-/// Marks of blocks and stops in maps and diagrams, single or as a density.
+/// Marks of blocks and stops in maps and diagrams, drawn singly or as a density.
 #include <array>
 #include <span>
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace clast::report_detail {
 
-/// Draws a circle for compact blocks, otherwise a diamond, about 8 px wide, in the colour of the
-/// class.
+/// Draws a mark in the colour of the class, about 8 px wide: a circle for compact blocks, otherwise
+/// a diamond.
 /// @param x, y  px
-/// @param filled  false: white inside
-/// @param attributes  of the SVG element, such as its class
-/// @param title  tooltip; empty: none
+/// @param filled  if false, the inside is white
+/// @param attributes  attributes of the SVG element, such as its class
+/// @param title  tooltip; empty for none
 std::string draw_shape_mark(double x, double y, const std::string& garcia, bool filled,
                             const std::string& attributes, const std::string& title);
 
@@ -23,8 +23,8 @@ inline constexpr std::array<const char*, 5> kDensityColours = {"#fcbba1", "#fb6a
 
 /// Draws squares of 7 px coloured by the number of points in them, on a logarithmic scale.
 /// @param places  px
-/// @param corner  px, corner of a square
-/// @param noun  counted items, for the tooltip: "stops"
+/// @param corner  corner of one of the squares, px
+/// @param noun  name of the counted items in the tooltip, such as "stops"
 std::string draw_density_squares(std::span<const Vec2> places, const Vec2& corner,
                                  const std::string& noun);
 

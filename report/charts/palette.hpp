@@ -1,6 +1,6 @@
 #pragma once
-/// Colours of the report, distinct for colour-blind readers, with marker shapes and dashes for
-/// greyscale print.
+/// Colours of the report, which colour-blind readers can distinguish. Marker shapes and dashes are
+/// used for greyscale print.
 #include <array>
 #include <cstddef>
 #include <string>
@@ -26,7 +26,8 @@ inline std::string format_colour(const Rgb& colour) {
   return text;
 }
 
-/// Mixes a colour with a fraction of another; "#ffffff" makes it paler.
+/// Mixes a colour with the fraction `share` of another colour. Mixing with "#ffffff" makes it
+/// paler.
 inline std::string mix_colours(const std::string& colour, const std::string& other, double share) {
   Rgb parts{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -38,7 +39,7 @@ inline std::string mix_colours(const std::string& colour, const std::string& oth
   return format_colour(parts);
 }
 
-/// Returns the colour of a Garcia class, equal in all reports.
+/// Returns the colour of a Garcia class. It is the same in all reports.
 inline std::string class_colour(const std::string& garcia) {
   if (garcia == "compact") return kDataColours[0];
   if (garcia == "elongated") return kDataColours[1];

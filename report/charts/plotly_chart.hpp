@@ -8,8 +8,8 @@
 
 namespace clast::report_detail {
 
-/// Returns the path of plotly.js (Debian package python3-plotly): in the folder named by
-/// CLAST_PLOTLY, or the one found at configuration.
+/// Returns the path of plotly.js (Debian package python3-plotly). It is in the folder named by
+/// CLAST_PLOTLY, or in the one found at configuration.
 std::filesystem::path plotly_file();
 bool plotly_is_installed();
 
@@ -21,11 +21,11 @@ struct Trace {
   std::string dash = {};  ///< SVG dash pattern; empty for a solid line
   Kind kind = Kind::kLine;
   std::vector<double> x;
-  std::vector<double> y;                ///< same size as x; NaN makes a gap
+  std::vector<double> y;                ///< values, as many as `x`; NaN makes a gap
   std::vector<std::string> notes = {};  ///< tooltip of each point, plain text
-  bool filled = false;                  ///< fill the area down to the previous trace
-  bool shown = true;                    ///< false: hidden until its legend entry is clicked
-  bool named = true;  ///< false: no legend entry of its own, toggled with the next trace
+  bool filled = false;                  ///< true: the area down to the previous trace is filled
+  bool shown = true;  ///< false: the trace is hidden until its legend entry is clicked
+  bool named = true;  ///< false: the trace has no legend entry and is toggled with the next trace
 };
 
 /// Vertical line with a label.
@@ -38,49 +38,51 @@ struct ChartAxes {
   std::string title;
   std::string x;  ///< label with unit
   std::string y;
-  bool y_in_percent = false;  ///< y values are fractions
-  bool equal_scales = false;  ///< equal scale of both axes, as on a map
+  bool y_in_percent = false;  ///< true: y values are fractions and shown in per cent
+  bool equal_scales = false;  ///< true: both axes have equal scale, as on a map
   std::vector<LabelledLine> places = {};
 };
 
-/// Value with its interval: one row of `draw_interval_chart`.
+/// Value with its interval, drawn as one row of `draw_interval_chart`.
 struct IntervalMark {
   std::string name;  ///< plain text
   double value = 0.0;
   double low = 0.0, high = 0.0;
-  bool clear = false;  ///< significant: filled mark; otherwise open
-  std::string note;    ///< tooltip, plain text
+  bool clear =
+      false;  ///< true for significant values, which have a filled mark; otherwise, it is open
+  std::string note;  ///< tooltip, plain text
 };
 
-/// Formats a chart. Empty if no trace has points, or plotly.js is not installed, which
-/// `charts_script` then reports.
+/// Formats a chart. Empty if no trace has points, or if plotly.js is not installed (see
+/// `charts_script`).
 std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces);
 
-/// Formats a chart of horizontal intervals, the first on top, with a line at zero. Empty like
-/// `draw_plotly_chart`.
+/// Formats a chart of horizontal intervals, the first on top, with a vertical line at zero. Empty
+/// if there are none, or if plotly.js is not installed.
 std::string draw_interval_chart(const std::string& title, const std::string& label,
                                 const std::vector<IntervalMark>& marks);
 
-/// Formats a custom chart: JSON with `data`, `layout` and optionally `config` of plotly.js.
+/// Formats a custom chart.
+/// @param json  JSON with `data`, `layout` and optionally `config` of plotly.js
 /// @param style  additional CSS class
-/// @param title  plain text above the chart, which can break into lines
+/// @param title  plain text above the chart, which is wrapped if necessary
 std::string plotly_figure(const std::string& label, const std::string& style, std::string json,
                           const std::string& title = {});
 
-/// Returns plotly.js and the script that draws charts when they become visible; insert once, after
-/// the charts. Without plotly.js, a note on how to install it.
+/// Returns plotly.js and the script that draws charts when they become visible. Must be inserted
+/// once, after the charts. Without plotly.js, returns a note on how to install it.
 std::string charts_script();
 
-/// Minimum number of values for a curve; fewer are drawn as points.
+/// Minimum number of values that are drawn as a curve. Fewer values are drawn as points.
 inline constexpr std::size_t kMinForCurve = 4;
 
-/// Makes the cumulative distribution of each sample, or the exceedance curve if `exceeding`. Empty
-/// samples are omitted; large ones are reduced to about 1,500 steps, small ones are drawn as
+/// Makes the cumulative distribution of each sample, or its exceedance curve if `exceeding`. Empty
+/// samples are omitted. Large samples are reduced to about 1,500 steps. Small samples are drawn as
 /// points.
 std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples,
                                           bool exceeding = false);
 
-/// Makes the relative histogram of each sample, over common bins.
+/// Makes the relative histogram of each sample. All samples have the same bins.
 std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples);
 
 }  // namespace clast::report_detail

@@ -10,18 +10,19 @@ namespace clast::report_detail {
 
 /// SVG diagrams by file name.
 using Diagrams = std::map<std::string, std::string>;
-/// Draws "sneed_folk", "zingg", "size" (with "_1" and "_2" for two populations), "s_c", "shares_"
-/// plus the class column of each scheme, and "sizes" for two populations.
+/// Draws all diagrams. Their names are "sneed_folk", "zingg" and "size" (with "_1" and "_2" for two
+/// populations), "s_c", "shares_" plus the class column of each scheme, and "sizes" for two
+/// populations.
 Diagrams draw_population_diagrams(const PopulationReport& report);
 
-/// Returns the file name suffix of a population's diagrams; empty for a single population.
+/// Returns the suffix of the file names of a population's diagrams. Empty for a single population.
 /// @param number  index of the population
 std::string population_file_suffix(const PopulationReport& report, std::size_t number);
-/// Returns the file name of the class fractions of a scheme.
-/// @param scheme  index in the summaries
+/// Returns the name of the diagram of class fractions of a scheme.
+/// @param scheme  index of the scheme in the summaries
 std::string fractions_file_name(const PopulationReport& report, std::size_t scheme);
 
-/// True unless all blocks are unscaled.
+/// True if at least one block has a scale.
 bool has_sizes(const ReportedPopulation& reported);
 
 /// Formats a mass with four significant digits, without exponent.

@@ -1,5 +1,5 @@
 #pragma once
-/// Outcome over the Sneed-Folk triangle.
+/// Diagram of an outcome over the Sneed-Folk triangle.
 #include <span>
 #include <string>
 
@@ -11,15 +11,15 @@ struct ShapeResponse {
   std::string name;
   Axes axes;
   double value = 0.0;
-  bool marked = false;  ///< larger, labelled mark
+  bool marked = false;  ///< true: has a larger mark with a label
 };
 
-/// Draws an interpolated surface through the values of all forms (charts/contour_field.hpp) as
-/// coloured bands with contour lines at round values, within the convex hull of the forms; compact
-/// at the top, platy left, elongate right. Each form has a small disc in the colour of its value;
-/// `marked` forms, such as scanned blocks, are larger and labelled. If the forms are collinear,
-/// only discs are drawn.
-/// @param label  quantity with unit: "mean runout, m"
+/// Draws a surface through the values of all shapes (charts/contour_field.hpp) as coloured bands
+/// with contour lines at round values, within the convex hull of the shapes. Compact shapes are at
+/// the top, platy shapes left, elongate shapes right. Each shape has a disc in the colour of its
+/// value. `marked` shapes, such as scanned blocks, have larger discs with labels. If the shapes are
+/// collinear, only discs are drawn.
+/// @param label  quantity with unit, such as "mean runout, m"
 /// @cite sneed1958
 std::string draw_response_triangle(std::span<const ShapeResponse> forms, const std::string& label);
 

@@ -7,11 +7,11 @@
 
 namespace clast::report_detail {
 
-/// Draws a rose diagram, downslope upwards and right to the right: symmetric sectors of 15 degrees
-/// with areas proportional to the counts, and a line along the axial mean with the length of the
+/// Draws a rose diagram, in which downslope is upwards. It has symmetric sectors of 15 degrees,
+/// whose areas are proportional to the counts. A line along the axial mean has the length of the
 /// resultant.
 /// @param name  plain text above the diagram
-/// @param trends  rad, from downslope to the right
+/// @param trends  angles from downslope to the right, rad
 std::string draw_rose_diagram(const std::string& name, const std::string& colour,
                               const std::vector<double>& trends, const AxialMean& mean);
 

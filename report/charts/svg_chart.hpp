@@ -9,7 +9,7 @@
 
 namespace clast::report_detail {
 
-/// Smooth curve over a cumulative chart: fractions in [0, 1] at ascending x.
+/// Smooth curve that is added to a cumulative chart: fractions in [0, 1] at ascending x.
 struct Curve {
   std::string name;
   std::string colour;
@@ -26,7 +26,8 @@ struct LimitLine {
 struct ChartText {
   std::string title;
   std::string x_label;
-  bool logarithmic = false;  ///< logarithmic x axis of a cumulative chart; values must be positive
+  bool logarithmic =
+      false;  ///< true: the x axis of a cumulative chart is logarithmic; values must be positive
   std::vector<LimitLine> limits = {};
 };
 
@@ -37,8 +38,7 @@ inline constexpr std::size_t kMaxNamedMarks = 500;
 std::string draw_cumulative_chart(const ChartText& text, const std::vector<Series>& series,
                                   const std::vector<Curve>& curves = {});
 
-/// Draws one row of bars per sample over common bins, in per cent. A value on an edge belongs to
-/// the bin below; limits are edges if at most 60 bins suffice.
+/// Draws one histogram per sample, in per cent. All samples have the same bins (`choose_bins`).
 std::string draw_histogram(const ChartText& text, const std::vector<Series>& series);
 
 }  // namespace clast::report_detail

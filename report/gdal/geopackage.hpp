@@ -6,9 +6,9 @@
 
 namespace clast {
 
-/// Writes a GeoPackage with point layers `stops`, `crossings` and `measured`, line layers
-/// `barriers` and `trajectories`, in map coordinates and the terrain's CRS if known, and
-/// `layer_styles` for QGIS that match the report's map.
+/// Writes a GeoPackage. It has point layers `stops`, `crossings` and `measured`, and line layers
+/// `barriers` and `trajectories`, in map coordinates and with the terrain's CRS if known. The table
+/// `layer_styles` gives them in QGIS the style of the report's map.
 /// @throws InputError  if GDAL cannot write the file
 void write_geopackage(const std::filesystem::path& path, const Comparison& comparison);
 

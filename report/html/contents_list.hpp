@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-/// Formats links to the answer, if `body` has one, and to each section in order.
+/// Formats links to the key results, if `body` has them, and to each section in order.
 std::string make_contents_list(std::string_view body);
 
 }  // namespace clast::report_detail

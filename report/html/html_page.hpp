@@ -1,5 +1,5 @@
 #pragma once
-/// Building blocks of HTML pages: escaped text, numbers, tables, SVG elements, page frame.
+/// Elements of HTML pages: escaped text, numbers, tables, SVG elements, page frame.
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,26 +12,27 @@ namespace clast::report_detail {
 /// Escapes & < > " ' for element content and quoted attributes, and removes control characters.
 std::string escape_html(std::string_view text);
 
-/// Shortens a UTF-8 text to a number of characters, ending with … if it was cut.
+/// Shortens a UTF-8 text to at most `most` characters. A shortened text ends with ….
 std::string shorten_text(std::string_view text, std::size_t most);
 
-/// Formats a relative path as href: characters other than letters, digits and /._- become %XX.
+/// Formats a relative path for use in href. Characters other than letters, digits and /._- become
+/// %XX.
 std::string format_link_target(std::string_view path);
 
 /// Formats a number with fixed decimals; "-" if it is not finite.
 std::string format_fixed(double value, int decimals);
-/// Formats a number with significant digits, with an exponent only if very large or small.
+/// Formats a number with significant digits. Only very large or small numbers have an exponent.
 std::string format_significant_digits(double value, int digits = 3);
 
-/// Sortable HTML table; all columns but the first `text_columns` are numeric.
+/// Sortable HTML table. All columns except the first `text_columns` are numeric.
 class HtmlTable {
  public:
   HtmlTable(std::vector<std::string> heads, std::size_t text_columns);
 
-  HtmlTable& row(std::vector<std::string> cells);              ///< plain text, escaped here
-  HtmlTable& html_row(const std::vector<std::string>& cells);  ///< HTML, unchanged
-  /// Stores column heads in the cells, so that scans.css shows rows as cards on narrow pages. Call
-  /// before the first row.
+  HtmlTable& row(std::vector<std::string> cells);  ///< adds a row of plain text, which is escaped
+  HtmlTable& html_row(const std::vector<std::string>& cells);  ///< adds a row of HTML
+  /// Stores the column heads in the cells, which lets scans.css show rows as cards on narrow pages.
+  /// Must be called before the first row.
   HtmlTable& as_cards();
   std::string html() const;
 
@@ -44,27 +45,29 @@ class HtmlTable {
   std::string rows_;
 };
 
-/// Formats SVG line and text elements: coordinates in px, `style` as further attributes.
+/// Formats an SVG line element. Coordinates are in px; `style` has further attributes.
 std::string format_svg_line(double x1, double y1, double x2, double y2, std::string_view style);
 std::string svg_text(double x, double y, std::string_view text, std::string_view style = {});
 /// Formats the opening tag of an SVG image that scales with the page.
 std::string open_svg(double width, double height, std::string_view label);
 
-/// Makes a standalone SVG file from an image of a page: white background, named font, size in px.
+/// Makes a standalone SVG file from an image of a page. Adds a white background, a font and the
+/// size in px.
 std::string make_svg_file(const std::string& svg);
 
 /// Replaces each {{name}} in an HTML template by its value (HTML).
 std::string fill_template(std::string_view skeleton,
                           const std::map<std::string, std::string>& values);
 
-/// Formats a section with heading; its id is the title in lower case with dashes.
+/// Formats a section with heading. Its id is the title in lower case, with dashes for spaces.
 std::string format_section(std::string_view title, std::string_view body);
-/// State of a collapsible section in print.
+/// State of a collapsible section when the page is printed.
 enum class PrintedState { kLeftOut, kOpen };
-/// Formats a collapsible section: a plain-text line, and HTML shown after a click.
+/// Formats a collapsible section: a line of plain text, and a body in HTML that is shown after a
+/// click.
 std::string format_folded_section(std::string_view line, std::string_view body,
                                   PrintedState on_paper = PrintedState::kLeftOut);
-/// Formats a paragraph of plain text; text in backticks becomes code.
+/// Formats a paragraph of plain text. Text in backticks is formatted as code.
 std::string format_paragraph(std::string_view text);
 std::string format_figure(std::string_view svg, std::string_view caption = {});
 /// Formats one entry of a "<dl class=facts>" list.
@@ -78,7 +81,7 @@ struct PageExtras {
   std::string_view script = {};  ///< executed at the end of the page
 };
 
-/// Formats a complete page with its style and the script that sorts tables.
+/// Formats a complete page with its style and with the script that sorts tables.
 std::string format_page(std::string_view title, std::string_view body,
                         const PageExtras& extras = {});
 

@@ -8,11 +8,12 @@
 
 namespace clast {
 
-/// Returns {"stable": .., "unstable": .., "saddle": ..}; null if there are no equilibria.
+/// Returns the number of equilibria of each kind: {"stable": .., "unstable": .., "saddle": ..}.
+/// Null if `sides` is empty.
 nlohmann::ordered_json equilibria_json(const std::optional<Equilibria>& sides);
 
-/// Returns all data of a block, with units in the keys (docs/formats.md). Lengths of unscaled
-/// blocks have keys ending in _units, their masses and moments are null.
+/// Returns all data of a block, with units in the keys (docs/formats.md). For unscaled blocks, keys
+/// of lengths end in _units, and mass and moments are null.
 nlohmann::ordered_json block_json(const Block& block);
 
 }  // namespace clast

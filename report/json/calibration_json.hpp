@@ -6,10 +6,11 @@
 
 namespace clast {
 
-/// Returns answer, findings, unknowns, statistics and checks (docs/formats.md).
+/// Returns the main result, findings, unknowns, statistics and checks of a calibration
+/// (docs/formats.md).
 nlohmann::ordered_json calibration_json(const Calibration& calibration);
 
-/// Returns design, sites, unknowns and observed statistics.
+/// Returns design, sites, unknowns and observed statistics of a study.
 nlohmann::ordered_json study_json(const CalibrationStudy& study);
 
 }  // namespace clast

@@ -7,10 +7,10 @@
 
 namespace clast {
 
-/// Returns the planned power with its assumptions; empty if unknown.
+/// Returns the planned statistical power with its assumptions. Empty if unknown.
 nlohmann::ordered_json power_json(const PlannedPower& power);
 
-/// Returns runs, blocks, release points, stiffness by block and warnings.
+/// Returns runs, blocks, release points, stiffness by block and warnings of a prepared campaign.
 nlohmann::ordered_json plan_json(const CampaignPlan& prepared);
 
 /// Returns stop reasons, runs below ground, barrier crossings and largest energy errors.

@@ -4,7 +4,7 @@
 
 namespace clast {
 
-/// Returns the schema of campaign files; keys have `description` and `unit`.
+/// Returns the schema of campaign files. Its keys have `description` and `unit`.
 nlohmann::ordered_json campaign_schema();
 nlohmann::ordered_json calibration_schema();
 

@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// Writes the output of `clast classify --json`, one line per block, without keeping all blocks in
-/// memory as JSON.
+/// Writes the JSON of `clast classify --json`, with one line per block. Blocks are written one by
+/// one to limit the memory.
 void write_population_json(std::ostream& out, const PopulationReport& report);
 
 }  // namespace clast

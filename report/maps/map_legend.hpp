@@ -8,7 +8,7 @@ namespace clast::report_detail {
 
 struct MapLegend {
   std::string svg;
-  double bottom = 0.0;  ///< px
+  double bottom = 0.0;  ///< lower edge, px
 };
 
 /// Draws the legend of marks and ground zones.

@@ -29,7 +29,8 @@ std::string draw_release_mark(double x, double y, const std::string& title);
 /// @param path  closed SVG path, px
 std::string draw_release_outline(const std::string& path, const std::string& title);
 
-/// Position and counted direction (unit vector) of a barrier's arrow, map coordinates.
+/// Arrow at a barrier, which shows the counted direction: position and unit vector in map
+/// coordinates.
 struct CountArrow {
   Vec2 root = Vec2::Zero();
   Vec2 way = Vec2::UnitX();
@@ -38,7 +39,8 @@ struct CountArrow {
 /// Places the arrow on the midpoint of the line's middle segment.
 CountArrow make_count_arrow(const BarrierLine& line);
 
-/// Draws the relief of the site with contours and zone colours as "data:image/png;base64,...".
+/// Draws the relief of the site with contours and zone colours. Returns a PNG as
+/// "data:image/png;base64,...".
 std::string draw_relief_image(const SiteMap& site, std::uint32_t columns);
 
 }  // namespace clast::report_detail

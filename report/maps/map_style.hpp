@@ -12,14 +12,14 @@ namespace clast::report_detail {
 
 /// Classified colour scale of a raster.
 struct ValueStyle {
-  std::string title;                 ///< "Kinetic energy, 95 %"
-  std::string unit;                  ///< displayed unit: "kJ"
-  double unit_size = 1.0;            ///< of the displayed unit in stored units: 1000 J
+  std::string title;                 ///< such as "Kinetic energy, 95 %"
+  std::string unit;                  ///< displayed unit, such as "kJ"
+  double unit_size = 1.0;            ///< displayed unit in stored units, such as 1000 for kJ
   std::vector<double> breaks;        ///< upper limits of the classes in stored units, ascending
   std::vector<Rgb> colours;          ///< one per class
-  std::vector<std::string> numbers;  ///< breaks in the displayed unit: "0.3"
+  std::vector<std::string> numbers;  ///< breaks in the displayed unit, such as "0.3"
 
-  /// Returns the label of a class: "0.1 to 0.3 kJ", or "up to 0.1 kJ" for the first.
+  /// Returns the label of a class, such as "0.1 to 0.3 kJ", or "up to 0.1 kJ" for the first class.
   std::string label(std::size_t class_index) const;
 };
 
@@ -27,10 +27,10 @@ struct ValueStyle {
 inline constexpr double kLayerOpacity = 0.85;
 inline constexpr double kPathOpacity = 0.6;
 
-/// Chooses the style of each layer. Energies have limits at 1, 3, 10, 30, ... (30 and 300 kJ
-/// separate weak, medium and strong intensity in Swiss hazard maps), counts and fractions at 1, 2,
-/// 5, 10, ..., heights and speeds equal steps. Layers of one quantity, such as E_mean and E_max,
-/// share their limits.
+/// Chooses the style of each layer. Energies have class limits at 1, 3, 10, 30, ..., because 30 and
+/// 300 kJ separate weak, medium and strong intensity in Swiss hazard maps. Counts and fractions
+/// have limits at 1, 2, 5, 10, ..., heights and speeds at equal steps. Layers of one quantity, such
+/// as E_mean and E_max, have the same limits.
 /// @cite jaboyedoff2005
 std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters);
 
@@ -38,14 +38,14 @@ std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters);
 struct MarkShape {
   const char* plotly;
   const char* qgis;
-  int qgis_angle = 0;  ///< clockwise, degrees
+  int qgis_angle = 0;  ///< clockwise rotation, degrees
 };
 
 inline constexpr MarkShape kMeasuredShape = {"cross-thin-open", "cross"};
 inline constexpr const char* kMeasuredColour = "#c0104a";
 inline constexpr const char* kBarrierColour = "#111111";
 
-/// Maximum number of stops drawn as single marks; more are drawn as a density.
+/// Maximum number of stops that are drawn as single marks. More stops are drawn as a density.
 inline constexpr std::size_t kMaxSingleStops = 5000;
 
 /// Mark of the stops of one block, or of one shape class if there are many blocks.
@@ -53,16 +53,16 @@ struct StopMark {
   std::size_t group = 0;  ///< index into Comparison::groups
   std::string key;        ///< block id or class
   std::string garcia;
-  std::string colour;  ///< of the class: "#0072B2"
+  std::string colour;  ///< colour of the class, such as "#0072B2"
   MarkShape shape;
 };
 
 struct StopMarks {
-  bool by_block = true;  ///< false: by shape class
+  bool by_block = true;  ///< true: one mark per block; false: one mark per shape class
   std::vector<StopMark> marks;
 };
 
-/// Chooses marks: classes differ in colour, blocks of a class in shape.
+/// Chooses marks. Classes differ in colour, and blocks of a class differ in mark shape.
 StopMarks choose_stop_marks(const Comparison& comparison);
 
 }  // namespace clast::report_detail

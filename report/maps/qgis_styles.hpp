@@ -1,5 +1,5 @@
 #pragma once
-/// Map layer styles for QGIS 3 (QML) that match the page's map.
+/// Map layer styles for QGIS 3 (QML), which match the map of the page.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace clast::report_detail {
 
-/// Formats the .qml file of a raster; QGIS applies NAME.qml to NAME.tif.
+/// Formats the .qml file of a raster. QGIS applies NAME.qml to NAME.tif.
 std::string format_raster_qml(const ValueStyle& style);
 
 struct LayerStyle {
@@ -16,8 +16,8 @@ struct LayerStyle {
   std::string qml;
 };
 
-/// Makes the styles: stops by block, crossings and trajectories by shape class, barriers with
-/// names, and observed stops if there are any.
+/// Makes the styles of the vector layers. Stops are coloured by block, crossings and trajectories
+/// by shape class. Barriers have their names.
 std::vector<LayerStyle> make_vector_styles(const Comparison& comparison);
 
 }  // namespace clast::report_detail

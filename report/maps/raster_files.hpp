@@ -8,9 +8,9 @@
 
 namespace clast::report_detail {
 
-/// Writes one GeoTIFF per layer, FOLDER/NAME.tif (32-bit floats, nodata -9999, tiled, compressed,
-/// with the CRS if known), and NAME.qml with the style of the report's map.
-/// @return the files; empty without layers
+/// Writes one GeoTIFF per layer, FOLDER/NAME.tif, and NAME.qml with the style of the report's map.
+/// The GeoTIFF has 32-bit floats, nodata -9999, tiles, compression, and the CRS if known.
+/// @return the written files; empty if there are no layers
 /// @throws InputError  if GDAL cannot write a file
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
                                                  const MapRasterSet& rasters,

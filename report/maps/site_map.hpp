@@ -18,11 +18,11 @@ struct ReleasePosition {
 
 /// Plan outline of a multi-block release.
 struct ReleaseOutline {
-  std::string name;           ///< "release of 60 blocks"
+  std::string name;           ///< such as "release of 60 blocks"
   std::vector<Vec2> corners;  ///< convex hull of all starts, map coordinates, m; not closed
 };
 
-/// Site of a comparison, campaign or terrain, in map coordinates. Refers to the terrain, which must
+/// Map of the site of a comparison, campaign or terrain, in map coordinates. The terrain must
 /// outlive it.
 struct SiteMap {
   const Terrain* terrain = nullptr;
@@ -30,27 +30,27 @@ struct SiteMap {
   /// Height range of the contours, m.
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
-  std::vector<ReleasePosition> places;   ///< unique
-  std::vector<ReleaseOutline> outlines;  ///< by file, then release
+  std::vector<ReleasePosition> places;   ///< positions, each once
+  std::vector<ReleaseOutline> outlines;  ///< ordered by file, then release
   std::vector<BarrierLine> barriers;
-  bool counts_crossings = true;  ///< false: `barriers` are plain lines without names
+  bool counts_crossings = true;  ///< false: `barriers` are drawn as lines without names and arrows
 
-  /// Returns the contour interval, m: about a dozen contours.
+  /// Returns the contour interval, m. It gives about a dozen contours.
   double contour_interval() const;
 };
 
-/// Makes the map of a comparison: the window contains releases, stops, barriers and observed stops;
-/// contours cover the heights of the runs. Multi-block releases are shown by one outline over all
-/// realisations, unless their starts are collinear. Uses the terrain of the first file.
+/// Makes the map of a comparison. The window contains releases, stops, barriers and observed stops.
+/// Contours cover the heights of the runs. A multi-block release is shown by one outline over all
+/// realisations, unless its starts are collinear. The terrain is that of the first file.
 SiteMap make_site_map(const Comparison& comparison);
 
-/// Makes the map of a campaign, showing the whole terrain.
-/// @param header  of a campaign without runs
+/// Makes the map of a campaign. It shows the whole terrain.
+/// @param header  header of a campaign without runs
 SiteMap make_site_map(const CampaignHeader& header);
 
 /// Makes the map of a whole terrain with release points and barrier lines.
 /// @param releases, lines  map coordinates, m
-/// @throws InputError  if a mark is farther from the terrain than the terrain's size
+/// @throws InputError  if the distance of a point from the terrain exceeds the size of the terrain
 SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
                       const std::vector<std::vector<Vec2>>& lines);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Charts and tables of simultaneous passages of persistent blocks at a barrier.
+/// Charts and tables of the passages of persistent blocks at a barrier against time.
 #include <string>
 #include <vector>
 
@@ -7,16 +7,16 @@
 
 namespace clast::report_detail {
 
-/// Draws cumulative blocks, mass and energy against time, with mean and range over realisations;
-/// empty without passages.
+/// Draws the cumulative number, mass and energy of passing blocks against time, with mean and range
+/// over the realisations. Empty if there are no passages.
 std::string draw_crossing_charts(const Comparison& comparison,
                                  const std::vector<RealisationCrossings>& all, std::size_t line);
 
-/// Describes the largest simultaneous load of a barrier; empty without passages.
+/// Describes the largest simultaneous load of a barrier. Empty if there are no passages.
 std::string describe_crossings(const Comparison& comparison,
                                const std::vector<RealisationCrossings>& all, std::size_t line);
 
-/// Formats means, minima and maxima over realisations; empty if no realisation has the barrier.
+/// Formats means, minima and maxima over the realisations. Empty if no realisation has the barrier.
 std::string format_crossing_table(const Comparison& comparison,
                                   const std::vector<RealisationCrossings>& all, std::size_t line);
 

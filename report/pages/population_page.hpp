@@ -7,7 +7,7 @@
 namespace clast::report_detail {
 
 /// Makes the page.
-/// @param diagrams  of `draw_population_diagrams`
+/// @param diagrams  result of `draw_population_diagrams`
 std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams);
 
 }  // namespace clast::report_detail

@@ -6,11 +6,11 @@
 
 namespace clast::report_detail {
 
-/// Maximum length of a population's name in a column head, characters.
+/// Maximum number of characters of the name of a population in a column head.
 inline constexpr std::size_t kMostHead = 14;
 
-/// Formats the section.
-/// @param diagrams  contains "sizes" for several populations, and "size" plus suffix for each
+/// Formats the section on block sizes.
+/// @param diagrams  contain "sizes" if there are two populations, and "size" plus suffix for each
 std::string format_size_section(const PopulationReport& report, const Diagrams& diagrams);
 
 }  // namespace clast::report_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Groups of a report: selection, names and curve styles.
+/// Selection, names and curve styles of the groups in a report.
 #include <optional>
 #include <string>
 #include <tuple>
@@ -13,7 +13,8 @@
 namespace clast::report_detail {
 
 bool has_several_files(const Comparison& comparison);
-/// Selects the groups of one kind; per file if there are several files.
+/// Selects the groups of one kind. If there are several files, the groups of each file are
+/// selected.
 std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind kind);
 /// Returns the group name without its kind.
 std::string short_group_name(const Group& group);
@@ -23,16 +24,16 @@ std::string format_mean_and_deviation(const Summary& summary, int decimals, doub
 /// Formats a value of a summary; "-" for an empty sample.
 std::string format_measured(double value, const Summary& summary, int decimals);
 
-/// Appends to a list of items, "runout; largest speed".
+/// Appends an item to a list such as "runout; largest speed".
 void append_item(std::string& list, const std::string& item);
-/// Formats a line with bold head; empty for an empty list.
+/// Formats a line with a bold head. Empty if the list is empty.
 std::string format_headed_list(const std::string& head, const std::string& list);
 
 /// Returns the class of a group with a single block; empty for several blocks.
 std::string block_class_of_group(const Comparison& comparison, const Group& group);
 
-/// Chooses colour and dash of a group's curve: colour by class, dash or shade by block; they repeat
-/// after twelve blocks of a class.
+/// Chooses colour and dash of the curve of a group. Classes differ in colour, blocks in dash or
+/// shade. They repeat after twelve blocks of a class.
 /// @param classes_before  classes of the previously drawn groups
 std::pair<std::string, std::string> choose_curve_style(
     const Comparison& comparison, const Group& group,

@@ -9,16 +9,16 @@ namespace clast::report_detail {
 /// Formats title, key results, key figures and warnings.
 std::string format_head_section(const Comparison& comparison, const KeyResults& answer);
 std::string format_class_section(const Comparison& comparison);
-/// Formats the map of deposit rasters; empty without layers.
+/// Formats the map of deposit rasters. Empty if there are no layers.
 std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters);
-/// Formats deposit position, size and thickness; empty without persistent blocks.
+/// Formats position, size and thickness of deposits. Empty without persistent blocks.
 std::string format_deposit_section(const ComparisonAnalyses& analyses);
-/// Formats the energy balance of persistent blocks against time; empty without data.
+/// Formats the energy balance of persistent blocks against time. Empty if there are no data.
 std::string format_energy_section(const ComparisonAnalyses& analyses);
-/// Formats, by class, how persistent blocks were hit and displaced by later ones; empty if none was
-/// released after another.
+/// Formats hits and displacements of persistent blocks by later blocks, by shape class. Empty if no
+/// block was released after another.
 std::string format_persistent_blocks_section(const Comparison& comparison);
-/// Formats one row per block (and file) with shape, runs and stop reasons.
+/// Formats a table with one row per block and file: shape, runs and stop reasons.
 std::string format_block_section(const Comparison& comparison);
 /// Formats the map of stops with selectable path and deposit rasters.
 std::string format_map_section(const Comparison& comparison, const MapRasterSet& paths,

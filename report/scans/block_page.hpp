@@ -8,17 +8,20 @@
 
 namespace clast {
 
-/// Data for a block's page. Without a scan (shapes read from .shp files) there are no images of it.
+/// Data for the page of a block. Blocks from .shp files have no scan, and their pages have no
+/// images of it.
 struct ScanOfBlock {
-  const TriangleMesh* raw = nullptr;  ///< as read, in the file's units and axes
+  const TriangleMesh* raw =
+      nullptr;  ///< mesh as read, in units and axes of the file; null without a scan
   const FieldBlock* found = nullptr;
-  ScanOptions options = {};  ///< used for reading
-  std::string up = "z";      ///< axis of the file that points up
-  std::string scale =
-      {};  ///< how the scale was determined, as text; photo scans state it themselves
-  bool density_given = false;              ///< false: a weighed mass determines the density
-  const PhotoScan* photos = nullptr;       ///< null unless the block was made from photographs
-  const PhotoSummary* evidence = nullptr;  ///< summary of the photos; null: computed here
+  ScanOptions options = {};  ///< options used for reading the scan
+  std::string up = "z";      ///< up axis of the file
+  std::string scale = {};    ///< text on the origin of the scale; not used for photo scans
+  bool density_given =
+      false;  ///< true if the density was given; false if it follows from a weighed mass
+  const PhotoScan* photos =
+      nullptr;  ///< photo scan; null if the block was not made from photographs
+  const PhotoSummary* evidence = nullptr;  ///< summary of the photos; if null, it is computed
 };
 
 /// Makes the self-contained page of a block.

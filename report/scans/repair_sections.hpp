@@ -9,14 +9,14 @@
 namespace clast::report_detail {
 
 /// Formats tables of defects and holes with counts, sizes and positions.
-/// @param cloud  the report is about the surface fitted to a point cloud
-/// @param open_side  the scan had an unobserved side that was filled
-/// @param unit  of lengths, as displayed
+/// @param cloud  true if the surface was fitted to a point cloud
+/// @param open_side  true if the scan had an unobserved side that was filled
+/// @param unit  displayed unit of lengths
 std::string format_repair_section(const RepairReport& report, bool cloud = false,
                                   bool open_side = false, const std::string& unit = "m");
 
-/// Returns the numbered positions of those tables: "1", "2" ... for defects, "H1" ... for the
-/// largest holes.
+/// Returns the numbered positions in the tables of `format_repair_section`: "1", "2", ... for
+/// defects, and "H1", ... for the largest holes.
 std::vector<PositionMark> find_repair_marks(const RepairReport& report);
 
 /// Formats the bounds of an unobserved underside.

@@ -1,5 +1,5 @@
 #pragma once
-/// Images of a scan: as read, closed, and its deviation from the block. If `metric` is false,
+/// Images of a scan as read and closed, and of its deviation from the block. If `metric` is false,
 /// lengths are labelled as units of an unscaled model.
 #include <functional>
 #include <string>
@@ -16,23 +16,23 @@ struct PositionMark {
   Vec3 place = Vec3::Zero();
 };
 
-/// Draws the scan as read beside the closed scan from three directions, with hole borders, filled
-/// surface and numbered `marks`.
-/// @param raw  as read
-/// @param options  used for reading
+/// Draws the scan as read and the closed scan side by side from three directions. Shows borders of
+/// holes, filled surface and numbered `marks`.
+/// @param raw  scan as read
+/// @param options  options used for reading the scan
 std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
                                   const FieldBlock& block, const std::vector<PositionMark>& marks,
                                   bool metric = true);
 
 /// Draws the block coloured by its distance from the scan, with a colour bar.
 /// @param skin  surface of the block
-/// @param scan  closed, in the same frame
+/// @param scan  closed scan, in the frame of `skin`
 /// @param reach  distance of the extreme colours, m
 std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
                                bool metric = true);
 
-/// Draws a surface from three directions, each triangle in its colour.
-/// @param colour  colour of a triangle by index
+/// Draws a surface with coloured triangles from three directions.
+/// @param colour  function that returns the colour of a triangle
 std::string draw_coloured_views(const TriangleMesh& mesh,
                                 const std::function<Rgb(std::uint32_t)>& colour,
                                 const std::string& caption, bool metric = true);

@@ -12,7 +12,7 @@ namespace clast {
 class ScanReport {
  public:
   /// Opens the folder.
-  /// @param replace  replace an existing summary
+  /// @param replace  true: an existing summary is replaced
   /// @throws InputError  if the folder cannot be created or written, a summary exists and `replace`
   ///                     is false, or summary.csv or index.html is of another kind
   ScanReport(std::filesystem::path folder, bool replace);
@@ -23,7 +23,7 @@ class ScanReport {
   /// Writes the prepared page of a block and adds the block to the summary.
   /// @throws InputError  if the page cannot be written
   void add(const Block& block);
-  /// Adds a block of an earlier batch, with a link to its page if it exists.
+  /// Adds a block of an earlier batch to the summary, with a link to its page if the page exists.
   void add_earlier(const Block& block);
   void add_failure(const std::string& scan, const std::string& reason);
   /// Writes the summary.

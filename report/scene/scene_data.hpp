@@ -7,29 +7,31 @@
 
 namespace clast::report_detail {
 
-/// Limits of the data in a page. Data beyond them are reduced, and the page reports this.
+/// Limits of the amount of data in a page. If they are exceeded, data are reduced, and the page
+/// states this.
 struct SceneLimits {
-  std::size_t frames = 100'000;     ///< of all runs together, 32 bytes each
-  std::size_t triangles = 120'000;  ///< of the terrain; larger ones are drawn as a grid
-  std::size_t grid = 240;           ///< number of columns of that grid
+  std::size_t frames = 100'000;  ///< maximum number of states of all runs, 32 bytes each
+  std::size_t triangles =
+      120'000;  ///< maximum number of terrain triangles; larger terrains are drawn as a grid
+  std::size_t grid = 240;  ///< number of columns of that grid
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 struct SceneData {
   std::string json;
-  std::size_t runs_drawn = 0;  ///< 0 if no trajectories are stored
-  std::size_t runs = 0;        ///< with a stored trajectory
+  std::size_t runs_drawn = 0;  ///< number of drawn runs; 0 if no trajectories are stored
+  std::size_t runs = 0;        ///< number of runs with a stored trajectory
 };
 
-/// Makes the data: terrain of the first file, bodies, barriers and every n-th trajectory, with n as
-/// small as the limits allow. Positions are map coordinates minus `origin` (the centre of starts
-/// and stops).
+/// Makes the data of the view: terrain of the first file, bodies, barriers and every n-th
+/// trajectory, where n is as small as the limits allow. Positions are map coordinates minus
+/// `origin`, the centre of starts and stops.
 ///
 /// JSON: `origin` [3]; `terrain` {vertices float32 [n][3], triangles uint32 [m][3], zones uint16
 /// [m]}, `tints` of the zones; `bodies` list of {name, group, colour, vertices, triangles}; `runs`
 /// list of {name, body, first, count}; `frames` float32 [n][8]: t, x, y, z, qw, qx, qy, qz, to
-/// 2^-14; `barriers` list of {name, through [n][2]}; `duration` of the longest run, s.
+/// 2^-14; `barriers` list of {name, through [n][2]}; `duration`, that of the longest run, s.
 /// @throws InputError  if a results file can no longer be read
 SceneData make_scene_data(const Comparison& comparison, const SceneLimits& limits = {});
 

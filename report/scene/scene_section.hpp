@@ -7,8 +7,8 @@
 
 namespace clast::report_detail {
 
-/// Formats the self-contained section, including three.js, or a note if three.js is not installed
-/// or no trajectories are stored.
+/// Formats the section, including three.js. If three.js is not installed, or no trajectories are
+/// stored, it has a note instead.
 std::string format_scene_section(const Comparison& comparison, const SceneLimits& limits = {});
 
 }  // namespace clast::report_detail

@@ -8,7 +8,7 @@
 
 namespace clast::report_detail {
 
-/// Runs with stored trajectories. Keeps the files open.
+/// Runs with stored trajectories. Their files are kept open.
 struct DrawnRuns {
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
   std::size_t frames = 0;         ///< total number of stored states

@@ -5,18 +5,18 @@
 
 namespace clast::report_detail {
 
-/// Returns the folder of three.js (Debian package libjs-three): the one named by CLAST_THREE, or
-/// the one found at configuration.
+/// Returns the folder of three.js (Debian package libjs-three). It is named by CLAST_THREE, or was
+/// found at configuration.
 std::filesystem::path find_three_folder();
 bool three_is_installed();
 
-/// Returns three.js and the orbit control as elements that scripts execute with
+/// Returns three.js and its orbit control as page elements. Scripts execute them with
 /// `clastRun("three-code")` and `clastRun("orbit-code")`.
 /// @pre  three_is_installed()
 std::string three_scripts();
 
 /// Explains that the view was omitted, and how to install three.js.
-/// @param again  last step of the advice: "compare again"
+/// @param again  last step of the advice, such as "compare again"
 std::string explain_missing_three(const std::string& again);
 
 }  // namespace clast::report_detail

@@ -8,10 +8,11 @@
 
 namespace clast {
 
-/// Writes FOLDER/animation.pvd for ParaView, one frame_NNNN.vtp with the block positions per stored
-/// time (core with vertices moved outwards by the radius), and terrain_N.vtp per results file. Map
-/// coordinates in doubles; cell data: file, run, speed_m_s.
-/// @param count  number of runs, spread evenly over those with a trajectory
+/// Writes an animation for ParaView. FOLDER/animation.pvd refers to one frame_NNNN.vtp with the
+/// blocks per stored time, and to one terrain_N.vtp per results file. Blocks are cores with
+/// vertices moved outwards by the radius. Points are map coordinates in doubles; cell data are
+/// file, run and speed_m_s.
+/// @param count  number of runs, selected evenly from those with a trajectory
 /// @return the .pvd file; empty if no run has a trajectory
 /// @throws InputError  if the folder cannot be written
 std::filesystem::path write_animation(const std::filesystem::path& folder,

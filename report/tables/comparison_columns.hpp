@@ -1,5 +1,5 @@
 #pragma once
-/// Columns and rows of the tables of `clast compare`; see `run_columns` for runs.csv.
+/// Columns and rows of the tables of a comparison. Columns of runs.csv: see `run_columns`.
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace clast::report_detail {
 
-/// Columns that are also attributes of map layers.
+/// Returns columns that are also attributes of map layers.
 const TableColumns<BarrierGroupStatistics>& barrier_table_columns();
 const TableColumns<ComparisonRow<BarrierCrossing>>& crossing_columns();
 
-/// Column lists of `comparison_tables`.
+/// Makes the tables of `comparison_tables`.
 std::vector<ComparisonTable> make_run_tables();
 std::vector<ComparisonTable> make_group_tables();
 std::vector<ComparisonTable> make_effect_tables();
@@ -24,7 +24,7 @@ std::vector<ComparisonTable> make_crossing_tables();
 std::vector<ComparisonTable> make_deposit_tables();
 std::vector<ComparisonTable> make_energy_tables();
 
-/// Returns both ends of an interval; NaN if empty.
+/// Returns both ends of an interval. They are NaN if it is empty.
 inline Vec2 bounds_of(const std::optional<Interval>& interval) {
   return interval ? Vec2(interval->low, interval->high) : Vec2(Vec2::Constant(NAN));
 }
@@ -52,7 +52,8 @@ std::vector<ComparisonRow<Item>> select_rows(const TableColumns<ComparisonRow<It
 
 /// Makes a table from columns and items.
 /// @param columns  must outlive the table
-/// @param items  one per row: a function or member of the analyses or of the comparison
+/// @param items  function or member of the analyses or of the comparison that gives one item per
+///               row
 template <class Row, class Items>
 ComparisonTable make_table(const std::string& name, const TableColumns<Row>& columns,
                            const Items& items) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Tables of `clast compare`; columns in docs/formats.md.
+/// Tables of a comparison. docs/formats.md lists their columns.
 #include <vector>
 
 #include "report/tables/report_table.hpp"
@@ -9,8 +9,8 @@ namespace clast {
 
 using ComparisonTable = ReportTable<ComparisonAnalyses>;
 
-/// Returns all tables: "runs", "barriers", "crossings", ...; "measured" is empty without observed
-/// stops.
+/// Returns all tables, such as "runs", "barriers" and "crossings". "measured" is empty without
+/// observed stops.
 const std::vector<ComparisonTable>& comparison_tables();
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Tables of a block population; columns in docs/formats.md.
+/// Tables of a block population. docs/formats.md lists their columns.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace clast {
 
-/// Returns the column name of a scheme's class: "shape" for garcia, otherwise the scheme's name
-/// with _ for -.
+/// Returns the name of the column with the classes of a scheme. It is "shape" for garcia, otherwise
+/// the name of the scheme with _ for -.
 std::string class_column_name(const std::string& scheme);
 
 using PopulationTable = ReportTable<PopulationReport>;
@@ -18,10 +18,10 @@ using PopulationTable = ReportTable<PopulationReport>;
 /// Returns the tables "classes", "shares", "sizes" and "tests".
 const std::vector<PopulationTable>& population_tables();
 
-/// Writes the table "classes": one row per block with all classes and indices. Rows are made in
-/// parallel and written in order; the file does not depend on the number of threads and is never in
-/// memory as a whole.
-/// @throws InputError  if it cannot be written
+/// Writes the table "classes", with one row per block that has all classes and indices. Rows are
+/// made in parallel and written in order. The file does not depend on the number of threads and is
+/// never completely in memory.
+/// @throws InputError  if the file cannot be written
 void write_classes_csv(const PopulationReport& report, const std::filesystem::path& path,
                        unsigned threads = 0);
 

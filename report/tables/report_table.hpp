@@ -1,5 +1,5 @@
 #pragma once
-/// Tables of a report, each declared once for its CSV file, its columns in Python, and
+/// Tables of a report. Each is declared once for its CSV file, its columns in Python, and
 /// docs/formats.md.
 #include <functional>
 #include <string>

@@ -10,17 +10,17 @@
 
 namespace clast {
 
-/// Formats one line: id, vertices, size, volume, mass, classes, deviation.
+/// Formats a block as one line: id, vertices, size, volume, mass, classes, deviation.
 std::string format_block_line(const Block& block);
 
-/// Makes a table with one row per block; lengths of unscaled blocks are marked "u".
+/// Makes a table with one row per block. Lengths of unscaled blocks are marked "u".
 TextTable block_table(std::span<const Block* const> blocks);
-/// Describes which blocks are unscaled and why; empty if none is.
+/// Lists the unscaled blocks and the reasons. Empty if all blocks are scaled.
 std::string describe_unscaled(std::span<const Block* const> blocks);
 
 using NamedValues = std::vector<std::array<std::string, 2>>;
 
-/// Returns the details of a block that are not in the table.
+/// Returns the details of a block that are not in `block_table`.
 NamedValues describe_block(const Block& block);
 
 }  // namespace clast

@@ -8,18 +8,19 @@
 
 namespace clast {
 
-/// Name and unit of a quantity as displayed: "EC11 total_energy_j" is "energy at EC11" in kJ.
+/// Displayed name and unit of a quantity. For example, "EC11 total_energy_j" is displayed as
+/// "energy at EC11" in kJ.
 struct QuantityLabel {
   std::string name;
   std::string unit;
-  double factor = 1.0;  ///< displayed value over stored value
+  double factor = 1.0;  ///< displayed value divided by stored value
 };
 QuantityLabel quantity_text(const std::string& quantity);
 
-/// Describes a difference of the first group: "13 m more (10 to 17 m)" or "less", with decimals
-/// that fit the interval.
+/// Describes the difference between the first and the second group, such as "13 m more (10 to 17
+/// m)". The number of decimals depends on the interval.
 /// @param unit  displayed unit; may be empty
-/// @param factor  displayed value over stored value
+/// @param factor  displayed value divided by stored value
 std::string describe_difference(const Contrast& contrast, const std::string& unit,
                                 double factor = 1.0);
 std::string describe_difference(const Difference& difference);
@@ -28,12 +29,13 @@ std::string describe_difference(const DepositQuantityDifference& difference);
 /// Describes a difference in a complete sentence.
 std::string describe_effect(const Difference& difference, const Comparison& comparison);
 
-/// Describes a difference of deposits and its significance: "travel angle: file 1 31.2 deg, file 2
-/// 28.4 deg; 2.8 deg more (1.1 to 4.5 deg), from 4 and 4 realisations".
+/// Describes a difference of deposits and its significance, such as "travel angle: file 1 31.2 deg,
+/// file 2 28.4 deg; 2.8 deg more (1.1 to 4.5 deg), from 4 and 4 realisations".
 std::string describe_effect(const DepositQuantityDifference& difference);
 
-/// Describes the mobility of a deposit: "class compact: 12.1 m together, 15.3 m alone; 3.2 m less
-/// (1.1 to 5.3 m)", and differences of starts and masses beyond `kSameStart` and `kSameMass`.
+/// Describes the mobility of a deposit, such as "class compact: 12.1 m together, 15.3 m alone; 3.2
+/// m less (1.1 to 5.3 m)". Differences of starts and masses are included if they exceed
+/// `kSameStart` or `kSameMass`.
 std::string describe_effect(const DepositMobility& mobility);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Key figures of a first screen.
+/// Key figures shown at the beginning of a page.
 #include <string>
 #include <vector>
 
@@ -8,10 +8,11 @@
 namespace clast {
 
 struct KeyFigure {
-  std::string value;      ///< "45 / 32 m"
-  std::string label;      ///< "mean runout, compact / elongated"
-  std::string range;      ///< "42 to 48 / 30 to 34", or empty
-  std::string more = {};  ///< "half stop before 44 / 31 m", or empty
+  std::string value;  ///< such as "45 / 32 m"
+  std::string label;  ///< such as "mean runout, compact / elongated"
+  std::string range;  ///< range, such as "42 to 48 / 30 to 34"; may be empty
+  std::string more =
+      {};  ///< further information, such as "half stop before 44 / 31 m"; may be empty
 };
 
 std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const KeyResults& answer);

@@ -1,5 +1,6 @@
 #pragma once
-/// Texts of the key results of a comparison, equal on page, terminal and in the summary.
+/// Texts of the key results of a comparison. They are the same on the page, in the terminal and in
+/// the summary.
 #include <string>
 #include <vector>
 
@@ -11,17 +12,17 @@ namespace clast {
 std::vector<std::string> describe_key_results(const Comparison& comparison,
                                               const KeyResults& answer);
 
-/// Returns, for example, "192 runs of 3 blocks (330 to 580 kg) in 2 shape classes".
+/// Describes the runs, such as "192 runs of 3 blocks (330 to 580 kg) in 2 shape classes".
 std::string describe_runs(const Comparison& comparison);
 
-/// Describes the basis of the intervals: "Ranges in brackets are 95 % intervals, from 16 release
-/// points."
+/// Describes the basis of the intervals, such as "Ranges in brackets are 95 % intervals, from 16
+/// release points."
 std::string describe_intervals(const KeyResults& answer);
 
-/// Describes the limits of validity: "Not run: blocks above 580 kg, other ground."
+/// Describes the limits of validity, such as "Not run: blocks above 580 kg, other ground."
 std::string describe_limits(const Comparison& comparison, const KeyResults& answer);
 
-/// Returns the first screen as lines of plain text, including warnings.
+/// Returns key results and warnings as lines of plain text.
 std::vector<std::string> describe_first_screen(const Comparison& comparison,
                                                const KeyResults& answer);
 

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Describes the agreement in one sentence per group; empty without observed stops.
+/// Describes the agreement in one sentence per group. Empty if there are no observed stops.
 std::vector<std::string> describe_measured_stops(const Comparison& comparison);
 
 }  // namespace clast

@@ -6,11 +6,12 @@
 
 namespace clast {
 
-/// Formats one row per block: axes, classes, and the certainty of the first scheme's class.
+/// Formats a table with one row per block: axes, classes, and the certainty of the class of the
+/// first scheme.
 std::string format_blocks_table(const Population& population, const PopulationOptions& options);
-/// Formats class fractions, sizes, and the relation of size and shape.
+/// Formats class fractions and sizes of a population, and the relation of size and shape.
 std::string format_population_summary(const PopulationSummary& summary);
-/// Formats one sentence per test.
+/// Formats the comparison of two populations, with one sentence per test.
 std::string format_population_comparison(const PopulationComparison& comparison);
 
 }  // namespace clast

@@ -11,7 +11,7 @@ namespace clast {
 /// Makes a table with one row per body: id, variation, I/L, S/L, convexity, volume, mass, class.
 TextTable make_series_table(std::span<const Block> blocks);
 
-/// Describes how well sampled bodies match their population, one line per correlation.
+/// Describes the agreement of sampled bodies with their population, with one line per correlation.
 std::string describe_copula_fit(const CopulaFit& fit);
 
 }  // namespace clast

@@ -12,8 +12,8 @@ std::string file_name(const Comparison& comparison, std::uint32_t file);
 
 /// Name of a barrier in sentences, with its verb.
 struct BarrierText {
-  std::string name;  ///< with an article if it is a noun: "the road", "EC22"
-  std::string pass;  ///< "pass", "reach"
+  std::string name;  ///< name, such as "EC22"; nouns have an article, such as "the road"
+  std::string pass;  ///< verb, such as "pass" or "reach"
 };
 BarrierText barrier_text(const Comparison& comparison, std::size_t line);
 

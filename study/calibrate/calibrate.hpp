@@ -1,5 +1,6 @@
 #pragma once
-/// Calibration: simulation of the design's members and inference of the unknowns.
+/// Calibration: simulates the members of the design and infers the unknowns from observations. A
+/// member is one set of values of the unknowns.
 #include <filesystem>
 #include <vector>
 
@@ -10,25 +11,26 @@
 namespace clast {
 
 struct CalibrateOptions {
-  unsigned threads = 0;  ///< 0: one per core; does not affect the result
-  /// If true, members of an interrupted or finished calibration of the same design are reused; the
-  /// observations may differ. Without any, the calibration starts from the beginning.
+  unsigned threads = 0;  ///< number of threads; 0: one per core; does not affect the result
+  /// If true, members of an interrupted or finished calibration of the same design are reused. Its
+  /// observations may differ. If there are none, the calibration starts from the beginning.
   bool resume = false;
-  bool replace =
-      false;  ///< an existing posterior in the target is replaced; otherwise it is an error
-  /// Only the members of this shard are simulated; nothing is inferred, and the file has no
-  /// posterior. `parts` joins the files of all shards.
+  bool replace = false;  ///< if true, an existing posterior in the target is replaced; otherwise,
+                         ///< it is an error
+  /// Only the members of this shard are simulated. The unknowns are not inferred, so the file has
+  /// no posterior. Use `parts` to join the files of all shards.
   Shard shard = {};
-  /// Files of shards whose members are joined; no member is simulated.
+  /// Files of shards whose members are joined. If not empty, no member is simulated.
   std::vector<std::filesystem::path> parts = {};
-  /// Processes that share the members, all of which call; null: this process alone.
+  /// Processes that share the simulation of the members; each of them calls the functions below. If
+  /// null, this process runs alone.
   ProcessTeam* team = nullptr;
-  /// Called after each member of each site. Its exceptions end the calibration; finished members
-  /// are kept.
+  /// Called after each member of each site. An exception ends the calibration; finished members are
+  /// kept.
   ProgressCallback progress = {};
 };
 
-/// Study, members and posterior of a finished calibration.
+/// Study, members and posterior of a calibration.
 struct Calibration {
   CalibrationStudy study;
   StoredCalibration stored;
@@ -39,15 +41,16 @@ struct Calibration {
 /// Returns the path of the journal of simulated members: target + ".part".
 std::filesystem::path calibration_journal_path(const std::filesystem::path& target);
 
-/// Runs a calibration; in a team, on the leader.
-/// @throws InputError  if the target cannot be written or must be kept; resumed or joined members
-///                     have another design; a member is in no part; or inputs are inconsistent
+/// Runs a calibration. If `options.team` is set, only its leader calls this function.
+/// @throws InputError  if the target cannot be written or must be kept, if resumed or joined
+///                     members have another design, if a member is in none of the parts, or if
+///                     inputs are inconsistent
 /// @throws SimulationError  if a member's runs fail
 Calibration calibrate(const CalibrationStudy& study, const std::filesystem::path& target,
                       const CalibrateOptions& options = {});
 
-/// Simulates members for the leader; for the other processes of `options.team`.
-/// @throws Error  of this process or of another one
+/// Simulates members for the leader of `options.team`. Called by all other processes of the team.
+/// @throws Error  if a member fails in this process or in another one
 void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
 
 /// Simulator of a calibration with its sites and inputs.
@@ -55,7 +58,7 @@ struct CalibrationBackend {
   std::vector<SiteDescription> sites;
   std::vector<std::string> inputs;  ///< "path sha256"
   MemberSimulator simulate;
-  std::string physics_digest = {};  ///< of the simulator
+  std::string physics_digest = {};  ///< digest of all that determines the results of the simulator
 };
 /// Runs a calibration with any simulator; see `calibrate`.
 Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,

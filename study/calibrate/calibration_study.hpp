@@ -21,12 +21,13 @@ struct CalibrationSite {
 
 struct CalibrationDesign {
   std::uint32_t members = 64;   ///< number of simulated parameter sets
-  std::uint32_t releases = 64;  ///< per member and site
-  std::uint64_t seed = 1;       ///< of all random numbers
+  std::uint32_t releases = 64;  ///< number of simulated releases per member and site
+  std::uint64_t seed = 1;       ///< seed of all random numbers
   std::size_t draws = 2000;     ///< number of posterior draws
   Kernel kernel = Kernel::kMatern52;
 
-  /// Returns the unknowns of each member as prior probabilities: a Sobol sequence.
+  /// Returns the unknowns of each member as prior probabilities, in [0, 1]. The members form a
+  /// Sobol sequence.
   std::vector<std::vector<double>> places(std::size_t unknowns) const;
 };
 
@@ -40,7 +41,7 @@ struct CalibrationStudy {
   std::vector<Observation> observations;
   CalibrationDesign design;
 
-  /// Converts prior probabilities to values of the unknowns.
+  /// Converts prior probabilities, in [0, 1], to values of the unknowns.
   std::vector<double> values(const std::vector<double>& shares) const;
   /// Returns the number of statistics of all observations.
   std::size_t statistic_count() const;

@@ -7,9 +7,9 @@
 
 namespace clast::study_detail {
 
-/// Simulates the missing members of the shard and stores them beside the target; finished members
-/// are kept if it is interrupted.
-/// @param stored  receives the members
+/// Simulates the missing members of the shard and stores them in a journal beside the target.
+/// Finished members are kept if the simulation is interrupted.
+/// @param stored  stored members; receives the new ones
 /// @throws SimulationError  if a member's runs fail, here or in another process
 void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
                               const std::filesystem::path& target, const CalibrateOptions& options,

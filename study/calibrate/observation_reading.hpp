@@ -8,12 +8,13 @@
 
 namespace clast::study_detail {
 
-/// Reads what observations need of a site before its campaign is prepared: all but its blocks.
+/// Reads the description of a site without its blocks. This needs no prepared campaign.
 SiteDescription read_site_path(const CalibrationSite& site);
 
 const MemberTable<Observation>& observation_keys();
 
-/// Reads the tables [[observation]] and computes the statistics of the stops that they name.
+/// Reads the tables [[observation]]. Computes the observed statistics from the tables of stops and
+/// trajectories that they name.
 /// @throws InputError  as `read_calibration_study`
 std::vector<Observation> read_observations(const TomlTable& top,
                                            const std::vector<CalibrationSite>& sites);

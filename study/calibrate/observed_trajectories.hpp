@@ -1,5 +1,5 @@
 #pragma once
-/// Observed trajectories of blocks.
+/// Trajectories of blocks that were observed in the field.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct ObservedTrajectorySet {
   std::string sha256;  ///< of the table
   std::vector<ObservedTrajectory> all;
 
-  double longest() const;  ///< duration, s
+  double longest() const;  ///< duration of the longest trajectory, s
 };
 
 /// Reads a table with columns trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s. Rows with
@@ -31,7 +31,7 @@ struct ObservedTrajectorySet {
 /// @throws InputError  if there is no such table, or times do not increase; names file and line
 ObservedTrajectorySet read_trajectories(const std::filesystem::path& file);
 
-/// Interpolates a trajectory linearly; constant after its last row.
+/// Interpolates a trajectory linearly. After the last row, the state is constant.
 /// @param time  since the release, s
 TrajectoryPoint point_at(const ObservedTrajectory& trajectory, double time);
 

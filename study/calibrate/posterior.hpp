@@ -20,13 +20,16 @@ struct CalibrationRuns {
 struct Marginal {
   double median = 0.0;
   double low = 0.0, high = 0.0;  ///< 95 % interval
-  /// Width of the interval relative to the prior's, both in prior probability.
+  /// Width of the 95 % interval divided by that of the prior. Both are measured in prior
+  /// probability.
   double width = 1.0;
-  double at_low = 0.0, at_high = 0.0;  ///< fractions of draws in the outermost 5 % of the range
+  double at_low = 0.0,
+         at_high = 0.0;  ///< fractions of the draws in the lowest and highest 5 % of the prior
 
   /// True if the data hardly constrain the unknown.
   bool is_undetermined() const { return width > 0.8; }
-  /// True if the posterior is cut off by the prior range.
+  /// True if many draws are near a limit of the prior, so that the prior range truncates the
+  /// posterior.
   bool is_cut_off_by_range() const {
     return !is_undetermined() && (at_low > 0.25 || at_high > 0.25);
   }
@@ -43,26 +46,29 @@ struct PredictedStatistic {
   std::size_t observation = 0;  ///< index into CalibrationStudy::observations
   std::size_t figure = 0;       ///< index into its statistics
   double median = 0.0;
-  double low = 0.0, high = 0.0;  ///< 95 % interval of what would be observed
-  PredictedInterval prior;       ///< prediction with unknowns from their prior
+  double low = 0.0, high = 0.0;  ///< 95 % interval of the value that the field sample would have
+  PredictedInterval prior;       ///< the same for unknowns drawn from their prior
 
   bool covers(double observed) const { return low <= observed && observed <= high; }
 };
 
-/// Posterior predictive check: agreement of the observed statistics with the calibrated simulation.
+/// Posterior predictive check: measures how well the calibrated simulation agrees with the observed
+/// statistics.
 struct PredictiveCheck {
-  std::size_t figures = 0;          ///< number of statistics
-  std::size_t covered = 0;          ///< number inside their 95 % intervals
-  double squared = 0.0;             ///< squared Mahalanobis distance
-  double degrees_of_freedom = 0.0;  ///< statistics minus the parameters that they determine
-  /// Probability of a larger distance if the model is correct; empty if there are no degrees of
-  /// freedom left.
+  std::size_t figures = 0;  ///< number of statistics
+  std::size_t covered = 0;  ///< number of statistics inside their 95 % intervals
+  double squared = 0.0;     ///< squared Mahalanobis distance of observed and predicted statistics
+  double degrees_of_freedom =
+      0.0;  ///< number of statistics minus number of parameters that they determine
+  /// Probability of a larger distance if the model is correct. Empty if no degrees of freedom are
+  /// left.
   std::optional<double> p_value;
 
   bool failed() const { return p_value && *p_value < 0.05; }
 };
 
-/// Members with the nearest statistics: a coarse check without surrogates.
+/// Members whose statistics are nearest to the observed ones: a coarse check that uses no
+/// surrogates.
 struct NearestMembers {
   std::size_t members = 0;
   std::vector<Marginal> unknowns;  ///< median, minimum and maximum over these members
@@ -70,23 +76,25 @@ struct NearestMembers {
 
 /// Posterior of the unknowns, with predictions and diagnostics.
 struct CalibrationPosterior {
-  Eigen::MatrixXd shares;  ///< draws in prior probability, one column each
-  Eigen::MatrixXd draws;   ///< in the units of the unknowns
+  Eigen::MatrixXd shares;  ///< posterior draws in prior probability, one column per draw
+  Eigen::MatrixXd draws;   ///< the same draws in the units of the unknowns
   Eigen::VectorXd log_likelihood;
   double log_evidence = 0.0;
   std::size_t temperatures = 0;
   double accepted = 0.0;
   std::vector<Marginal> marginals;
   Eigen::MatrixXd correlation;                ///< rank correlations of the draws
-  std::vector<PredictedStatistic> predicted;  ///< for statistics with a surrogate
+  std::vector<PredictedStatistic> predicted;  ///< one entry per statistic with a surrogate
   PredictiveCheck fitted, kept;
-  Eigen::MatrixXd member_figures;  ///< statistics by members; NaN if a member has no value
-  std::vector<std::optional<SurrogateQuality>> surrogates;  ///< one per statistic
-  std::vector<std::vector<SobolIndices>> sensitivities;     ///< by statistic, then unknown
+  Eigen::MatrixXd member_figures;  ///< statistics of each member (rows: statistics, columns:
+                                   ///< members); NaN if undefined
+  std::vector<std::optional<SurrogateQuality>>
+      surrogates;  ///< one entry per statistic; empty if it has no surrogate
+  std::vector<std::vector<SobolIndices>> sensitivities;  ///< by statistic, then unknown
   NearestMembers nearest;
 };
 
-/// Infers the posterior of the unknowns.
+/// Infers the posterior of the unknowns from the simulated members.
 /// @param threads  0: one per core; does not affect the result
 /// @throws InputError  if too few members have a value of a fitted statistic, or a site lacks an
 ///                     observed block or shape

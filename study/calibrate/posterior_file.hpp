@@ -15,17 +15,17 @@ namespace clast {
 /// Stored members of a finished or interrupted calibration.
 struct StoredCalibration {
   std::vector<std::string> inputs;  ///< "path sha256" of all files that were read
-  /// Digest of everything that determines the simulations: sites, unknowns, design and program
-  /// version, but not observations.
+  /// Digest of all inputs of the simulations: sites, unknowns, design and program version.
+  /// Observations are not included.
   std::string design_sha256;
-  /// Physics digest of the program; empty if some members are of an older one.
+  /// Physics digest of the program. Empty if an older program simulated some of the members.
   std::string physics_digest = {};
   std::vector<std::vector<bool>> done;  ///< by site, then member: true if simulated
   CalibrationRuns runs;
 };
 
-/// Writes members and, if given, the posterior.
-/// @throws InputError  as `OutputFile`
+/// Writes the members, and the posterior if it is not null.
+/// @throws InputError  if the file cannot be written (see `OutputFile`)
 void write_posterior(const std::filesystem::path& target, const CalibrationStudy& study,
                      const StoredCalibration& stored, const CalibrationPosterior* posterior,
                      const OverwritePolicy& rules);

@@ -1,5 +1,5 @@
 #pragma once
-/// Outcome of a simulated release, as calibrations use it.
+/// Outcome of a simulated release, as used by calibrations.
 #include <compare>
 #include <cstdint>
 #include <functional>
@@ -18,23 +18,24 @@ struct Moment {
     kTime,    ///< time after the release
   };
   Kind kind = Kind::kImpact;
-  double value = 1.0;  ///< number of the impact, from 1, or time, s
+  double value = 1.0;  ///< number of the impact, from 1; or time, s
 
   std::string name() const;  ///< "impact 1", "0.5 s"
   auto operator<=>(const Moment&) const = default;
 };
 
-/// State of a release at a barrier or moment; NaN if the block did not pass or had no such impact.
-/// A finished run keeps its final state at later times.
+/// State of a block at a barrier or moment. Values are NaN if the block did not pass the barrier or
+/// had no such impact. A finished run keeps its final state at later times.
 struct OutcomeAtMoment {
-  double speed = std::numeric_limits<double>::quiet_NaN();  ///< m/s
-  double spin = std::numeric_limits<double>::quiet_NaN();   ///< rad/s
-  double height =
-      std::numeric_limits<double>::quiet_NaN();  ///< of the centre of mass above the ground, m
-  double energy = std::numeric_limits<double>::quiet_NaN();  ///< translational plus rotational, J
-  double depth = std::numeric_limits<double>::quiet_NaN();   ///< largest overlap of an impact, m
-  Vec2 place =
-      Vec2::Constant(std::numeric_limits<double>::quiet_NaN());  ///< position at a time, map, m
+  double speed = std::numeric_limits<double>::quiet_NaN();   ///< m/s
+  double spin = std::numeric_limits<double>::quiet_NaN();    ///< rad/s
+  double height = std::numeric_limits<double>::quiet_NaN();  ///< height of the centre of mass above
+                                                             ///< the ground, m
+  double energy =
+      std::numeric_limits<double>::quiet_NaN();  ///< kinetic energy of translation and rotation, J
+  double depth = std::numeric_limits<double>::quiet_NaN();  ///< largest overlap of an impact, m
+  Vec2 place = Vec2::Constant(
+      std::numeric_limits<double>::quiet_NaN());  ///< position if the moment is a time, map, m
 
   bool passed() const { return speed == speed; }
 };
@@ -43,27 +44,28 @@ struct ReleaseOutcome {
   std::uint32_t block = 0;  ///< index into the blocks of the site
   std::uint32_t point = 0;  ///< release point; releases of one point share its ground
   Vec2 start = Vec2::Zero();
-  /// Position at rest, at the terrain border or at the time limit, map, m.
+  /// Last position of the run: at rest, at the border of the terrain or at the time limit, map, m.
   Vec2 stop = Vec2::Zero();
-  std::vector<OutcomeAtMoment> barriers;  ///< in the order of the site's campaign
+  std::vector<OutcomeAtMoment> barriers;  ///< one entry per barrier of the site's campaign
   std::uint32_t release = 0;              ///< index into the release sets of the site
-  std::vector<OutcomeAtMoment> moments;   ///< observed moments, unique and ascending
+  std::vector<OutcomeAtMoment>
+      moments;  ///< one entry per moment of the site (`SiteDescription::moments`)
 };
 
 /// Blocks, barriers and release sets of a site to which observations can refer.
 struct SiteDescription {
   std::string name;
   std::vector<std::string> blocks;    ///< ids
-  std::vector<std::string> shapes;    ///< compact or elongated, one per block
+  std::vector<std::string> shapes;    ///< "compact" or "elongated", one per block
   std::vector<std::string> barriers;  ///< names
   Vec2 downslope = Vec2::UnitX();     ///< unit vector
   Vec2 middle_of_starts = Vec2::Zero();
-  std::vector<std::string> releases = {};  ///< names of the release sets; "" for a single one
-  std::vector<Moment> moments = {};        ///< that are observed, each once, rising
+  std::vector<std::string> releases = {};  ///< names of the release sets; "" if there is only one
+  std::vector<Moment> moments = {};        ///< observed moments, unique and ascending
 };
 
 /// Function that simulates the releases of one member at a site.
-/// @param values  of the unknowns, in their order and units
+/// @param values  values of the unknowns, in their order and units
 using MemberSimulator = std::function<std::vector<ReleaseOutcome>(
     std::size_t site, std::uint32_t member, const std::vector<double>& values)>;
 

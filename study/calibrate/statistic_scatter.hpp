@@ -1,6 +1,6 @@
 #pragma once
-/// Scatter of the summary statistics of one member: due to the few releases in the field, the
-/// member's own releases, and the choice of release points.
+/// Scatter of the summary statistics of one member. Its sources are the small number of field
+/// releases, the member's own releases, and the choice of release points.
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
@@ -12,30 +12,31 @@ namespace clast::study_detail {
 /// Observations of one site, whose statistics are correlated.
 struct SiteStatistics {
   std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
-  std::vector<std::size_t> figures;       ///< their statistics, numbered over all observations
+  std::vector<std::size_t> figures;  ///< indices of their statistics, counted over all observations
 };
 std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations);
 
-/// Scatter of the statistics of one `SiteStatistics`, in their order. NaN if the member has no
-/// value.
+/// Scatter of the statistics of one `SiteStatistics`, in their order. Values are NaN if the member
+/// has no value of a statistic.
 struct StatisticScatter {
-  /// Expected value for a field sample of the observation's size; for stated values, the value over
-  /// all releases of the member.
+  /// Expected values of a sample as large as the field's. If the error of a statistic is stated,
+  /// its value over all releases of the member is used.
   Eigen::VectorXd mean;
-  /// Covariance of such samples; for stated values, the square of the stated error.
+  /// Covariance of such samples. If the error of a statistic is stated, its square is used.
   Eigen::MatrixXd field;
   /// Covariance of the member's statistics under resampling of its releases.
   Eigen::MatrixXd within;
-  /// Covariance of the member's statistics under resampling of release points; zero for one point.
+  /// Covariance of the member's statistics under resampling of release points. Zero if there is one
+  /// point.
   Eigen::MatrixXd points;
 };
 
 /// Estimates the scatter by bootstraps of single releases, of whole release points, and of samples
-/// as large as the field's (in clusters if field releases share starts), scaled to the unbiased
-/// variance. Observations of equal blocks, by shape and id, share their draws; others share the
-/// release points only.
-/// @param observations  of one site
-/// @param seen  selected outcomes of each observation
+/// as large as the field's. If field releases share start positions, these samples are drawn in
+/// clusters. Covariances are scaled to be unbiased. Observations of the same blocks share their
+/// draws. Other observations share the release points only.
+/// @param observations  observations of one site
+/// @param seen  outcomes selected by each observation
 /// @cite field2007, wood2010
 StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
                                             const std::vector<std::vector<SelectedOutcome>>& seen,

@@ -10,14 +10,13 @@
 namespace clast {
 
 struct CalibrationCheck {
-  /// Errors: the first one of each table of the study, and all that `check_campaign` finds in the
-  /// campaigns of its sites. Empty if the calibration would start.
+  /// Errors that prevent the calibration from starting. They include the first error of each table
+  /// of the study, and all errors that `check_campaign` finds in the campaigns of the sites.
   std::vector<std::string> findings;
-  std::optional<CalibrationStudy> study;  ///< set if the calibration would start
+  std::optional<CalibrationStudy> study;  ///< the study; empty if there are errors
 };
 
-/// Checks a study file. Errors of the study and of the files that it names are returned, not
-/// thrown.
+/// Checks a study file. Errors in the study and in files that it names are returned, not thrown.
 CalibrationCheck check_calibration_study(const std::filesystem::path& file);
 
 }  // namespace clast

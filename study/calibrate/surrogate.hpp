@@ -1,5 +1,5 @@
 #pragma once
-/// Gaussian-process surrogates of summary statistics as functions of the unknowns.
+/// Gaussian-process surrogates, which predict summary statistics for any values of the unknowns.
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
@@ -10,30 +10,30 @@ namespace clast {
 
 struct SurrogateQuality {
   std::size_t members = 0;  ///< number of members with a value
-  double error = 0.0;  ///< root mean square of the leave-one-out errors, in the statistic's unit
-  double explained = 0.0;  ///< 1 - error^2 / variance over the members
+  double error = 0.0;       ///< root mean square leave-one-out error, in the unit of the statistic
+  double explained = 0.0;   ///< 1 - error^2 / (variance of the statistic over the members)
   double inflation =
-      1.0;  ///< factor by which predicted variances must grow to match the errors, at least 1
-  double roughness = 0.0;  ///< standard deviation of the residual that is neither smooth nor random
+      1.0;  ///< factor, at least 1, that scales predicted variances to match the errors
+  double roughness = 0.0;  ///< standard deviation of the residuals in excess of the random scatter
 };
 
 }  // namespace clast
 
 namespace clast::study_detail {
 
-/// Surrogate of a statistic over the unit cube of the unknowns.
+/// Surrogate of one statistic. The unknowns are given as prior probabilities, in the unit cube.
 struct Surrogate {
   GaussianProcess process;
   SurrogateQuality quality;
 
-  /// Predicts means and variances; variances include the inflation and the roughness found by
-  /// cross-validation.
+  /// Predicts means and variances. Variances include `inflation` and `roughness`, which were found
+  /// by cross-validation.
   GaussianProcess::Prediction predict(const Eigen::MatrixXd& places) const;
 };
 
 /// Fits a surrogate.
-/// @param places  unknowns of the members in the unit cube, one column each
-/// @param values  one per member; NaN if undefined
+/// @param places  unknowns in the unit cube, one column per member
+/// @param values  value of the statistic of each member; NaN if undefined
 /// @param chance  variance of a value due to the finite number of releases
 /// @return empty if fewer than `fewest` members have a value
 std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,

@@ -1,5 +1,6 @@
 #pragma once
-/// Synthetic likelihood of the observed statistics.
+/// Synthetic likelihood: probability density of the observed statistics as a function of the
+/// unknowns.
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
@@ -13,20 +14,20 @@ namespace clast::study_detail {
 /// Statistics of all members with their scatter.
 struct MemberStatistics {
   Eigen::MatrixXd places;  ///< unknowns in the unit cube, one column per member
-  Eigen::MatrixXd values;  ///< statistics by members
+  Eigen::MatrixXd values;  ///< statistics, one row per statistic and one column per member
   std::vector<SiteStatistics> groups;
   std::vector<std::vector<StatisticScatter>> scatter;  ///< by group, then member
 };
 
 /// Computes the statistics of all members.
-/// @param simulated  outcomes by site, then member
+/// @param simulated  outcomes, by site, then member
 MemberStatistics compute_member_statistics(
     const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
     const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated, unsigned threads);
 
-/// Normal synthetic likelihood: means from the surrogates; covariance of the field sample, of the
-/// choice of release points, and of the surrogates. The scatter is that of members near the
-/// posterior, found iteratively.
+/// Normal synthetic likelihood. The means are predicted by the surrogates. The covariance is the
+/// sum of the covariances of field sample, choice of release points and surrogates. The first two
+/// are those of members near the posterior, which are found iteratively.
 /// @cite wood2010, kennedy2001
 class SyntheticLikelihood {
  public:
@@ -35,9 +36,10 @@ class SyntheticLikelihood {
   SyntheticLikelihood(const CalibrationStudy& study, const MemberStatistics& figures,
                       unsigned threads);
 
-  /// Returns the statistics with a surrogate, fitted or held out.
+  /// Returns the indices of the statistics with a surrogate, either the fitted or the held-out
+  /// ones.
   std::vector<Eigen::Index> known(bool fitted) const;
-  /// Predicted means and surrogate variances, statistics by points.
+  /// Predicted means and surrogate variances, one row per statistic and one column per point.
   struct Expected {
     Eigen::MatrixXd mean;
     Eigen::MatrixXd variance;
@@ -46,13 +48,13 @@ class SyntheticLikelihood {
                               const std::vector<Eigen::Index>& which) const;
   Eigen::VectorXd mean(std::size_t figure, const Eigen::MatrixXd& places) const;
 
-  /// Returns the log-likelihood of the fitted statistics at points.
+  /// Returns the log-likelihood of the fitted statistics at each point of the unit cube.
   Eigen::VectorXd log_likelihood(const Eigen::MatrixXd& places) const;
   /// Returns the squared Mahalanobis distance of observed and predicted statistics.
-  /// @param fitted  true: fitted statistics; false: held-out ones
+  /// @param fitted  true: fitted statistics; false: held-out statistics
   Eigen::VectorXd squared_distance(const Eigen::MatrixXd& places, bool fitted) const;
 
-  /// Returns the covariance of some statistics without the surrogate variance.
+  /// Returns the covariance of the given statistics without the surrogate variance.
   Eigen::MatrixXd scatter_covariance(const std::vector<Eigen::Index>& which) const;
   Eigen::VectorXd observed_values(const std::vector<Eigen::Index>& which) const;
   /// Returns the quality of a surrogate; empty if there is none.

@@ -1,5 +1,5 @@
 #pragma once
-/// Virtual barriers: vertical planes at which passing blocks are counted and measured.
+/// Virtual barriers: vertical planes at which the passages of blocks are counted and measured.
 #include <string>
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// Crossing direction that counts at a barrier line (not a ring). A run counts once, at its first
-/// counted crossing.
+/// Direction in which crossings of a barrier line are counted; not used for rings. Only the first
+/// counted crossing of a run is used.
 enum class CountedDirection { kEither, kForward };
 
 /// Parses "either" or "forward".
@@ -16,9 +16,10 @@ enum class CountedDirection { kEither, kForward };
 CountedDirection parse_counted_direction(const std::string& name);
 std::string name_of(CountedDirection crossings);
 
-/// Barrier: vertical planes over the segments of a line in plan. Forward is from left to right of
-/// the line in its own direction. A line that ends at its first point is a ring with entries and
-/// exits; a counter-clockwise ring is left in the forward direction.
+/// Barrier: vertical planes through the segments of a line in plan. A forward crossing is from left
+/// to right of the line, looking from its first to its last point. A line that ends at its first
+/// point is a ring, with entries and exits. Exits of a counter-clockwise ring are forward
+/// crossings.
 struct Barrier {
   std::string name;
   std::vector<Vec2> through;  ///< local frame, m; satisfies `check_barrier_line`
@@ -34,8 +35,8 @@ struct Crossing {
   Vec3 position = Vec3::Zero();          ///< of the centre of mass, m
   Vec3 velocity = Vec3::Zero();          ///< m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
-  double height = 0.0;                   ///< of the centre of mass above the ground, m
-  double clearance = 0.0;                ///< of the lowest surface point above the ground, m
+  double height = 0.0;                   ///< height of the centre of mass above the ground, m
+  double clearance = 0.0;                ///< height of the lowest surface point above the ground, m
   double translational_energy = 0.0;     ///< J
   double rotational_energy = 0.0;        ///< J
 
@@ -46,12 +47,12 @@ struct Crossing {
   }
 };
 
-/// Finds the crossings of a barrier during a step, in order of time, at most one per segment. Times
-/// are exact in free flight, otherwise to 1e-9 s. A centre exactly on a plane counts as right of
-/// it; an inner point of the line belongs to the segment that starts there. Entries and exits of a
-/// ring alternate, also if a path grazes a vertex. There are no crossings outside surveyed ground;
-/// if only the lowest surface point is outside, its clearance refers to the ground below the
-/// centre. The caller sets `run` and `barrier`.
+/// Finds the crossings of a barrier by the centre of mass during a step, in order of time, at most
+/// one per segment. Times are exact in free flight, and accurate to 1e-9 s otherwise. A centre
+/// exactly on a plane is treated as right of it. Entries and exits of a ring alternate, also if the
+/// path touches a vertex. There are no crossings outside surveyed ground. If only the lowest
+/// surface point is outside, the clearance refers to the ground below the centre. The caller sets
+/// `run` and `barrier`.
 std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
                                      const MotionStep& step, const TerrainSurface& terrain,
                                      double gravity);

@@ -8,25 +8,25 @@
 
 namespace clast {
 
-/// True if the line ends at its first point and so encloses an area.
+/// True if the line ends at its first point.
 bool is_ring(std::span<const Vec2> line);
 
-/// True if the ring is counter-clockwise, with its inside on the left.
+/// True if the ring is counter-clockwise, so that its inside is on the left.
 bool inside_is_left(std::span<const Vec2> ring);
 
-/// Pair of segments of a line that cross, touch or overlap, other than at a shared vertex.
+/// Pair of segments of a line that cross, touch or overlap elsewhere than at a shared vertex.
 struct SelfTouch {
   std::size_t first = 0, second = 0;  ///< segment indices, from 0
   Vec2 place = Vec2::Zero();
 };
 /// Finds the first self-intersection of a line.
-/// @param line  plan coordinates, m; at least two points, consecutive points differ; a ring ends at
+/// @param line  plan coordinates, m; at least two points; consecutive points differ; a ring ends at
 ///              its first point
 std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line);
 
-/// Checks that the line has no self-intersection, at which crossings could not be counted.
+/// Checks that the line has no self-intersection. Crossings could not be counted there.
 /// @param line  plan coordinates, m; at least two points, consecutive points differ
-/// @throws InputError  naming both segments, counted from 1, and the position
+/// @throws InputError  if it has one; names both segments, counted from 1, and the position
 void check_barrier_line(std::span<const Vec2> line);
 
 }  // namespace clast

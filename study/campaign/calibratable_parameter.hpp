@@ -11,42 +11,43 @@ namespace clast {
 
 /// Unknown parameter with a uniform prior on a range.
 struct Unknown {
-  std::string parameter;  ///< path in a campaign: "ground.blue.friction", "release.height_m"
-  double low = 0.0;       ///< in the unit of the parameter name
+  std::string
+      parameter;     ///< path in a campaign, such as "ground.blue.friction" or "release.height_m"
+  double low = 0.0;  ///< lower end of the range, in the unit of the parameter name
   double high = 1.0;
-  bool logarithmic = false;  ///< the prior is uniform in the logarithm
+  bool logarithmic = false;  ///< true if the prior is uniform in the logarithm of the value
 
-  /// Returns the prior quantile of a probability.
+  /// Returns the quantile of the prior.
   /// @param below  probability in [0, 1]
   double value(double below) const;
   /// Returns the prior probability of values below `value`.
   double probability_below(double value) const;
 };
 
-/// Returns all parameters that can be calibrated, with their allowed range; "ZONE" and "CLASS"
-/// stand for the names of ground zones and shape classes.
+/// Returns all parameters that can be calibrated, with their allowed range. "ZONE" and "CLASS" are
+/// placeholders for the names of ground zones and shape classes.
 std::vector<std::pair<std::string, NumberRange>> calibratable_parameters();
 /// Returns the allowed range of a parameter.
-/// @throws InputError  if it cannot be calibrated; the message lists those that can
+/// @throws InputError  if the parameter cannot be calibrated; the message lists those that can
 NumberRange parameter_range(const std::string& parameter);
 
-/// True if the campaign has this parameter: its zone, a contact, a release height, or a matching
-/// sampling law or class.
+/// True if the campaign has this parameter. It must have the zone, block contacts, release height,
+/// mass distribution or shape class to which the parameter refers.
 bool has_parameter(const Campaign& campaign, const std::string& parameter);
-/// Returns why no campaign has this parameter: "no campaign has this zone".
+/// Returns the reason why a campaign lacks this parameter, such as "no campaign has this zone".
 std::string explain_missing_parameter(const std::string& parameter);
 
-/// Sets a parameter in all block groups without a value of their own and in all release sets. The
-/// order of several calls does not matter: class fractions are resolved when blocks are sampled
-/// (`class_fractions`).
+/// Sets a parameter in all release sets, and in all block groups that have no value of their own.
+/// The order of several calls has no influence.
 /// @param campaign  must have the parameter
 void set_parameter(Campaign& campaign, const std::string& parameter, double value);
 
-/// True if the parameter affects the ground only, so that starts and contacts stay as planned.
+/// True if the parameter affects the ground only, so that starts and contacts between blocks are
+/// unchanged.
 bool is_ground_parameter(const std::string& parameter);
 /// True if the parameter changes release positions or velocities.
 bool is_of_release(const std::string& parameter);
-/// True if the parameter changes which blocks are sampled, or their size.
+/// True if the parameter changes the selection or the size of sampled blocks.
 bool is_block_parameter(const std::string& parameter);
 /// Returns the shape class if the parameter is a class fraction; otherwise empty.
 std::string fraction_class(const std::string& parameter);

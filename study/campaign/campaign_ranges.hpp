@@ -1,7 +1,6 @@
 #pragma once
-/// Allowed ranges of a campaign's numbers, apart from those of its ground and its blocks. Wide
-/// enough for pebbles in a laboratory, other planets and large rock avalanches; a number outside is
-/// a typing error, or in other units.
+/// Allowed ranges of the numbers of a campaign. They include pebbles in a laboratory, other planets
+/// and large rock avalanches. A number outside is a typing error or has another unit.
 #include "library/block_ranges.hpp"
 #include "terrain/terrain_ranges.hpp"
 
@@ -21,8 +20,8 @@ inline constexpr NumberRange kSoilMemory{0.01, 10.0, "m"};
 
 // [blocks] draw, and laws of uncertain numbers
 inline constexpr NumberRange kClassFraction{1e-6, 1.0, "", ""};
-/// Standard deviation of the natural logarithm; at 5, every third draw differs from the median by
-/// more than a factor of 150.
+/// Standard deviation of the natural logarithm. If it is 5, every third draw differs from the
+/// median by more than a factor of 150.
 inline constexpr NumberRange kLogSigma{1e-9, 5.0};
 
 // [release]
@@ -34,7 +33,7 @@ inline constexpr NumberRange kRollingStiffness{1e-9, 1e15, "N m/rad"};
 
 // [run]
 inline constexpr NumberRange kRunTime{1e-3, 1e5, "s"};
-/// Length of `downslope`.
+/// Length of the vector `downslope`.
 inline constexpr NumberRange kDirectionLength{1e-6, 1e6};
 
 }  // namespace clast::study_detail

@@ -13,35 +13,35 @@
 
 namespace clast::study_detail {
 
-/// Upper limit of counts per set: above any study, but low enough that a typing error does not
-/// exhaust the memory.
+/// Upper limit of counts per set. It prevents a typing error from exhausting the memory.
 inline constexpr std::uint64_t kMaxPerSet = 1'000'000;
 /// Upper limits of initial speeds, m/s and rad/s. Larger values are errors of unit, height or
-/// gravity, and their time steps would be too short for the run to end.
+/// gravity, and would require too many time steps.
 inline constexpr double kMaxSpeed = 1000.0, kMaxSpin = 1e4;
 
 /// Classification schemes by which blocks can be selected and sampled.
 inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk", "zingg"};
 
-/// Runs a function that reads one part of a campaign; returns false if reading failed.
+/// Function that runs a reader of one part of a campaign. Returns false if reading failed.
 using PartReader = std::function<bool(const std::function<void()>&)>;
 
-/// Makes a `PartReader` that collects error messages in `findings`, each once.
+/// Makes a `PartReader` that appends each error message to `findings` once.
 PartReader collect_findings(std::vector<std::string>& findings);
 
-/// `PartReader` that lets the first error propagate.
+/// `PartReader` that does not catch errors.
 inline bool read_at_once(const std::function<void()>& part) {
   part();
   return true;
 }
 
-/// Makes the top-level table of a file; undeclared tables are refused through `read`.
+/// Makes the top-level table of a file. Undeclared tables are errors, which are thrown inside
+/// `read`.
 TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::path& file,
                                 const std::vector<KeyTable>& declared, const PartReader& read);
 
-/// Reads a campaign part by part through `read`; a part that depends on another is skipped if the
-/// other failed.
-/// @param text  contents to use in place of the file's
+/// Reads a campaign part by part through `read`. If a part fails, the parts that depend on it are
+/// skipped.
+/// @param text  if set, used instead of the contents of the file
 Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
                        const PartReader& read);
 
@@ -60,33 +60,33 @@ const MemberTable<Barrier>& barrier_keys();
 const MemberTable<Campaign>& run_keys();
 
 BlockSelection read_blocks(const TomlTable& top);
-/// Reads `vary` of [blocks]; library and blocks are left empty.
+/// Reads `vary` of [blocks]. Library and blocks of the result are empty.
 SeriesRequest read_vary(const DeclaredTable& blocks);
 std::map<std::string, GroundDistributions> read_ground(const TomlTable& top);
 /// Reads [[block_group]].
-/// @param campaign  with its ground
+/// @param campaign  campaign whose ground was read
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);
 /// Reads [ensemble].
-/// @param campaign  with its ground and groups
+/// @param campaign  campaign whose ground and groups were read
 Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign);
-/// Checks that all releases have the start parameters that members take from a posterior.
-/// @param campaign  with ensemble, releases and persistent blocks
+/// Checks that all releases have the start parameters that the posterior draws of the ensemble set.
+/// @param campaign  campaign whose ensemble, releases and persistent blocks were read
 void check_posterior_parameters(const TomlTable& top, const Campaign& campaign);
 /// Reads the number of realisations from [release] or the first [[mass]].
 std::uint32_t read_realisations(const DeclaredTable& table);
 /// Reads [contact.blocks].
-/// @param who  names what needs the table, for the message
+/// @param who  setting that requires the table, for the message
 GroundParameters read_between_blocks(const TomlTable& top, const std::string& who);
-/// Reads one release set per [[mass]], with name, seed and random orientations; empty without
-/// [[mass]].
+/// Reads one release set per [[mass]], with name, seed and random orientations. Empty if there is
+/// no [[mass]].
 std::vector<ReleaseSet> read_mass_releases(const TomlTable& top);
-/// Reads all [[mass]] tables; empty without.
-/// @param campaign  with its blocks and groups
+/// Reads all [[mass]] tables. Empty if there is none.
+/// @param campaign  campaign whose blocks and groups were read
 std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top,
                                                               const Campaign& campaign);
 std::vector<ReleaseSet> read_releases(const TomlTable& top, bool y_up);
 /// Reads the settings of persistent blocks.
-/// @param campaign  with its blocks, groups and releases
+/// @param campaign  campaign whose blocks, groups and releases were read
 std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable& top,
                                                                 const Campaign& campaign);
 

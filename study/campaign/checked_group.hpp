@@ -13,7 +13,7 @@ namespace clast::study_detail {
 /// HDF5 group whose datasets are checked on reading.
 struct CheckedGroup {
   std::string file;
-  std::string path;  ///< "/runs"
+  std::string path;  ///< path in the file, such as "/runs"
   Hdf5Group group;
 
   [[noreturn]] void throw_damaged(const std::string& name, const std::string& what) const {
@@ -21,7 +21,7 @@ struct CheckedGroup {
                      "; the file is damaged: restore a backup, or run the campaign again");
   }
 
-  /// Reads a column that must have `rows` values.
+  /// Reads a column. It must have `rows` values.
   template <class T>
   std::vector<T> column(const std::string& name, std::size_t rows) const {
     std::vector<T> values = group.read<T>(name);

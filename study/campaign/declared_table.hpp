@@ -13,11 +13,11 @@
 
 namespace clast::study_detail {
 
-/// TOML table whose keys are declared with a `ValueFormat` each.
+/// TOML table in which each key is declared with a `ValueFormat`.
 class DeclaredTable : public TomlTable {
  public:
   /// Makes the table and checks its keys.
-  /// @param title  name in messages, "[run]"
+  /// @param title  name in messages, such as "[run]"
   /// @param keys  must outlive the table
   /// @throws InputError  if `node` is not a table or has an undeclared key
   DeclaredTable(const TomlNode& node, const std::string& file, const std::string& title,
@@ -25,12 +25,12 @@ class DeclaredTable : public TomlTable {
   DeclaredTable(const TomlNode& node, const std::string& file, const std::string& title,
                 const KeyTable& declared);
 
-  /// Returns the value of an existing key as a table.
+  /// Returns the table that is the value of an existing key.
   DeclaredTable inner_table(const std::string& key) const;
 
   using TomlTable::require_key;
   /// Returns the node of a required key.
-  /// @throws InputError  if the key is missing, stating what it must be
+  /// @throws InputError  if the key is missing; states the expected value
   const TomlNode& require_key(const std::string& key) const;
   /// Checks that all required keys exist.
   /// @throws InputError  if one is missing
@@ -38,8 +38,8 @@ class DeclaredTable : public TomlTable {
 
   /// Reads a value by its declared format; empty if the key is absent.
   /// @tparam Value  bool, an integer, double, Distribution, std::string, path of an existing file,
-  ///                a list of numbers, texts or paths (or a single one), Vec2, Vec3, or a list of
-  ///                Vec2 (heights are dropped)
+  ///                Vec2, Vec3, a vector of numbers, texts or paths (also from a single one), or a
+  ///                vector of Vec2 (heights are ignored)
   /// @throws InputError  if the type, word, length or range is wrong, or the file does not exist
   template <class Value>
   std::optional<Value> value(const std::string& key) const;
@@ -74,7 +74,7 @@ class DeclaredTable : public TomlTable {
 std::vector<DeclaredTable> find_tables(const TomlTable& top, const KeyTable& declared);
 
 /// Checks that no earlier table has the same name.
-/// @param what  kind of table for the message, "barrier"
+/// @param what  kind of table for the message, such as "barrier"
 template <class Named>
 void check_new_name(const TomlTable& table, const std::string& name,
                     const std::vector<Named>& before, const std::string& what) {
@@ -91,8 +91,9 @@ DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared
 std::optional<std::string> choice(const TomlTable& table, const std::string& key,
                                   const std::vector<std::string>& words);
 
-/// Resolves the path of an existing file, relative to the TOML file; ${CLAST_DATA} is replaced.
-/// @param text  the path, if `node` holds more than that
+/// Resolves the path of an existing file. Relative paths refer to the folder of the TOML file.
+/// ${CLAST_DATA} is replaced.
+/// @param text  the path
 std::filesystem::path input_file(const TomlTable& table, const std::string& key,
                                  const TomlNode& node, std::string text);
 std::filesystem::path input_file(const TomlTable& table, const std::string& key,
@@ -101,11 +102,11 @@ std::filesystem::path input_file(const TomlTable& table, const std::string& key,
 /// Returns a list element, or `node` itself if it is not a list.
 const TomlNode& element(const TomlNode& node, std::size_t index);
 
-/// Reads a number, `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or `{ log_normal =
-/// [median, sigma] }`, where sigma is the standard deviation of the natural logarithm; empty if the
-/// key is absent.
-/// @param range  limits the number, both bounds, or the mean or median
-/// @throws InputError  for anything else, naming file, line, key and value
+/// Reads a number or distribution: `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or `{
+/// log_normal = [median, sigma] }`, where sigma is the standard deviation of the natural logarithm.
+/// Empty if the key is absent.
+/// @param range  allowed range of the number, of both bounds, or of the mean or median
+/// @throws InputError  if the value is invalid; names file, line, key and value
 std::optional<Distribution> read_distribution(const TomlTable& table, const std::string& key,
                                               const NumberRange& range);
 

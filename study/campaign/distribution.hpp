@@ -8,9 +8,10 @@ namespace clast {
 struct Distribution {
   enum class Law { kFixed, kUniform, kNormal, kLogNormal };
   Law law = Law::kFixed;
-  double first = 0.0;   ///< fixed value; lower bound; mean; median
-  double second = 0.0;  ///< upper bound; standard deviation; standard deviation of the logarithm
-  /// Truncation: normal and log-normal draws outside (low, high] are redrawn.
+  double first = 0.0;  ///< fixed value, lower bound, mean or median, by law
+  double second =
+      0.0;  ///< upper bound, standard deviation, or standard deviation of the logarithm, by law
+  /// Truncation: normal and log-normal draws outside (low, high] are repeated.
   double low = -1e300;
   double high = 1e300;
 
@@ -20,7 +21,7 @@ struct Distribution {
   /// Returns the mean of the truncated distribution.
   double mean() const;
   double draw(Random& random) const;
-  /// Returns the quantile of a probability; the number itself if it is fixed.
+  /// Returns the quantile for a probability. A fixed value is returned unchanged.
   /// @param below  probability in [0, 1)
   double quantile(double below) const;
 };

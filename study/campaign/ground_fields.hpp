@@ -9,15 +9,15 @@
 namespace clast {
 
 struct GroundParameterField {
-  const char* name;     ///< in campaign files, results and tables, with unit
+  const char* name;     ///< name with unit in campaign files, results and tables
   const char* unit;     ///< empty if dimensionless
-  const char* meaning;  ///< with its symbol in the formulas, "mu"
-  const char* heading;  ///< of the column on pages
-  const char* words;    ///< name in a sentence, "rolling friction"
+  const char* meaning;  ///< description with the symbol in formulas, such as "mu"
+  const char* heading;  ///< heading of the column on pages
+  const char* words;    ///< name in a sentence, such as "rolling friction"
   NumberRange range;
-  bool required;  ///< must be stated for each zone; otherwise the default is 0
-  /// True for parameters of the soil, which are experimental because no measurement supports them.
-  /// They do not exist between blocks.
+  bool required;  ///< true if it must be stated for each zone; otherwise, the default is 0
+  /// True for parameters of the soil. They are experimental, because no measurement supports them.
+  /// They do not apply between blocks.
   bool of_soil;
   double GroundParameters::*value;
   std::optional<Distribution> GroundDistributions::*asked;

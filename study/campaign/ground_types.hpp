@@ -12,21 +12,21 @@ struct TypicalValue {
   double high = 0.0;
 };
 
-/// Ground type with published parameters. Derivation and reliability of each value:
-/// docs/parameters.md.
+/// Ground type with published parameters. docs/parameters.md explains the derivation and
+/// reliability of each value.
 ///
-/// e_n^2 is (R_n / (1 + (v / 9 m/s)^2))^2 at v = 10 m/s, with R_n of the matching soil type of
-/// Rockyfor3D; its range is from 0.01, which fitted the drop tests of Garcia et al. on every
-/// ground, to R_n^2, for slow impacts. mu and mu_R are those of the most similar ground of Garcia
-/// et al. Friction in RAMMS::ROCKFALL grows with slip, so only its minimum is used, as a lower
-/// limit for soils. @cite garcia2022 (Table 2) @cite dorren2016 @cite ramms2015
+/// e_n^2 is (R_n / (1 + (v / 9 m/s)^2))^2 at v = 10 m/s, where R_n is that of the matching soil
+/// type of Rockyfor3D. Its range is from 0.01, which fitted the drop tests of Garcia et al. on all
+/// ground types, to R_n^2 for slow impacts. mu and mu_R are those of the most similar ground of
+/// Garcia et al. The minimum friction of RAMMS::ROCKFALL is a lower limit of mu for soils.
+/// @cite garcia2022 (Table 2) @cite dorren2016 @cite ramms2015
 struct GroundType {
-  std::string name;                     ///< "talus"
+  std::string name;                     ///< such as "talus"
   std::string description;              ///< appearance in the field
   TypicalValue energy_restitution;      ///< e_n^2
   TypicalValue friction;                ///< mu
   TypicalValue rolling_friction;        ///< mu_R
-  std::string source;                   ///< origin of mu, mu_R and R_n
+  std::string source;                   ///< sources of mu, mu_R and R_n
   std::vector<std::string> names = {};  ///< words in zone names, lower case, singular
 };
 
@@ -34,14 +34,15 @@ struct GroundType {
 std::span<const GroundType> typical_ground_types();
 
 /// Returns the type of that name.
-/// @throws InputError  if there is none; the message lists all types
+/// @throws InputError  if there is no such type; the message lists all types
 const GroundType& ground_type(const std::string& name);
 
-/// Finds the type whose name occurs in a zone name: "upper_cliff" is rock. Null if no type ("blue")
-/// or more than one occurs.
+/// Finds the type whose name occurs in a zone name; "upper_cliff", for example, is rock. Null if no
+/// type ("blue") or more than one type matches.
 const GroundType* find_ground_type(const std::string& zone);
 
-/// Returns the type assumed for zones with other names: between rock and soil.
+/// Returns the type assumed for zones with other names. Its parameters are between those of rock
+/// and soil.
 const GroundType& default_ground_type();
 
 }  // namespace clast

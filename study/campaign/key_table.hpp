@@ -29,19 +29,20 @@ struct ValueFormat {
   NumberRange range = {0.0, 0.0};
   std::vector<ValueFormat> items = {};
   std::vector<TableKey> keys = {};
-  /// Description of the value for the error if it is missing; empty: optional.
+  /// Description of the value for the error message if it is missing. If empty, the key is
+  /// optional.
   std::string required = {};
 
-  /// Returns the innermost first format, which holds words, range and limits.
+  /// Returns the innermost of the first items, which has words, range and limits.
   const ValueFormat& leaf() const { return items.empty() ? *this : items.front().leaf(); }
 };
 
 struct TableKey {
-  std::string name;     ///< "blocks"; nested tables: "contact.blocks"
-  std::string unit;     ///< empty if none, or stated by the parts
+  std::string name;     ///< name of the key
+  std::string unit;     ///< unit; empty if there is none, or if the parts state it
   std::string meaning;  ///< clause that describes the key in editors
   ValueFormat form;
-  std::vector<std::string> with = {};  ///< the key is valid only beside one of these keys
+  std::vector<std::string> with = {};  ///< if not empty, one of these keys must exist, too
 
   bool is_required() const { return !form.required.empty(); }
 };
@@ -50,16 +51,15 @@ struct KeyTable {
   enum class Repeat {
     kOnce,    ///< [name]
     kMany,    ///< [[name]], any number
-    kEither,  ///< [name], or several [[name]]
-    kNamed    ///< [name.NAME], by names of the user's
+    kEither,  ///< one [name], or several [[name]]
+    kNamed    ///< [name.NAME] with user-chosen names
   };
   std::string name;  ///< "blocks"; a table within another is "contact.blocks"
   std::string meaning;
   Repeat repeat = Repeat::kOnce;
   std::vector<TableKey> keys = {};
   bool required = false;
-  std::vector<std::string> one_of =
-      {};  ///< exactly one of these keys must exist; empty: no condition
+  std::vector<std::string> one_of = {};  ///< if not empty, exactly one of these keys must exist
 
   std::vector<std::string> key_names() const;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// TOML tables whose keys are bound to data members: each key is declared once with name, unit,
+/// TOML tables whose keys are bound to data members. Each key is declared once with name, unit,
 /// meaning, format and member.
 #include <functional>
 #include <string>
@@ -15,7 +15,7 @@ namespace clast::study_detail {
 template <class Target>
 struct MemberKey : TableKey {
   using Reader = std::function<void(const DeclaredTable&, Target&)>;
-  Reader read;  ///< empty if another key's reader stores this value
+  Reader read;  ///< empty if the reader of another key stores this value
 
   MemberKey(TableKey key) : TableKey(std::move(key)) {}
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
@@ -23,7 +23,7 @@ struct MemberKey : TableKey {
       : TableKey{std::move(key), in_unit, std::move(means), with_unit(std::move(takes), in_unit)},
         read(std::move(reader)) {}
 
-  /// Stores the value in a data member, given as a path of members: `&Campaign::stiffness,
+  /// Stores the value in a data member, which is given as a path such as `&Campaign::stiffness,
   /// &StiffnessOptions::normal`.
   template <class Member, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
@@ -33,7 +33,7 @@ struct MemberKey : TableKey {
                     table.read(key, ((target.*member).*....*path));
                   }) {}
 
-  /// Stores the value that `meant_by` maps the text to.
+  /// Stores the value returned by `meant_by` for the text.
   template <class Meant, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
             Meant (*meant_by)(const std::string& word), Path... path)
@@ -58,7 +58,7 @@ struct MemberTable : KeyTable {
   std::vector<MemberKey<Target>> bound;
 
   /// Makes a table from its declaration and its keys.
-  /// @param about  the table without its keys
+  /// @param about  declaration of the table without its keys
   MemberTable(KeyTable about, std::vector<MemberKey<Target>> all)
       : KeyTable(std::move(about)), bound(std::move(all)) {
     keys.assign(bound.begin(), bound.end());

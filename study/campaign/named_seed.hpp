@@ -5,8 +5,8 @@
 
 namespace clast::study_detail {
 
-/// Derives the seed of the random sequence called `name`; it does not depend on the other sequences
-/// drawn from `seed`.
+/// Derives the seed of the random sequence called `name`. It is independent of the other sequences
+/// derived from `seed`.
 std::uint64_t derive_seed(std::uint64_t seed, std::string_view name);
 
 }  // namespace clast::study_detail

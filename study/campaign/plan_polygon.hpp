@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of user-drawn plan polygons, with vertices in either order, the first repeated at the end
-/// or not.
+/// Checks of user-drawn plan polygons. Vertices may be in either order, and the first may be
+/// repeated at the end.
 #include <cstddef>
 #include <optional>
 #include <span>

@@ -5,29 +5,31 @@
 
 namespace clast {
 
-/// Assumed intraclass correlation: the fraction of the variance due to the block itself, so that
-/// runs of one block are not independent.
+/// Assumed intraclass correlation: the fraction of the variance that is due to the block. Because
+/// of it, runs of one block are not independent.
 inline constexpr double kAssumedBlockFraction = 0.1;
-/// Returns the design effect for comparing two halves of the blocks: 1 + (runs per block - 1)
-/// kAssumedBlockFraction. @cite kish1965
+/// Returns the design effect of a comparison of two halves of the blocks: 1 + (runs per block - 1)
+/// kAssumedBlockFraction.
+/// @cite kish1965
 double assume_design_effect(std::size_t runs, std::size_t blocks);
 
-/// Minimum number of blocks for a comparison of halves.
+/// Minimum number of blocks for which two halves are compared.
 inline constexpr std::size_t kMinBlocksOfPower = 4;
 
-/// Planned power: the runout difference between two halves of the blocks that a campaign can
-/// detect.
+/// Planned statistical power: the smallest runout difference between two halves of the blocks that
+/// a campaign can detect.
 struct PlannedPower {
   std::size_t runs = 0, blocks = 0;
-  std::size_t trial_runs = 0;    ///< number of trial runs behind `scatter`
+  std::size_t trial_runs = 0;    ///< number of trial runs from which `scatter` was estimated
   double scatter = 0.0;          ///< standard deviation of the trial runouts, m
-  std::optional<double> margin;  ///< smallest relevant difference, m
+  std::optional<double> margin;  ///< smallest relevant difference in runout, m
 
   /// True if there are at least four blocks, two trial runs and a positive scatter.
   bool is_known() const;
   double design_effect() const { return assume_design_effect(runs, blocks); }
   double smallest() const;     ///< minimum detectable difference at 80 % power, m
-  double runs_needed() const;  ///< to detect `margin`, with proportionally more blocks
+  double runs_needed() const;  ///< number of runs needed to detect `margin`, if the number of
+                               ///< blocks grows in proportion
 };
 
 }  // namespace clast

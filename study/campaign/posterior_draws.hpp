@@ -12,7 +12,7 @@ inline constexpr int kPosteriorSchema = 1;
 /// Equally weighted posterior draws of the unknowns.
 struct PosteriorDraws {
   std::filesystem::path file;
-  std::vector<std::string> parameters;     ///< "ground.blue.friction"
+  std::vector<std::string> parameters;     ///< names, such as "ground.blue.friction"
   std::vector<std::vector<double>> draws;  ///< values in the order of `parameters`
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Release points and orientations, from files and by rule.
+/// Release points and orientations, read from files or generated.
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -10,23 +10,23 @@
 
 namespace clast {
 
-/// Reads a table of points, "x y z" in m (`core/files/number_table.hpp`). Columns are found by
-/// heading (x or easting, y or northing, z, height or elevation); without a heading there are three
-/// columns.
+/// Reads a table of points with columns x, y and z in m (`core/files/number_table.hpp`). Columns
+/// are found by heading (x or easting, y or northing, z, height or elevation). Without a heading,
+/// there must be three columns.
 /// @throws InputError  if the file is missing or empty, or a line is invalid; names file, line and
 ///                     text
 std::vector<Vec3> read_points(const std::filesystem::path& file);
 
-/// Reads a table of unit quaternions, "w x y z" (or qw, q0, ... in a heading). Norms within 1e-3 of
-/// 1 are normalised.
-/// @throws InputError  as `read_points`, or if a norm differs more from 1
+/// Reads a table of unit quaternions with columns w, x, y and z (or qw, q0, ... in a heading).
+/// Quaternions whose norm is within 1e-3 of 1 are normalised.
+/// @throws InputError  if `read_points` would throw, or if a norm differs more from 1
 std::vector<Quat> read_orientations(const std::filesystem::path& file);
 
-/// Converts world_from_source from a y-up to a z-up world (`core/files/up_axis.hpp`).
+/// Converts the rotation world_from_source from a y-up to a z-up world (`core/files/up_axis.hpp`).
 Quat y_up_to_z_up(const Quat& orientation);
 
-/// Returns `count` equally spaced points on a polyline, both ends included; the midpoint if `count`
-/// is 1.
+/// Returns `count` equally spaced points on a polyline, including both ends. If `count` is 1, it is
+/// the midpoint.
 std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t count);
 
 /// Returns `count` points distributed uniformly at random over a plan polygon, z = 0.

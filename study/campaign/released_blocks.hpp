@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks of a rock mass given by terrains before and after its fall.
+/// Blocks of a rock mass that is given by the terrains before and after its fall.
 #include <filesystem>
 #include <optional>
 
@@ -12,17 +12,17 @@ namespace clast {
 /// Terrain files before and after, as `read_terrain` accepts.
 struct BeforeAfterTerrains {
   std::vector<std::filesystem::path> before, after;
-  std::string up = "auto";  ///< of both, as in TerrainOptions
+  std::string up = "auto";  ///< up axis of both, as in TerrainOptions
 };
 
 /// Reads both terrains and computes the released mass.
-/// @throws InputError, GeometryError  as `read_terrain` and `find_released_mass`
+/// @throws InputError, GeometryError  if `read_terrain` or `find_released_mass` throws
 ReleasedMass read_released_mass(const BeforeAfterTerrains& terrains,
                                 const ReleasedMassOptions& options);
 
-/// Cuts each body of the mass by joints. Blocks are in map coordinates, as `[[mass]] in_place`
-/// expects; their source names both terrains and the options.
-/// @throws InputError, GeometryError  as `cut_rock_masses`
+/// Cuts each body of the mass by joints. Blocks are in map coordinates, as required by `[[mass]]
+/// in_place`. Their source states both terrains and the options.
+/// @throws InputError, GeometryError  if `cut_rock_masses` throws
 RockMassBlocks cut_released_mass(const ReleasedMass& mass, const BeforeAfterTerrains& terrains,
                                  const ReleasedMassOptions& options,
                                  const RockMassOptions& cutting);

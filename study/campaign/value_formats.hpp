@@ -38,13 +38,13 @@ inline ValueFormat one_or_more(const ValueFormat& form, std::uint64_t most = INT
 inline ValueFormat texts() { return one_or_more(text()); }
 /// Format of a map point, with or without height.
 ValueFormat point();
-/// Format of a number or distribution, as `read_distribution` accepts.
+/// Format of a number or distribution that `read_distribution` accepts.
 ValueFormat uncertain(const NumberRange& range);
 
-/// Sets the unit of a format; a range that has a unit keeps it.
+/// Sets the unit of a format. A range that has a unit keeps it.
 ValueFormat with_unit(ValueFormat form, const char* unit);
 /// Marks a format as required.
-/// @param expected  description of the value, for the message if it is missing
+/// @param expected  description of the value for the message if it is missing
 inline ValueFormat required(std::string expected, ValueFormat form) {
   form.required = std::move(expected);
   return form;

@@ -1,6 +1,6 @@
 #pragma once
-/// Barrier passages against time, for each realisation of persistent blocks. Each run counts once,
-/// at the crossing that the barrier statistics count.
+/// Barrier passages against time, for each realisation of persistent blocks. Only the counted
+/// crossing of each run is a passage (`BarrierCrossing::counted`).
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -10,7 +10,8 @@
 
 namespace clast {
 
-/// Length of the time window in which passages load a barrier together, s; a convention.
+/// Length of the time window within which passages are taken to load a barrier together, s. The
+/// value is a convention.
 inline constexpr double kPassageWindow = 1.0;
 
 /// Passage of one block at a barrier.
@@ -25,7 +26,7 @@ struct BlockCrossing {
 /// Contribution of one passage to a sum, such as its mass.
 using CrossingValue = std::function<double(const BlockCrossing&)>;
 
-/// Largest sum over the passages of any window of the given length.
+/// Time window with the largest sum over its passages.
 struct WindowMaximum {
   double value = 0.0;
   double from = NAN;  ///< time of the first passage of that window, s
@@ -55,7 +56,7 @@ struct RealisationCrossings {
 std::vector<RealisationCrossings> collect_barrier_crossings(const Comparison& comparison);
 
 /// Computes the cumulative sum of `value` against time, from 0 to the last passage.
-/// @param realisations  of one barrier and file
+/// @param realisations  passages of all realisations of one file at one barrier
 /// @return empty if there is no passage
 RealisationCurve passage_curve(const std::vector<const RealisationCrossings*>& realisations,
                                const CrossingValue& value);

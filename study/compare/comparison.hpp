@@ -15,10 +15,9 @@
 
 namespace clast {
 
-/// One run of a comparison: a row of runs.csv. Positions are map coordinates.
+/// One run of a comparison: a row of runs.csv. Positions are in map coordinates, m.
 struct RunRow {
-  std::uint32_t file =
-      0;  ///< index into Comparison::results, if the group belongs to one file only
+  std::uint32_t file = 0;  ///< index into Comparison::results
   const RunRecord* record = nullptr;
   const BlockSummary* block = nullptr;
   Vec3 start = Vec3::Zero();
@@ -29,26 +28,27 @@ struct RunRow {
 
 enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
 
-/// Group of runs: "all", one block ("block SP1A"), or one class ("class compact", "sneed-folk VE").
-/// With several results files, each group exists once over all files and once per file ("file 1:
-/// block SP1A"; files are numbered from 1 in the given order).
+/// Group of runs: all runs, or the runs of one block, one shape class or one column value. Examples
+/// of names are "all", "block SP1A", "class compact" and "sneed-folk VE". With several results
+/// files, each group exists once over all files and once per file ("file 1: block SP1A"). Files are
+/// numbered from 1 in the given order.
 struct Group {
-  std::string
-      name;  ///< with suffix " (file 2)" if lines of one name differ, " (in)" or " (out)" for rings
+  std::string name;  ///< with the file, if the group belongs to one file: "file 1: block SP1A"
   GroupKind kind = GroupKind::kAll;
-  std::string key;                    ///< block id, class name or column value; empty for "all"
-  std::string column;                 ///< name of the column, if `kind` is kColumn
-  std::optional<std::uint32_t> file;  ///< index, when the group is of one file only
-  std::vector<std::size_t> rows;      ///< indices into Comparison::rows
+  std::string key;     ///< block id, class name or column value; empty for "all"
+  std::string column;  ///< name of the column, if `kind` is kColumn
+  std::optional<std::uint32_t>
+      file;  ///< index into Comparison::results; empty for a group over all files
+  std::vector<std::size_t> rows;  ///< indices into Comparison::rows
 };
 
-/// Barrier line in map coordinates. Equal name and line in several files are one barrier; a ring is
-/// two barriers, one for entries and one for exits.
+/// Barrier line in map coordinates. Barriers of several files with equal name and line are one
+/// barrier. A ring (closed line) gives two barriers, one for entries and one for exits.
 struct BarrierLine {
   enum class Counts { kEither, kForward, kEntries, kExits };
-  std::string name;  ///< made unique by " (file 2)" where lines differ; of a ring with " (in)" or
-                     ///< " (out)"
-  std::vector<Vec2> through;         ///< map, m
+  std::string name;  ///< with suffix " (file 2)" if lines of one name differ; rings end in " (in)"
+                     ///< or " (out)"
+  std::vector<Vec2> through;         ///< vertices of the line, map, m
   std::vector<std::uint32_t> files;  ///< files that contain the barrier
   Counts counts = Counts::kEither;
 
@@ -56,8 +56,8 @@ struct BarrierLine {
   std::string direction(const Crossing& crossing) const;
   /// Counted direction: "either", "forward", "in" or "out".
   std::string counted_direction() const;
-  /// True if the crossing has the counted direction.
-  bool counted(const Crossing& crossing) const;  ///< `BarrierLine::counted_direction`
+  /// True if the crossing has the direction of `counted_direction`.
+  bool counted(const Crossing& crossing) const;
   bool is_in(std::uint32_t file) const;
   bool of_ring() const { return counts == Counts::kEntries || counts == Counts::kExits; }
 };
@@ -68,26 +68,27 @@ struct BarrierCrossing {
   std::size_t row = 0;           ///< index into Comparison::rows
   std::size_t barrier = 0;       ///< index into Comparison::lines
   Vec3 position = Vec3::Zero();  ///< map, m
-  bool counted = false;          ///< this run's first crossing of this barrier, the way it counts
+  bool counted =
+      false;  ///< true for the run's first crossing of this barrier in the counted direction
 };
 
 /// Statistics of one group at one barrier, over the counted crossings.
 struct BarrierGroupStatistics {
   std::string barrier;
   std::string group;
-  std::string counted;          ///< as `BarrierLine::counted_direction`
+  std::string counted;          ///< result of `BarrierLine::counted_direction`
   std::size_t line = 0;         ///< index into Comparison::lines
   std::size_t group_index = 0;  ///< index into Comparison::groups
   std::size_t started = 0;      ///< number of runs without error, in files that contain the barrier
   std::size_t crossed = 0;      ///< number of runs with a counted crossing
-  std::size_t backward = 0;  ///< runs whose first crossing is backward, counted or not; 0 for rings
+  std::size_t backward = 0;     ///< number of runs whose first crossing is backward; 0 for rings
   double probability = 0.0;
   /// 95 % interval of the probability (`clustered_proportion_interval`); empty for a single
   /// realisation.
   std::optional<Interval> interval;
   Summary height, clearance, speed;  ///< m, m, m/s
-  Summary top;  ///< upper bound of the height of any surface point above the ground, m: centre
-                ///< height plus largest radius
+  Summary top;  ///< height of the centre plus largest radius of the block, m: an upper bound of the
+                ///< height of the block's surface above the ground
   Summary translational, rotational, total;  ///< J
   Summary rotation_rate;                     ///< rad/s
 };
@@ -109,9 +110,8 @@ struct DepositStatistics {
   Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 
-/// Returns the cluster of a run. Runs of one cluster are statistically dependent: the runs of one
-/// realisation if blocks are persistent, otherwise the runs of one release point, which share its
-/// ground.
+/// Returns the cluster of a run. Runs of one cluster are statistically dependent. If blocks are
+/// persistent, a cluster is one realisation; otherwise, it is one release point.
 std::uint32_t find_cluster(const CampaignResults& results, const RunRecord& run);
 
 /// Numbers the clusters of `find_cluster` over all files.
@@ -121,8 +121,8 @@ class RunClustering {
 
   std::uint32_t of(const RunRow& row);
   std::size_t count() const { return numbers_.size(); }
-  /// True if the runs include persistent blocks of a single realisation. They depend on each other,
-  /// so that neither intervals nor tests are possible.
+  /// True if the runs include persistent blocks and these belong to a single realisation. Such runs
+  /// depend on each other, so neither intervals nor tests are possible.
   bool has_single_realisation() const { return realisations_ == 1; }
 
  private:
@@ -134,22 +134,22 @@ class RunClustering {
 /// Returns the name of the release set of a point; empty if there is only one set.
 const std::string& find_release_set(const CampaignResults& results, std::uint32_t point);
 
-/// Warning that could reverse a result.
+/// Warning about a fault that could reverse a conclusion.
 struct ComparisonWarning {
   std::string brief;               ///< one sentence
   std::vector<std::string> texts;  ///< full texts of the warnings
 };
 
-/// Runs, groups and statistics from which tables and reports are made. Rows point into `results`: a
-/// comparison can be moved but not copied.
+/// Runs, groups and statistics from which tables and reports are made. Rows point into `results`,
+/// so a comparison can be moved but not copied.
 struct Comparison {
   Comparison() = default;
   Comparison(Comparison&&) = default;
   Comparison& operator=(Comparison&&) = default;
 
   std::vector<CampaignResults> results;
-  Vec2 downslope =
-      Vec2::UnitX();  ///< unit vector; as requested, or along the mean line from release to stop
+  Vec2 downslope = Vec2::UnitX();  ///< unit vector: the direction given in the campaign, or that of
+                                   ///< the mean displacement from release to stop
   bool downslope_asked = false;
   std::vector<RunRow> rows;  ///< in order of file and run
   std::vector<Group> groups;
@@ -157,42 +157,46 @@ struct Comparison {
   std::vector<BarrierLine> lines;
   std::vector<BarrierCrossing> crossings;  ///< in order of file, run and time
   std::vector<BarrierGroupStatistics>
-      barriers;  ///< by barrier, then group; groups without a crossing are omitted
+      barriers;  ///< ordered by barrier, then group; groups without a crossing are omitted
   std::vector<Difference> differences;
-  std::optional<MeasuredStops> measured;    ///< table of stops observed in the field
-  std::optional<double> margin;             ///< equivalence margin of runout differences, m
-  std::vector<std::string> warnings;        ///< for example "mass differs between classes"
-  std::vector<ComparisonWarning> cautions;  ///< warnings that could reverse a result
+  std::optional<MeasuredStops> measured;  ///< table of stops observed in the field
+  std::optional<double>
+      margin;  ///< equivalence margin: smaller differences in runout do not matter, m
+  std::vector<std::string> warnings;  ///< for example "mass differs between classes"
+  std::vector<ComparisonWarning>
+      cautions;  ///< warnings about faults that could reverse a conclusion
 };
 
-/// Returns, for each row of the comparison, its counted crossing of a barrier; null if the run has
-/// none.
+/// Returns the counted crossing of a barrier for each row of the comparison. The pointer is null if
+/// the run has no counted crossing.
 std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line);
 
 struct CompareOptions {
-  std::vector<std::string> by;  ///< columns of `run_columns` whose values define groups
-  std::optional<std::filesystem::path> measured;  ///< table of stops seen in the field
-  std::optional<double> margin;  ///< differences in runout up to this do not matter, m
+  std::vector<std::string>
+      by;  ///< names of columns of `run_columns`; runs are also grouped by their values
+  std::optional<std::filesystem::path> measured;  ///< table of stops observed in the field
+  std::optional<double>
+      margin;  ///< equivalence margin: smaller differences in runout do not matter, m
 
-  void check() const;  ///< throws InputError naming the margin that is not positive
+  void check() const;  ///< throws InputError if the margin is not positive
 };
 
-/// Groups the runs and computes all statistics.
+/// Groups the runs and computes the statistics of groups and barriers.
 /// @throws InputError  if there are no runs, terrains have different map frames, downslope
 ///                     directions differ, records are inconsistent (a damaged file), a column does
 ///                     not exist, or the measured stops cannot be read
 Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options = {});
 
-/// Returns the energy lost or gained by changes of contacts and of contact weights, as a fraction
-/// of the dissipated energy; empty if nothing was dissipated.
+/// Returns the reassigned energy as a fraction of the dissipated energy. Energy is reassigned (lost
+/// or gained) if contacts or their weights change. Empty if nothing was dissipated.
 std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy);
-/// Limit of `reassigned_energy_fraction` above which a warning is given. The effect equals that of
-/// as much more or less friction, which surveys rarely know to 10 %; most runs have a few per cent,
-/// due to contacts that begin and end.
+/// Limit of `reassigned_energy_fraction` above which a warning is given. A fraction of 10 % has the
+/// effect of a 10 % change of friction, and surveys rarely determine friction more accurately. Most
+/// runs have a few per cent.
 inline constexpr double kNotableReassigned = 0.1;
 
 /// Adds warnings about failed or lost runs, unequal masses and poor energy balance to `warnings`
-/// and `cautions`. Settings that the campaign requested are not reported. Called by `compare`.
+/// and `cautions`. Deviations that the campaign requests are not reported. Called by `compare`.
 void add_warnings(Comparison& comparison);
 
 }  // namespace clast

@@ -22,7 +22,7 @@ namespace clast {
 /// Computes the analyses of a comparison once each, for tables, pages, maps and texts. Thread-safe.
 class ComparisonAnalyses {
  public:
-  /// Implicit, so that a `Comparison` can be passed to functions that need one analysis.
+  /// Implicit, so that a `Comparison` can be passed to functions that take analyses.
   /// @param comparison  must outlive this object and stay unchanged
   ComparisonAnalyses(const Comparison& comparison) : comparison_(comparison) {}
 

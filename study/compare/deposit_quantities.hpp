@@ -22,8 +22,7 @@ struct DepositQuantity {
   std::function<double(const DepositMeasures&)> value;  ///< not finite if undefined
   Interval possible = {-INFINITY, INFINITY};
 };
-/// Returns the deposit quantities: blocks at rest, volume, centre of mass, crest to toe, area, bulk
-/// volume, thickness.
+/// Returns all deposit quantities, such as volume, centre of mass, area and thickness.
 const std::vector<DepositQuantity>& deposit_quantities();
 
 /// One deposit quantity over the realisations of one file.
@@ -35,8 +34,8 @@ struct DepositQuantitySummary {
   std::optional<Interval> interval;  ///< 95 % interval of the mean (`mean_interval`)
 };
 
-/// Difference of a deposit quantity between two files (`welch_difference`), corrected for the
-/// number of tests.
+/// Difference of a deposit quantity between two files (`welch_difference`). Its p-value is
+/// corrected for the number of tests.
 struct DepositQuantityDifference : Contrast {
   DepositQuantitySummary first;
   DepositQuantitySummary second;
@@ -45,7 +44,7 @@ struct DepositQuantityDifference : Contrast {
 /// Deposit quantities of all files and their differences.
 struct DepositQuantityComparison {
   std::vector<DepositQuantitySummary>
-      files;  ///< by file, then quantity; quantities without a value are omitted
+      files;  ///< ordered by file, then quantity; quantities without a value are omitted
   /// Differences of each pair of files, in the order of the quantities; empty if there are more
   /// than `kMaxGroups` files.
   std::vector<DepositQuantityDifference> differences;

@@ -1,6 +1,7 @@
 #pragma once
-/// Variance decomposition of outcomes by block form, mass, release orientation, release point and
-/// ground draw: exact for full factorial designs, estimated otherwise.
+/// Decomposition of the variance of outcomes into contributions of block shape, mass, release
+/// orientation, release point and ground draw. It is exact for full factorial designs and estimated
+/// otherwise.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ struct DesignFactor {
 };
 
 struct OutcomeEffects {
-  /// Outcome: "runout", "lateral angle", "largest energy" (of the centre's motion), or "passing
-  /// BARRIER".
+  /// Outcome: "runout", "lateral angle", "largest energy" (kinetic energy of translation), or
+  /// "passing BARRIER".
   std::string outcome;
   std::string unit;              ///< "m", "rad", "J"; empty for a proportion of runs
   double mean = 0.0;             ///< mean of all runs
@@ -29,20 +30,20 @@ struct OutcomeEffects {
 struct DesignEffects {
   std::uint32_t file = 0;
   std::string refusal;  ///< reason why no effects were computed; empty otherwise
-  /// Reason why the fractions are estimated by a mixed model; empty for a full factorial design. If
-  /// not empty, `design_fraction` is NaN.
+  /// Reason why the fractions of variance are estimated by a mixed model. Empty for a full
+  /// factorial design; otherwise, `design_fraction` is NaN.
   std::string estimated;
   std::vector<DesignFactor> factors;
   std::vector<OutcomeEffects> outcomes;
 };
 
-/// Computes the design effects of each file. Block effects are split into form and mass if each
-/// library block has each mass (to 0.5 %); into form alone if all blocks have one mass; otherwise
-/// the factor is "block". Fractions are estimated (core/statistics/unbalanced_variance.hpp) if
-/// combinations are missing or repeated, or if orientations are drawn independently for each point
-/// and so are not a factor. Campaigns with persistent blocks, or with a single level of every
-/// factor, have no effects; `refusal` gives the reason. Runs that left the terrain count with their
-/// last position.
+/// Computes the design effects of each file. The factors for blocks are "form" and "mass" if each
+/// library block occurs with each mass (to 0.5 %). The factor is "form" if all blocks have the same
+/// mass, and "block" otherwise. Fractions are estimated (core/statistics/unbalanced_variance.hpp)
+/// if combinations are missing or repeated, or if orientations are drawn independently for each
+/// release point. Campaigns with persistent blocks, or with a single level of every factor, have no
+/// effects; `refusal` gives the reason. Runs that left the terrain are included with their last
+/// position.
 std::vector<DesignEffects> compute_design_effects(const Comparison& comparison);
 
 }  // namespace clast

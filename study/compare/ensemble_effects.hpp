@@ -1,5 +1,5 @@
 #pragma once
-/// Effect of uncertain ground parameters on outcomes, over the members of an ensemble.
+/// Effects of uncertain ground parameters on outcomes, estimated over the members of an ensemble.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,32 +11,33 @@
 
 namespace clast {
 
-/// Relation between a drawn ground parameter and an outcome over the members of an ensemble.
-/// Members have equal blocks, release points and orientations.
+/// Relation between a randomly drawn ground parameter and an outcome over the members of an
+/// ensemble. All members have the same blocks, release points and orientations.
 struct ParameterEffect {
   std::uint32_t file = 0;  ///< index of the results file
-  std::string group;       ///< name of the block group; empty: blocks in no group
+  std::string group;       ///< name of the block group; empty for blocks that belong to no group
   std::string zone;
   std::string parameter;                       ///< name of a ground parameter, such as "friction"
   std::size_t members = 0;                     ///< number of members with the outcome
-  double low = 0.0, median = 0.0, high = 0.0;  ///< of the drawn values
+  double low = 0.0, median = 0.0, high = 0.0;  ///< minimum, median and maximum of the drawn values
   std::string outcome;  ///< "mean runout" (m, runs at rest) or "past BARRIER" (a proportion)
-  double outcome_p5 = 0.0, outcome_median = 0.0, outcome_p95 = 0.0;  ///< over members
+  double outcome_p5 = 0.0, outcome_median = 0.0,
+         outcome_p95 = 0.0;               ///< percentiles over the members
   std::optional<TestResult> correlation;  ///< Spearman rank correlation; empty below three members
   std::optional<double> first_order;      ///< `estimate_first_order_index`
 };
 
-/// Estimates the first-order Sobol index of `x` for `y`, in [0, 1]: members sorted by `x` are
-/// divided into groups of equal size; the index is the variance of the group means over the total
-/// variance, corrected for sampling bias [hays1963].
+/// Estimates the first-order Sobol index of `x` for `y`, in [0, 1]. The pairs are sorted by `x` and
+/// divided into groups of equal size. The index is the variance of the group means of `y` divided
+/// by its total variance, corrected for sampling bias.
 /// @param x, y  finite, of equal length
 /// @return empty below 40 pairs, or if all x or all y are equal
 /// @cite hays1963, plischke2013
 std::optional<double> estimate_first_order_index(std::span<const double> x,
                                                  std::span<const double> y);
 
-/// Computes all effects, ordered by file, block group, outcome, zone and parameter. Empty without
-/// ensembles.
+/// Computes all effects, ordered by file, block group, outcome, zone and parameter. Empty if no
+/// file has an ensemble.
 std::vector<ParameterEffect> compute_ensemble_effects(const Comparison& comparison);
 
 /// Returns the number of ground draws of a campaign; 1 without an ensemble.

@@ -1,5 +1,5 @@
 #pragma once
-/// Grouping of runs by ground draw, and ranges over the draws.
+/// Grouping of runs by ground draw (ensemble member), and ranges over the draws.
 #include <cstdint>
 #include <vector>
 
@@ -18,10 +18,10 @@ struct GroundDrawRows {
 std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
                                                const std::vector<std::size_t>& rows);
 
-/// Minimum number of draws for a 5th-to-95th percentile range.
+/// Minimum number of draws for which percentiles are given as range.
 inline constexpr std::size_t kDrawsForTenths = 20;
 
-/// Returns the 5th to 95th percentile of values over ground draws, or their minimum and maximum if
+/// Returns the 5th and 95th percentile of values over ground draws, or their minimum and maximum if
 /// there are fewer than `kDrawsForTenths`.
 /// @param values  one per draw, not empty
 Interval compute_draw_mean_range(std::vector<double> values);

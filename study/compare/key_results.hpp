@@ -1,5 +1,5 @@
 #pragma once
-/// Key results of a comparison: the few numbers, with intervals, that a report shows first.
+/// Key results of a comparison: the few numbers with intervals that open a report.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,21 +9,19 @@
 
 namespace clast {
 
-/// Runout of a group of runs. Intervals in this header have a level of 95 %; if the ground is drawn
-/// more than once (`FileSummary::draws`), they are ranges over the draws
-/// (`compute_draw_mean_range`) instead.
+/// Runout of a group of runs. Intervals in this header are 95 % confidence intervals. If the ground
+/// is drawn more than once, they are ranges over the draws (`compute_draw_mean_range`).
 struct RunoutEstimate {
   std::size_t group = 0;             ///< index into Comparison::groups
   std::size_t started = 0;           ///< number of runs
   std::size_t at_rest = 0;           ///< number of runs that came to rest
   double mean = 0.0;                 ///< mean runout of the runs at rest, m
-  std::optional<Interval> interval;  ///< of the mean, m; empty for a single realisation
-  double median = 0.0;               ///< runout of the runs at rest, m
+  std::optional<Interval> interval;  ///< interval of the mean, m; empty for a single realisation
+  double median = 0.0;               ///< median runout of the runs at rest, m
   double p95 = 0.0;                  ///< 95th percentile of the runout of the runs at rest, m
-  double farthest = 0.0;             ///< largest runout, m
+  double farthest = 0.0;             ///< largest runout of the runs at rest, m
 
-  /// True if at least three runs, and at least half of all, came to rest, so that their mean
-  /// describes the group.
+  /// True if at least three runs, and at least half of all runs, came to rest.
   bool is_representative() const { return at_rest >= 3 && 2 * at_rest >= started; }
 };
 
@@ -31,12 +29,13 @@ struct RunoutEstimate {
 struct RunoutContrast {
   std::size_t farther = 0;  ///< index into Comparison::groups of the group with the larger mean
   std::size_t nearer = 0;   ///< index of the other group
-  /// `kTooFewValues` if fewer than three runs, or less than half of a group, came to rest.
+  /// Result of the test. `kTooFewValues` if one of the groups is not representative.
   Verdict verdict = Verdict::kTooFewValues;
-  double gap = 0.0;                  ///< between the first two classes
-  std::optional<Interval> interval;  ///< m; none of one realisation
-  /// True if the difference is due to a few long runouts: the medians differ by less than
-  /// `kGapOfFew` of the difference of the means.
+  double gap = 0.0;  ///< difference of the means, m
+  std::optional<Interval>
+      interval;  ///< interval of the difference, m; empty for a single realisation
+  /// True if the difference is due to a few long runouts. The medians then differ by less than
+  /// `kGapOfFew` times the difference of the means.
   bool of_few = false;
 };
 
@@ -46,16 +45,17 @@ struct CrossingEstimate {
   std::size_t started = 0;
   std::size_t crossed = 0;
   double share = 0.0;
-  std::optional<Interval> interval;  ///< of the share; none of one realisation
-  /// 95th percentiles over the passages; the largest values if `largest` is true.
-  double energy = 0.0;          ///< J
-  double speed = 0.0;           ///< m/s
-  double height = 0.0;          ///< of the centre of mass above the ground, m
-  double top = 0.0;             ///< as `BarrierGroupStatistics::top`, m
-  bool largest = false;         ///< true if there are fewer than `kMinPassages` passages
-  double largest_energy = 0.0;  ///< of all passages, J
+  std::optional<Interval>
+      interval;  ///< interval of the probability; empty for a single realisation
+  /// The following four are 95th percentiles over the passages, or maxima if `largest` is true.
+  double energy = 0.0;   ///< J
+  double speed = 0.0;    ///< m/s
+  double height = 0.0;   ///< of the centre of mass above the ground, m
+  double top = 0.0;      ///< upper bound of the block surface (`BarrierGroupStatistics::top`), m
+  bool largest = false;  ///< true if there are fewer than `kMinPassages` passages
+  double largest_energy = 0.0;  ///< maximum over the passages, J
   double largest_top = 0.0;     ///< m
-  /// Ranges of `energy`, `speed` and `top` over the ground draws with passages; empty for a single
+  /// Ranges of `energy`, `speed` and `top` over the ground draws with passages. Empty for a single
   /// draw.
   std::optional<Interval> energy_range, speed_range, top_range;
 };
@@ -63,7 +63,7 @@ struct CrossingEstimate {
 struct BarrierSummary {
   std::size_t line = 0;  ///< index into Comparison::lines
   CrossingEstimate all;
-  std::vector<CrossingEstimate> classes;  ///< Garcia classes that occur
+  std::vector<CrossingEstimate> classes;  ///< one entry per Garcia class that occurs
 };
 
 /// Key results of one file, or of all files together.
@@ -71,34 +71,36 @@ struct FileSummary {
   std::optional<std::uint32_t> file;  ///< index into Comparison::results; empty: all files
   StopCounts stops;
   RunoutEstimate all;
-  std::vector<RunoutEstimate> classes;   ///< those of Garcia that occur
-  std::optional<RunoutContrast> gap;     ///< between the first two classes
-  std::vector<BarrierSummary> passages;  ///< by barrier, the last one on the way down first
+  std::vector<RunoutEstimate> classes;  ///< one entry per Garcia class that occurs
+  std::optional<RunoutContrast> gap;    ///< between the first two classes
+  std::vector<BarrierSummary>
+      passages;  ///< one entry per barrier, the lowest one first; barriers without passages last
   /// Number of independent clusters (release points or realisations) behind the intervals.
   std::size_t clusters = 0;
   bool of_realisations = false;  ///< true if the clusters are realisations
-  std::size_t draws = 0;         ///< ground draws, if there is more than one; else 0
+  std::size_t draws = 0;         ///< number of ground draws if there is more than one; otherwise 0
   std::size_t blocks = 0;        ///< number of blocks of the library
-  /// True if clusters have different blocks, so that the intervals include the sampling of blocks.
-  /// If false, the intervals hold for these blocks only.
+  /// True if clusters have different blocks. Intervals then include the uncertainty due to the
+  /// sampling of blocks. Otherwise, they are valid for these blocks only.
   bool samples_blocks = false;
 };
 
 struct KeyResults {
-  /// A single entry if each class has files of its own; otherwise one entry per file.
+  /// One entry per file. If each file has blocks of one class only, there is a single entry for all
+  /// files.
   std::vector<FileSummary> statements;
-  /// Runout difference between the two files, if exactly two files with equal release points are
-  /// compared.
+  /// Runout difference between the files. Only given if exactly two files with equal release points
+  /// are compared.
   std::optional<RunoutContrast> files;
 
   /// True if any entry has more than one ground draw.
   bool has_draws() const;
 };
 
-/// Upper limit of (difference of medians) / (difference of means) for `of_few`.
+/// Upper limit of the ratio of the differences of medians and of means for `of_few`.
 inline constexpr double kGapOfFew = 0.25;
 
-/// Minimum number of passages for a 95th percentile.
+/// Minimum number of passages for which a 95th percentile is given.
 inline constexpr std::size_t kMinPassages = 20;
 
 KeyResults summarise_key_results(const Comparison& comparison);

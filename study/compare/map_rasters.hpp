@@ -11,9 +11,10 @@ namespace clast {
 
 /// One raster layer: a value per cell.
 struct RasterLayer {
-  std::string name;          ///< "E_95"
-  std::string meaning;       ///< description with unit
-  std::vector<float> value;  ///< row-major from the top (largest y); NaN: no value
+  std::string name;     ///< such as "E_95"
+  std::string meaning;  ///< description with unit
+  std::vector<float>
+      value;  ///< row-major, the first row at the largest y; NaN if a cell has no value
 };
 
 using MapCell =
@@ -31,7 +32,7 @@ struct MapRasterSet {
   std::size_t index(const MapCell& place) const;
 };
 
-/// Makes the smallest grid that contains all cells; layer values are NaN.
+/// Makes the smallest grid that contains all cells. The values of all layers are NaN.
 /// @param cells  not empty
 /// @param width  side length of a cell, m
 MapRasterSet rasterize_cells(const std::vector<MapCell>& cells, double width,

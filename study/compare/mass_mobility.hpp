@@ -13,39 +13,41 @@
 namespace clast {
 
 /// Runout of persistent blocks in the realisations of one file, compared with single-block runs of
-/// another file. Runouts are those of blocks at rest, along the downslope direction from each
+/// another file. The runout of a block at rest is measured along the downslope direction from its
 /// start.
 struct DepositMobility {
   std::uint32_t file = 0;   ///< index of the file with realisations
   std::uint32_t alone = 0;  ///< index of the file with single-block runs
-  std::string group;        ///< "all", or "class compact"
-  std::size_t blocks = 0;   ///< over all realisations
-  std::size_t runs = 0;     ///< number of single-block runs
-  Summary together_runout;  ///< mean runout of each realisation, over the realisations, m
-  Summary alone_runout;  ///< mean runout of each release point, over the points, m; over the runs
-                         ///< if there is one point
+  std::string group;        ///< "all", or a class such as "class compact"
+  std::size_t blocks = 0;   ///< number of blocks at rest in all realisations
+  std::size_t runs = 0;     ///< number of single-block runs at rest
+  Summary together_runout;  ///< statistics of the mean runouts of the realisations, m
+  Summary alone_runout;  ///< statistics of the mean runouts of the release points, m; if there is
+                         ///< one point, of the runouts of its runs
   Contrast difference;   ///< together minus alone, m (`welch_difference`)
-  Summary together_toe;  ///< largest runout of each realisation, over the realisations, m
-  double starts_apart = 0.0;  ///< horizontal distance between the mean starts, m
-  double mass_ratio = 1.0;    ///< mean block mass together over mean block mass alone
-  double alone_toe =
-      NAN;  ///< expected largest runout of as many single runs as a realisation has blocks, m
+  Summary together_toe;  ///< statistics of the largest runouts of the realisations, m
+  double starts_apart = 0.0;  ///< horizontal distance between the mean start positions, m
+  double mass_ratio =
+      1.0;  ///< mean mass of the persistent blocks divided by that of the single blocks
+  double alone_toe = NAN;  ///< expected largest runout of n single-block runs, where n is the mean
+                           ///< number of blocks at rest per realisation, m
 };
 
-/// Maximum distance between mean starts that count as equal, m.
+/// Maximum distance between two mean start positions that are treated as equal, m.
 inline constexpr double kSameStart = 5.0;
-/// Maximum relative difference of mean masses that count as equal.
+/// Maximum relative difference of two mean masses that are treated as equal.
 inline constexpr double kSameMass = 0.01;
 
-/// Returns the expected maximum of `count` draws with replacement from `values`: the sum of x_i
-/// ((i/N)^n - ((i-1)/N)^n) over the N ascending values.
+/// Returns the expected maximum of n = `count` draws with replacement from `values`. It is the sum
+/// of x_i ((i/N)^n - ((i-1)/N)^n) over the N values x_1 <= ... <= x_N.
 /// @param values  not empty
 /// @param count  positive, not necessarily an integer
 double expected_largest(std::span<const double> values, double count);
 
-/// Computes the mobility for each pair of a file with realisations and a file with single runs,
-/// over their common library blocks: for all blocks and for each class (compact, elongated). Groups
-/// without a block at rest in either file are omitted.
+/// Computes the mobility for each pair of a file with persistent blocks and a file with
+/// single-block runs. Only library blocks that occur in both files are used. There is one result
+/// for all blocks and one for each class (compact, elongated). Results without a block at rest in
+/// one of the files are omitted.
 std::vector<DepositMobility> compute_mass_mobility(const Comparison& comparison);
 
 }  // namespace clast

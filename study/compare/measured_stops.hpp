@@ -15,11 +15,12 @@ struct Comparison;
 /// Stop position of a block observed in the field.
 struct MeasuredStop {
   Vec2 place = Vec2::Zero();  ///< map coordinates, m
-  std::optional<Vec2> start;  ///< release position; empty: the mean of all release points
-  std::string block;          ///< block id; empty if unknown
-  std::string shape;          ///< "compact", "elongated" or empty
-  double runout = 0.0;        ///< ascending, m
-  double lateral = 0.0;       ///< of the observed stops, m and rad
+  std::optional<Vec2>
+      start;             ///< release position; if empty, the mean of all release points is used
+  std::string block;     ///< block id; empty if unknown
+  std::string shape;     ///< "compact", "elongated" or empty
+  double runout = 0.0;   ///< along the downslope direction, m
+  double lateral = 0.0;  ///< lateral angle, rad
 };
 
 struct Quartiles {
@@ -28,11 +29,12 @@ struct Quartiles {
   double high = 0.0;
 };
 
-/// Empirical distribution of runouts with pointwise 95 % intervals; without intervals if all stops
-/// belong to one realisation.
+/// Empirical distribution of runouts with pointwise 95 % intervals. There are no intervals if all
+/// stops belong to one realisation.
 struct StopCurve {
-  std::vector<double> runout;            ///< m, rising
-  std::vector<double> share, low, high;  ///< fraction of stops up to `runout`, with its bounds
+  std::vector<double> runout;  ///< ascending, m
+  std::vector<double> share, low,
+      high;  ///< fraction of stops with at most this runout, and the limits of its interval
 };
 
 /// Observed stops of a group, compared with the simulated deposits of the same group.
@@ -40,25 +42,26 @@ struct MeasuredGroup {
   std::size_t group = 0;          ///< index into Comparison::groups
   std::size_t measured = 0;       ///< number of observed stops
   std::size_t simulated = 0;      ///< number of simulated runs at rest
-  Summary runout, lateral;        ///< measured, m and rad
+  Summary runout, lateral;        ///< of the observed stops, m and rad
   Quartiles quartiles;            ///< of the observed runouts, m
   double simulated_runout = 0.0;  ///< mean of the simulated runouts, m
   Quartiles simulated_quartiles;
-  /// Observed minus simulated median, m. Tested by the Kolmogorov-Smirnov distance, corrected over
-  /// all groups; untested if the runs belong to one realisation.
+  /// Observed minus simulated median of the runout, m. The p-value is that of a Kolmogorov-Smirnov
+  /// test, corrected for the number of groups. There is no test if the runs belong to one
+  /// realisation.
   Contrast medians;
-  double cliffs_delta = 0.0;  ///< of the observed against the simulated runouts
+  double cliffs_delta = 0.0;  ///< Cliff's delta of the observed against the simulated runouts
   double ks_distance = 0.0;
   std::optional<Interval>
       ks_interval;  ///< 95 % interval of `ks_distance`; empty for a single realisation
   StopCurve curve, simulated_curve;
 };
 
-/// Minimum number of observed stops of a group.
+/// Minimum number of observed stops for which a group is compared.
 inline constexpr std::size_t kMinMeasured = 5;
 
-/// Returns the verdict on the agreement of observed and simulated runouts: significant if the
-/// interval of the medians excludes zero, whatever the test's p-value.
+/// Returns the verdict on the agreement of observed and simulated runouts. The difference is
+/// significant if the interval of `medians` excludes zero. The p-value of the test is not used.
 Verdict judge_agreement(const MeasuredGroup& group);
 
 /// Observed stops of a file and their comparison by group.

@@ -15,7 +15,7 @@ namespace clast {
 inline constexpr std::array<StopReason, 4> kStopReasons = {
     StopReason::kRest, StopReason::kLeftTerrain, StopReason::kMaxTime, StopReason::kError};
 
-/// Counts of stop reasons and worst values over the runs.
+/// Number of runs by stop reason, and quality measures over all runs.
 struct StopReasonCounts {
   std::array<std::size_t, 4> reasons = {};  ///< number of runs, by `kStopReasons`
   std::size_t below_ground = 0;
@@ -32,8 +32,8 @@ StopReasonCounts count_stop_reasons(const CampaignResults& results);
 /// Returns warnings about failed and implausible runs, one sentence each.
 std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome);
 
-/// Throws if any run failed; the results file is complete all the same.
-/// @param file  results file, for the message
+/// Throws if any run failed. The results file is complete in this case, too.
+/// @param file  results file named in the message
 /// @throws SimulationError  if any run ended with an error
 void check_outcome(const CampaignResults& results, const std::filesystem::path& file);
 

@@ -5,10 +5,10 @@
 
 namespace clast {
 
-/// Computes the layers reach probability, passages, energy (mean, p95, max), passing height (p95)
-/// and velocity (max). Each run counts once in each cell crossed by its centre, with its largest
-/// value there; empty without stored trajectories. The cell size is about 1/400 of the longer side,
-/// rounded, and at least 0.5 m.
+/// Computes layers of reach probability, number of passages, energy (mean, 95th percentile,
+/// maximum), passing height (95th percentile) and velocity (maximum). A run counts once in each
+/// cell that its centre crosses, with its largest value there. Empty if no trajectories are stored.
+/// The cell size is about 1/400 of the longer side of the grid and at least 0.5 m.
 MapRasterSet compute_path_rasters(const Comparison& comparison);
 
 }  // namespace clast

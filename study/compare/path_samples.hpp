@@ -12,13 +12,13 @@ struct PathSample {
   Vec3 position = Vec3::Zero();  ///< of the centre of mass, m
   double speed = 0.0;            ///< m/s
   double energy = 0.0;           ///< translational plus rotational kinetic energy, J
-  double height = 0.0;           ///< of the centre above the ground, m; NaN outside the terrain
+  double height = 0.0;  ///< of the centre of mass above the ground, m; NaN outside the terrain
 };
 
-/// Visits the stored frames of a trajectory and points between them, at most `step` apart
-/// horizontally. Between frames, the position follows the cubic Hermite spline of the stored
-/// positions and velocities (exact in free flight); velocity and rotational energy are interpolated
-/// linearly.
+/// Visits the stored frames of a trajectory and interpolated points between them. The horizontal
+/// distance of successive points is at most `step`. Positions are interpolated by the cubic Hermite
+/// spline of the stored positions and velocities, which is exact in free flight. Velocity and
+/// rotational energy are interpolated linearly.
 /// @param block  gives mass and inertia for the energies
 /// @param step  m, positive
 void for_each_path_sample(const Trajectory& trajectory, const BlockSummary& block,

@@ -11,23 +11,23 @@ namespace clast {
 /// largest value in the bin.
 struct ProfileBin {
   std::size_t group = 0;  ///< index into Comparison::groups
-  double from = 0.0;      ///< start of the bin, m along downslope from the run's release point
-  double to = 0.0;        ///< end of the bin, m
+  double from =
+      0.0;          ///< start of the bin: distance from the release point in downslope direction, m
+  double to = 0.0;  ///< end of the bin, m
   std::size_t runs = 0;
-  Summary energy;  ///< J
-  Summary speed;   ///< m/s
-  Summary height;  ///< of the centre above the ground, m: the envelope of passing heights
-  Vec2 place =
-      Vec2::Zero();  ///< mean path: mean of the runs' mean positions in the bin, map coordinates, m
+  Summary energy;             ///< J
+  Summary speed;              ///< m/s
+  Summary height;             ///< height of the centre above the ground, m
+  Vec2 place = Vec2::Zero();  ///< mean of the mean positions of the runs in the bin, map, m
 };
 
-/// Computes the bins by group, then distance; empty without stored trajectories. Bins have about
-/// 1/50 of the longest runout, rounded, and at least 0.5 m.
+/// Computes the bins, ordered by group, then distance. Empty if no trajectories are stored. The
+/// length of a bin is about 1/50 of the longest runout and at least 0.5 m.
 std::vector<ProfileBin> compute_profiles(const Comparison& comparison);
 
-/// Returns the bin in which a barrier would meet the least energy: the one with the smallest 95th
-/// percentile beyond the first energy peak, among bins passed by at least half of the `started`
-/// runs of a group. Null if there is none.
+/// Returns the bin in which a barrier would receive the least energy. It is the bin with the
+/// smallest 95th percentile of the energy beyond the first energy peak. Only bins that at least
+/// half of the `started` runs of the group pass are considered. Null if there is no such bin.
 const ProfileBin* find_least_energy_position(const std::vector<ProfileBin>& bins, std::size_t group,
                                              std::size_t started);
 

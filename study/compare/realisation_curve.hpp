@@ -1,5 +1,5 @@
 #pragma once
-/// Quantity against time: mean, minimum and maximum over the realisations.
+/// Curves of a quantity against time: mean, minimum and maximum over the realisations.
 #include <vector>
 
 namespace clast {

@@ -1,5 +1,5 @@
 #pragma once
-/// Energy balance of persistent blocks in each realisation, and against time.
+/// Energies of persistent blocks against time, for each realisation.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -17,21 +17,21 @@ struct RealisationEnergies {
   std::vector<EnergySample> samples;  ///< in order of time, not empty
 };
 
-/// Collects the energies by file and realisation. Empty for results of older versions and of other
-/// engines.
+/// Collects the energies, ordered by file and realisation. Results of older versions and of other
+/// engines have none.
 std::vector<RealisationEnergies> collect_realisation_energies(const Comparison& comparison);
 
-/// Quantity computed from the energies at one time.
+/// Function that computes a quantity from the energies at one time.
 using EnergyValue = std::function<double(const EnergySample&)>;
 
-/// Computes a quantity at equal time steps until the last realisation comes to rest, linear between
-/// samples; after its rest a realisation keeps its last value.
+/// Computes a quantity at equal time steps until the last realisation comes to rest. Values are
+/// interpolated linearly between samples. A realisation keeps its last value after it came to rest.
 /// @param realisations  with energy samples
-/// @return empty without realisations, or if their duration is zero
+/// @return empty if there are no realisations, or if their duration is zero
 RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergies*>& realisations,
                                       const EnergyValue& value);
 
-/// Dissipated energy of one realisation by mechanism, as fractions of the total.
+/// Fractions of the dissipated energy of one realisation, by mechanism.
 struct EnergyFractions {
   Dissipation on_ground, between_blocks;
   double largest_kinetic = NAN;  ///< largest total kinetic energy of all samples, J

@@ -1,6 +1,6 @@
 #pragma once
-/// Trends of outcomes with elongation, flatness, convexity, rounding and mass of the blocks, with
-/// equivalence tests and required sample sizes.
+/// Trends of outcomes with elongation, flatness, convexity, rounding and mass of the blocks.
+/// Equivalence tests and required sample sizes are included.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,16 +19,15 @@ struct ShapeTrend {
   std::string property;  ///< "I/L", "S/L", "convexity", "rounding", "mass"
   std::size_t blocks = 0;
   std::size_t runs = 0;
-  TestResult trend;  ///< rank correlation (`clustered_trend_test`)
-  double corrected_p =
-      1.0;  ///< p-value of the trend, Holm-corrected over the properties of the outcome
+  TestResult trend;          ///< rank correlation (`clustered_trend_test`)
+  double corrected_p = 1.0;  ///< p-value of the trend, Holm-corrected for the number of properties
   double limit =
-      0.0;  ///< value of the property that separates the lower and the upper half of the blocks
+      0.0;  ///< median of the property, which divides the blocks into a lower and an upper half
   /// Mean outcome of the upper half of the blocks minus that of the lower half.
   CrossedDifference halves;
-  double smallest = 0.0;  ///< minimum detectable difference of this design at 80 % power
-  /// Only for the runout, if a margin is given: the p-value of the equivalence test
-  /// (`equivalence_p_value`) and the number of runs needed to detect a difference as large as the
+  double smallest = 0.0;  ///< minimum difference that this design detects with 80 % power
+  /// The p-value of the equivalence test (`equivalence_p_value`), and the number of runs needed to
+  /// detect a difference as large as the margin. Only given for the runout, and if there is a
   /// margin.
   std::optional<double> equivalence;
   std::optional<double> runs_needed;
@@ -39,10 +38,10 @@ struct ShapeTrends {
   std::vector<ShapeTrend> trends;  ///< by outcome, then property; may be empty
 };
 
-/// Computes the trends of each file with at least four blocks; also for incomplete designs, but not
-/// for persistent blocks. Rounding is the Minkowski radius over S. Properties that vary by less
-/// than 0.01 over all blocks are omitted. If each library block occurs with several masses, masses
-/// are compared within blocks, and forms over all masses.
+/// Computes the trends of each file with at least four blocks and without persistent blocks. The
+/// design may be incomplete. Rounding is the Minkowski radius divided by S. Properties that vary by
+/// less than 0.01 over all blocks are omitted. If each library block occurs with several masses,
+/// masses are compared within blocks, and shapes over all masses.
 std::vector<ShapeTrends> compute_shape_trends(const Comparison& comparison);
 
 }  // namespace clast

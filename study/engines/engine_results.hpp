@@ -16,11 +16,10 @@ const std::vector<std::string>& importable_engines();
 
 struct EngineResultsOptions {
   std::string engine = "rockable";
-  std::filesystem::path scenes =
-      {};  ///< the folder of the scenes, with what the engine wrote in each
-  /// Campaign file; empty: the copy in the folder is used, and SCENE.txt gives its original path.
+  std::filesystem::path scenes = {};  ///< folder of the scenes with the output of the engine
+  /// Campaign file. If empty, the copy in the folder is used; SCENE.txt states its original path.
   std::optional<std::filesystem::path> campaign = {};
-  bool replace = false;            ///< replace existing results in the target
+  bool replace = false;            ///< true: existing results in the target are replaced
   ProgressCallback progress = {};  ///< called after each run
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -29,14 +28,14 @@ struct EngineResultsOptions {
 struct EngineImportSummary {
   std::size_t runs = 0;
   std::size_t planned = 0;
-  std::size_t without = 0;         ///< scenes without output
-  std::vector<std::string> notes;  ///< missing quantities and differences
+  std::size_t without = 0;         ///< number of scenes without output
+  std::vector<std::string> notes;  ///< notes on missing quantities and differences
 };
 
-/// Reads the states written by the engine and writes them as campaign results with speeds,
-/// energies, crossings, stops and trajectories. Contact data (`is_of_contacts`) are missing.
-/// @throws InputError  if there are no scenes of this engine; the campaign or its inputs differ; no
-///                     scene was run; a file cannot be read or belongs to another scene; or the
+/// Reads the states that the engine wrote. Writes a results file with speeds, energies, crossings,
+/// stops and trajectories. Contact data (`is_of_contacts`) are missing.
+/// @throws InputError  if there are no scenes of this engine, the campaign or its inputs differ, no
+///                     scene was run, a file cannot be read or belongs to another scene, or the
 ///                     target cannot be written or must be kept
 EngineImportSummary import_engine_results(const EngineResultsOptions& options,
                                           const std::filesystem::path& target);

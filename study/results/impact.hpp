@@ -8,16 +8,16 @@
 
 namespace clast {
 
-/// Impact: contact between two flights. Flights shorter than `kMinFlight` do not end an
-/// impact, so that rolling over corners is one impact.
+/// Impact: contact phase between two flights. Flights shorter than `kMinFlight` do not end an
+/// impact, so rolling over corners is one impact.
 struct Impact {
   std::uint32_t run = 0;
   std::uint32_t zone = 0;             ///< ground zone of the first contact
-  double time = 0.0;                  ///< of the first contact, s
-  double contact_duration = 0.0;      ///< until the next flight, or the end of the run, s
+  double time = 0.0;                  ///< time of the first contact, s
+  double contact_duration = 0.0;      ///< duration until the next flight or the end of the run, s
   Vec3 place = Vec3::Zero();          ///< position of the first contact, m
-  double speed_before = 0.0;          ///< of the centre of mass at the first contact, m/s
-  double speed_after = 0.0;           ///< at the last contact
+  double speed_before = 0.0;          ///< speed of the centre of mass at the first contact, m/s
+  double speed_after = 0.0;           ///< speed of the centre of mass at the last contact, m/s
   double translational_before = 0.0;  ///< J
   double translational_after = 0.0;
   double rotational_before = 0.0;
@@ -31,16 +31,16 @@ struct Impact {
   }
 };
 
-/// Minimum duration of a flight, s: 0.5 mm of free fall.
+/// Minimum duration of a flight, s. It corresponds to 0.5 mm of free fall.
 inline constexpr double kMinFlight = 0.01;
 
 /// Contact statistics and maxima of motion of a run.
 struct ContactStatistics {
   double contact_time = 0.0;  ///< time with a contact, s
-  double mean_points = 0.0;   ///< time-averaged number of contact points during contact
+  double mean_points = 0.0;   ///< mean number of contact points during `contact_time`
   std::uint64_t most_points = 0;
-  double longest_flight = 0.0;  ///< horizontal, m
-  double max_energy = 0.0;      ///< translational plus rotational, J
+  double longest_flight = 0.0;  ///< longest horizontal distance between two contacts, m
+  double max_energy = 0.0;      ///< largest kinetic energy of translation and rotation, J
   double max_spin = 0.0;        ///< rad/s
 
   template <class Bytes>
@@ -55,7 +55,7 @@ class ImpactObserver {
   ImpactObserver(const RigidBody& body, std::uint32_t run) : body_(body), run_(run) {}
 
   void observe_step(const MotionStep& step);
-  /// Ends an open impact; call once after the last step.
+  /// Ends an open impact. Must be called once after the last step.
   void finish();
   /// Serialises the recorded impacts and the open one.
   template <class Bytes>

@@ -1,7 +1,7 @@
 #pragma once
-/// Journal that keeps runs until a campaign is complete: a sequence of records with checksums. A
-/// kill loses at most its last record, whereas an HDF5 file, which is modified in place, can be
-/// lost as a whole.
+/// Journal that stores runs until a campaign is complete. It is a sequence of records with
+/// checksums. If the program is killed, at most the last record is lost. An HDF5 file, which is
+/// modified in place, could be lost as a whole.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -20,22 +20,22 @@ StoredRun unpack_record(const std::string& bytes);
 
 /// Serialises the identity of a campaign: campaign text, inputs and program.
 std::string format_campaign_identity(const CampaignHeader& header);
-/// Describes how stored results differ from a campaign: campaign file, inputs, version, number of
-/// runs or physics. Empty if they agree.
+/// Describes the difference between stored results and a campaign. Compares campaign file, inputs,
+/// version, number of runs and physics. Empty if they agree.
 std::string describe_campaign_difference(const CampaignHeader& stored, const CampaignHeader& now);
-/// Reads a serialised identity and describes its difference from a campaign, as above.
+/// Deserialises an identity and describes its difference from a campaign. Empty if they agree.
 /// @throws InputError  if the bytes are not an identity
 std::string describe_campaign_difference(ByteReader& stored, const CampaignHeader& now);
 
 /// Journal of the runs of a campaign.
 class ResultsJournal {
  public:
-  /// Creates a journal, replacing an existing file. Creates missing parent folders.
+  /// Creates a journal and missing parent folders. Replaces an existing file.
   /// @throws InputError  if the file cannot be written
   static ResultsJournal create(const std::filesystem::path& path, const CampaignHeader& header);
   /// Opens a journal and drops an incomplete last record.
-  /// @throws InputError  if the file is missing, not a journal, or of another campaign, inputs or
-  ///                     program
+  /// @throws InputError  if the file is missing, is not a journal, or belongs to another campaign,
+  ///                     other inputs or another program version
   static ResultsJournal resume(const std::filesystem::path& path, const CampaignHeader& header);
 
   /// Returns the minimum size of a record, bytes.
@@ -44,13 +44,13 @@ class ResultsJournal {
   const std::filesystem::path& path() const { return path_; }
   /// Returns the physics digest of the program that created the journal; empty for older versions.
   const std::string& physics() const { return physics_; }
-  /// Returns the runs in the order of their records.
+  /// Returns the indices of the runs in the order of their records.
   const std::vector<std::uint32_t>& runs() const { return runs_; }
   /// Appends a run.
   /// @throws InputError  if the disk is full
   void add(const StoredRun& run);
   /// Reads the record of a run.
-  /// @param index  into `runs()`
+  /// @param index  index into `runs()`
   StoredRun read(std::size_t index);
 
  private:

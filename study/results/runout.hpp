@@ -4,10 +4,10 @@
 
 namespace clast {
 
-/// Displacement of a run from its release point, in plan.
+/// Horizontal displacement of a block from its release point.
 struct RunoutDistances {
-  double along = 0.0;    ///< along the downslope direction, m
-  double lateral = 0.0;  ///< rad, positive to the right looking downslope
+  double along = 0.0;    ///< distance along the downslope direction, m
+  double lateral = 0.0;  ///< lateral angle, rad, positive to the right looking downslope
 };
 /// Computes the runout.
 /// @param downslope  unit vector

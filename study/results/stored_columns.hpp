@@ -8,20 +8,20 @@
 
 namespace clast {
 
-/// Columns with names and descriptions as in docs/formats.md; positions in the terrain's local
-/// frame.
+/// Columns of the runs and crossings, with names and descriptions as in docs/formats.md. Positions
+/// are in the local frame of the terrain.
 const TableColumns<RunRecord>& stored_run_columns();
 const TableColumns<Crossing>& stored_crossing_columns();
 const TableColumns<Impact>& stored_impact_columns();
 const TableColumns<PersistentBlockRecord>& stored_persistent_block_columns();
 const TableColumns<EnergyRecord>& stored_energy_columns();
 
-/// True if a column depends on contact data, which other engines do not provide: its datasets are
-/// then missing and its cells empty.
+/// True if a column depends on contact data. For results of other engines, such datasets are
+/// missing and such cells are empty.
 bool is_of_contacts(std::string_view column);
 
-/// Returns the columns with empty cells for unknown contact data.
-/// @param results_of  returns the results that contain a row
+/// Returns the columns, with cells that are empty if contact data are missing.
+/// @param results_of  function that returns the results that contain a row
 template <class Row, class ResultsOf>
 TableColumns<Row> blank_unknown_cells(TableColumns<Row> columns, const ResultsOf& results_of) {
   for (TableColumn<Row>& column : columns) {

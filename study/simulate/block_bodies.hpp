@@ -10,15 +10,16 @@ namespace clast {
 
 RigidBody rigid_body(const Block& block);
 
-/// Rigid bodies of all blocks: one stored body per library block. Scaled bodies are made on access,
-/// because a campaign may sample hundreds of thousands of blocks of different sizes.
+/// Rigid bodies of all blocks. One body is stored per library block. Scaled bodies are made on
+/// access, because a campaign may sample hundreds of thousands of blocks of different sizes.
 class BlockBodies {
  public:
   BlockBodies() = default;
   explicit BlockBodies(const CampaignBlocks& choice);
 
   std::size_t size() const { return blocks_.size(); }
-  /// Makes the scaled body of a block of `BlockChoice::blocks`.
+  /// Makes the scaled body of a block.
+  /// @param block  index into CampaignBlocks::blocks
   RigidBody operator[](std::size_t block) const;
   std::uint32_t first_equal_body(std::size_t block) const {
     return blocks_[block].first_equal_body;

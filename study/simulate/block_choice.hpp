@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks of a campaign: selected or sampled from a library, scaled, assigned to groups.
+/// Blocks of a campaign, selected or sampled from a library, scaled, and assigned to groups.
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,57 +12,58 @@
 namespace clast {
 
 struct CampaignBlock {
-  std::string id;  ///< of the library block; for sampled blocks "SP1A#7", the seventh sample
-  std::size_t library = 0;  ///< used library blocks, unscaled
-  double scale = 1.0;       ///< of lengths
+  std::string id;  ///< id of the library block; for sampled blocks, with a number: "SP1A#7"
+  std::size_t library = 0;  ///< index into CampaignBlocks::library
+  double scale = 1.0;       ///< scale of lengths
   std::size_t group = 0;    ///< 0: no group; otherwise 1 + index into Campaign::groups
 };
 
-/// Blocks of a campaign and the library blocks they are made of.
+/// Blocks of a campaign and the library blocks from which they are made.
 struct CampaignBlocks {
-  std::vector<Block> library;        ///< those that occur, unscaled
-  std::vector<std::string> parents;  ///< blocks from which others were varied; empty if none was
-  std::vector<std::string> notes;    ///< remarks on a table that forms were sampled from
-  /// Persistent sampled blocks are listed realisation by realisation.
+  std::vector<Block> library;        ///< library blocks that occur, unscaled
+  std::vector<std::string> parents;  ///< ids of blocks from which others were varied
+  std::vector<std::string> notes;    ///< notes on the table from which shapes were sampled
+  /// Blocks of the campaign. Persistent sampled blocks are ordered by realisation.
   std::vector<CampaignBlock> blocks;
 };
 
 /// Execution options for varying blocks; they do not affect the result.
 struct BlockPreparationOptions {
-  unsigned threads = 0;  ///< 0: one per core
+  unsigned threads = 0;  ///< number of threads; 0: one per core
   ProgressCallback progress =
-      {};  ///< called per finished body, from any thread, one call at a time
+      {};  ///< called for each finished body, from any thread, one call at a time
 };
 
-/// Selects, varies, samples and scales blocks as [blocks] and [[block_group]] state. Varied bodies
-/// are ordered by id.
-/// @throws InputError  if an id is missing; nothing is selected; an unscaled block is not given a
-///                     mass or volume; a sampled class has no block; a group has no block, names an
-///                     unknown block or shares one with another group; or a body is requested twice
+/// Selects, varies, samples and scales blocks as requested by [blocks] and [[block_group]]. Varied
+/// bodies are ordered by id.
+/// @throws InputError  if an id is missing, nothing is selected, a block without scale gets no mass
+///                     or volume, a sampled class has no block, a group has no block, names an
+///                     unknown block or shares one with another group, or a body is requested twice
 /// @throws GeometryError  if a body cannot be made
 CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
-/// Reads the library blocks that [blocks] selects, unscaled, before sampling.
+/// Reads the library blocks that [blocks] selects. They are neither sampled nor scaled.
 /// @throws InputError  if an id is missing or nothing is selected
 std::vector<Block> read_selected_blocks(const Campaign& campaign);
 
-/// Samples blocks as `draw` in [blocks] states.
-/// @param pool  selected blocks; samples refer to them by index
+/// Samples blocks as requested by `draw` in [blocks].
+/// @param pool  selected blocks, to which samples refer by index
 /// @throws InputError  if a sampled class has no block, class fractions are invalid
-///                     (`class_fractions`), or the volume is less than half a block or needs too
-///                     many blocks
+///                     (`class_fractions`), or the requested volume is less than half a block or
+///                     needs too many blocks
 std::vector<CampaignBlock> sample_blocks(const Campaign& campaign, const std::vector<Block>& pool);
 
-/// Returns the class fractions of a sampling, sum 1; empty: those of the selection. Fixed fractions
-/// are kept; the other classes share the rest in their proportions.
-/// @throws InputError  if the fixed fractions exceed 1, or are below 1 without another class
+/// Returns the class fractions of a sampling, with sum 1. If empty, those of the selection are
+/// used. Fractions in `set_shares` are kept; the other classes share the rest in their proportions.
+/// @throws InputError  if the fractions in `set_shares` exceed 1, or are below 1 without another
+///                     class
 std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling& draw);
 
-/// Allocates `count` items to fractions by the largest-remainder method.
+/// Divides `count` items by fractions, using the largest-remainder method.
 std::vector<std::size_t> allocate_quotas(const std::vector<double>& shares, std::size_t count);
 
-/// Scales a body at constant shape and density: lengths by `factor`, mass by its cube, moments of
-/// inertia by its fifth power.
+/// Scales a body at constant shape and density. Lengths are multiplied by `factor`, the mass by its
+/// cube, and moments of inertia by its fifth power.
 RigidBody scaled(RigidBody body, double factor);
 
 }  // namespace clast

@@ -10,17 +10,17 @@
 namespace clast {
 
 struct CampaignCheck {
-  /// Errors: the first one of each table of the file, and those of library, terrain and starts if
-  /// these could be checked. Empty if the campaign would run.
+  /// Errors that prevent the campaign from running. They include the first error of each table of
+  /// the file, and errors of library, terrain and starts if these could be checked.
   std::vector<std::string> findings;
-  std::optional<CampaignPlan> prepared;  ///< set if the campaign would run
+  std::optional<CampaignPlan> prepared;  ///< the prepared campaign; empty if there are errors
 };
 
-/// Checks a campaign file. Errors of the campaign and of the files that it names are returned, not
+/// Checks a campaign file. Errors in the campaign and in files that it names are returned, not
 /// thrown.
 CampaignCheck check_campaign(const std::filesystem::path& file);
 /// Checks a campaign given as text.
-/// @param text, file  as `parse_campaign`
+/// @param text, file  see `parse_campaign`
 CampaignCheck check_campaign_text(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace clast

@@ -1,5 +1,5 @@
 #pragma once
-/// Errors and warnings of a planned campaign.
+/// Checks of a planned campaign, which give errors and warnings.
 #include <string>
 #include <vector>
 
@@ -11,22 +11,24 @@ namespace clast::study_detail {
 std::string format_release_set_name(const ReleaseSet& release);
 
 /// Checks the release heights.
-/// @throws InputError  if a fall to the lowest ground could exceed `kMaxSpeed`
+/// @throws InputError  if the speed of a fall to the lowest ground could exceed `kMaxSpeed`
 void check_falls(const CampaignPlan& prepared);
 
-/// Describes an unusual size of a block of given length (m) and mass (kg) on a terrain of given
-/// extent (m), and the usual range; empty if the size is usual.
+/// Describes an unusual size of a block, and the usual range. Empty if the size is usual.
+/// @param length  length of the block, m
+/// @param mass  mass of the block, kg
+/// @param extent  extent of the terrain, m
 std::string describe_unusual_size(const std::string& block, double length, double mass,
                                   double extent);
 
-/// Checks the block sizes, unless the campaign allows any size.
+/// Checks the sizes of the blocks, unless the campaign allows any size.
 /// @throws InputError  if a block is longer than 20 m, heavier than 10,000 t, or longer than a
 ///                     tenth of the terrain
 void check_sizes(const CampaignPlan& prepared);
 
-/// Returns warnings about doubtful inputs; empty if there are none. Stiffness and time step must
-/// have been chosen; `choose_run_stiffness` warns about these.
-/// @throws InputError  if a run would take too many steps to end
+/// Returns warnings about doubtful inputs. Warnings about stiffness and time step are not included;
+/// they are returned by `choose_run_stiffness`, which must be called before.
+/// @throws InputError  if a run would need too many time steps
 std::vector<std::string> check_campaign_settings(const CampaignPlan& prepared);
 
 }  // namespace clast::study_detail

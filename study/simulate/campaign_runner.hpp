@@ -1,5 +1,5 @@
 #pragma once
-/// Preparing, estimating and running a campaign.
+/// Preparation, time estimate and execution of a campaign.
 #include <optional>
 #include <vector>
 
@@ -19,49 +19,53 @@ struct MultiBlockStart {
   std::size_t blocks = 0;
   double volume = 0.0;  ///< solid volume of the blocks, m^3
   double mass = 0.0;    ///< kg
-  double area = 0.0;    ///< of the polygon, m^2; this and the following members are for heaps only
-  double mean_thickness = 0.0;     ///< height above the ground, averaged over the polygon, m
-  double largest_thickness = 0.0;  ///< m
+  double area =
+      0.0;  ///< area of the polygon, m^2; this and the following members are set for heaps only
+  double mean_thickness = 0.0;     ///< mean height above the ground over the polygon, m
+  double largest_thickness = 0.0;  ///< largest height above the ground, m
 
-  /// Returns the solid fraction of the heap: block volume over the volume between ground and top.
+  /// Returns the solid fraction of the heap: volume of the blocks divided by the volume between
+  /// ground and top.
   double solid_fraction() const { return volume / (area * mean_thickness); }
 };
 
-/// Campaign with loaded inputs and all decisions made: what would run, and how.
+/// Prepared campaign: loaded inputs, planned runs and all settings.
 struct CampaignPlan {
   Campaign campaign;
   CampaignHeader header;
   CampaignBlocks choice;
-  BlockBodies bodies;                     ///< bodies of `choice.blocks`
-  std::optional<TerrainSurface> surface;  ///< surface of `header.terrain`; always set
-  /// Planned runs, in order of blocks, release sets, points, orientations and ensemble members
-  /// (fastest); persistent blocks: in order of realisations and releases.
-  std::vector<RunRecord> runs;          ///< number of trial runs
+  BlockBodies bodies;  ///< bodies of `choice.blocks`
+  std::optional<TerrainSurface>
+      surface;  ///< surface of `header.terrain`; set by `prepare_campaign`
+  /// Planned runs, ordered by block, release set, point, orientation and ensemble member. Runs of
+  /// persistent blocks are ordered by realisation, then by release.
+  std::vector<RunRecord> runs;
   std::vector<MultiBlockStart> masses;  ///< multi-block releases of each realisation
 };
 
-/// Returns the dynamics settings of a run: those of the campaign, and the run's stiffness and time
-/// step.
+/// Returns the settings of the dynamics of a run: settings of the campaign, and stiffness and time
+/// step of the run.
 MotionSettings motion_settings(const Campaign& campaign, const RunRecord& run);
 ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run);
 
-/// Loads library and terrain, makes varied bodies, places all blocks and checks all starts.
-/// @throws InputError  if inputs are inconsistent: a zone without parameters, parameters without a
-///                     zone, no selected block, a point outside the terrain
+/// Prepares a campaign: loads library and terrain, makes varied bodies, places all blocks and
+/// checks all starts.
+/// @throws InputError  if inputs are inconsistent, for example if a zone has no parameters or a
+///                     point is outside the terrain
 /// @throws SimulationError  if a start is inside the ground; names block, point, orientation and
 ///                          depth
-/// @throws GeometryError  if a body of [blocks] vary cannot be made
+/// @throws GeometryError  if a body of `vary` in [blocks] cannot be made
 CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
-/// Samples the blocks again from `prepared.choice.library`, which stays complete, by the campaign's
-/// present settings; runs are unchanged.
-/// @throws InputError  as `sample_blocks`
+/// Samples the blocks again from `prepared.choice.library` with the present settings of the
+/// campaign. The library and the runs are unchanged.
+/// @throws InputError  if `draw_blocks` throws
 void resample_blocks(CampaignPlan& prepared);
 
-/// Shard: every n-th run (or realisation) of a campaign, for n independent jobs whose results
-/// `merge_results` joins.
+/// Shard of a campaign: every n-th run or realisation, for n independent jobs. `merge_results`
+/// joins their results.
 struct Shard {
-  std::uint32_t index = 1;  ///< from 1
+  std::uint32_t index = 1;  ///< number of this shard, from 1 to `count`
   std::uint32_t count = 1;
 
   /// Returns true if the shard contains a run or realisation.
@@ -69,58 +73,63 @@ struct Shard {
   bool has(std::uint32_t item) const { return item % count == index - 1; }
   /// Returns the number of runs in the shard.
   std::size_t runs_of(const CampaignPlan& prepared) const;
-  void check() const;  ///< throws InputError naming both
+  void check() const;  ///< throws InputError if `index` is not in 1 to `count`
 };
 
-/// Duration of runs, measured on a sample of them.
+/// Computing time of runs, measured on a sample.
 struct TimeProbe {
-  std::size_t runs = 0;    ///< that were tried
-  double each = 0.0;       ///< mean duration of a run on one thread, s
-  bool cut_short = false;  ///< the last trial run was stopped early
+  std::size_t runs = 0;    ///< number of trial runs
+  double each = 0.0;       ///< mean computing time of a run on one thread, s
+  bool cut_short = false;  ///< true if the last trial run was stopped early
   /// Message of the first failed trial run; empty if none failed.
   std::string failure = {};
-  /// True if the stopped run was extrapolated to its time limit, so that `each` is an upper bound.
+  /// True if the time of the stopped run was extrapolated to its time limit, so that `each` is an
+  /// upper bound.
   bool at_most = false;
-  /// Runouts of the completed trial runs, m: along `downslope` if given, otherwise horizontal
-  /// distances.
+  /// Runouts of the completed trial runs, m. They are measured along `downslope` if given;
+  /// otherwise, they are horizontal distances.
   std::vector<double> runouts = {};
 };
-/// Runs a sample of the campaign one by one until `budget` seconds are spent, or one run has taken
-/// several times that; at least one run. Results are discarded.
+/// Measures the computing time of a sample of runs. It simulates at least one run, and ends when
+/// `budget` (s) is exceeded. A run that takes several times the budget is stopped. Results are
+/// discarded.
 /// @throws InputError  if more memory is needed than is free
 TimeProbe probe_time(const CampaignPlan& prepared, double budget);
-/// Computes the planned power from the trial runs; empty for persistent blocks.
+/// Computes the planned power from the trial runs. Empty for persistent blocks.
 PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe);
-/// Estimates the duration of a shard on a number of threads, s.
+/// Estimates the computing time of a shard on the given number of threads, s.
 double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
                      unsigned threads);
 
 struct RunOptions {
-  unsigned threads = 0;  ///< 0: one per core
-  /// If true, an interrupted campaign is resumed, or started if there is none; if false, its runs
-  /// are discarded.
+  unsigned threads = 0;  ///< number of threads; 0: one per core
+  /// If true, an interrupted campaign is resumed, or started if there is none. If false, the runs
+  /// of an interrupted campaign are discarded.
   bool resume = false;
-  /// If true, finished results in the target are replaced; otherwise they are an error. Resuming a
-  /// finished campaign does nothing.
+  /// If true, finished results in the target are replaced; otherwise, they are an error. Resuming a
+  /// finished campaign has no effect.
   bool replace = false;
   Shard shard = {};
-  /// Processes that share the runs; only the leader writes. Null: this process alone.
+  /// Processes that share the runs, of which only the leader writes results. If null, this process
+  /// runs alone.
   ProcessTeam* team = nullptr;
-  /// Called after each run with the numbers of finished and planned runs, and during long
-  /// realisations; from any thread, one call at a time.
+  /// Called with the numbers of finished and planned runs after each run, and during long
+  /// realisations. Calls may come from any thread, one at a time.
   ProgressCallback progress = {};
-  /// Wall-clock interval between checkpoints of a realisation of persistent blocks, s, or 20 times
-  /// the writing time if that is longer; 0: only when `progress` ends the campaign.
+  /// Wall-clock interval between checkpoints of a realisation of persistent blocks, s. It is at
+  /// least 20 times the writing time. If 0, checkpoints are only written when `progress` ends the
+  /// campaign.
   double checkpoint_interval = 300.0;
 };
 
-/// Runs all runs that are not stored yet and writes `target`. Failed runs are stored with stop
+/// Simulates all runs that are not stored yet and writes `target`. Failed runs are stored with stop
 /// reason `error` and their message. The datasets do not depend on the number of threads or
-/// processes or on interruptions. If `progress` throws, the current runs are finished and kept, and
-/// checkpoints of current realisations are written, from which `resume` continues. In a team only
-/// the leader calls `progress`; checkpoints of the others need a shared file system.
-/// @throws InputError  if the target cannot be written or holds results that are kept; if the
-///                     journal belongs to another campaign or shard; if a checkpoint is damaged; or
+/// processes, or on interruptions. If `progress` throws, the current runs are finished and kept,
+/// and checkpoints of current realisations are written. `resume` continues from these. In a team,
+/// only the leader calls `progress`, and the checkpoints of other processes need a shared file
+/// system.
+/// @throws InputError  if the target cannot be written or has results that must be kept, if the
+///                     journal belongs to another campaign or shard, if a checkpoint is damaged, or
 ///                     if more memory is needed than is free
 void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& target,
                   const RunOptions& options = {});

@@ -1,5 +1,6 @@
 #pragma once
-/// Ground parameters of a campaign, drawn and ordered by terrain zones.
+/// Ground parameters of a campaign, drawn for each ensemble member, in the order of the terrain
+/// zones.
 #include <string>
 #include <vector>
 
@@ -8,14 +9,16 @@
 
 namespace clast::study_detail {
 
-/// Draws one set per block group (blocks in no group first) and ensemble member (fastest).
-/// Parameters that a group does not state are equal for all groups of a member.
-/// @param zones  names, in the terrain's order
+/// Draws one set per block group and ensemble member. Sets are ordered by group, blocks in no group
+/// first, then by member. Parameters that a group does not state are equal for all groups of a
+/// member.
+/// @param zones  names of the zones, in the order of the terrain
 /// @throws InputError  if a zone has no parameters, or parameters have no zone
 std::vector<GroundParameterSet> sample_ground_sets(const Campaign& campaign,
                                                    const std::vector<std::string>& zones);
 
-/// Returns the parameters of blocks in no group; uncertain ones at their midpoint, mean or median.
+/// Returns the parameters of blocks in no group. Uncertain parameters have their midpoint, mean or
+/// median.
 std::vector<GroundParameters> compute_median_ground(const Campaign& campaign,
                                                     const std::vector<std::string>& zones);
 

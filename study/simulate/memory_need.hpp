@@ -1,5 +1,5 @@
 #pragma once
-/// Memory needed by realisations of persistent blocks.
+/// Estimate of the memory that realisations of persistent blocks need.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,17 +9,18 @@
 namespace clast {
 
 /// Estimates the memory of the first realisation during its simulation, in addition to the prepared
-/// campaign, bytes: by block vertices and stored states. 0 for single runs.
+/// campaign, bytes. It depends on the number of vertices of the blocks and of stored states. 0 for
+/// single runs.
 double estimate_realisation_memory(const CampaignPlan& prepared);
 
 /// Checks that the realisations fit into memory.
 /// @param at_a_time  number of realisations simulated at the same time
-/// @param available  bytes; empty if unknown, then nothing is checked
-/// @throws InputError  if they need more; names the needed and the free memory and what to change
+/// @param available  free memory, bytes; if empty, nothing is checked
+/// @throws InputError  if more memory is needed; states the needed and the free memory, and advice
 void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
                   std::optional<double> available);
 
-/// Formats a number of bytes: "1.3 GB", "45 MB".
+/// Formats a number of bytes, such as "1.3 GB" or "45 MB".
 std::string format_memory(double bytes);
 
 }  // namespace clast

@@ -1,6 +1,6 @@
 #pragma once
-/// Processes started together by mpirun or srun, or a single process. MPI is used in the .cpp only;
-/// without MPI support there is always one process.
+/// Team of processes that were started together by mpirun or srun, or a single process. Without MPI
+/// support, there is always one process.
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -9,16 +9,16 @@
 namespace clast {
 
 /// Team of processes that share the runs of one campaign. Rank 0 is the leader: it reads and writes
-/// the results, distributes runs and prints; the others compute.
+/// results, distributes runs and prints. The other processes compute.
 ///
-/// At most one object per program; not thread-safe.
+/// There must be at most one object per program. It is not thread-safe.
 class ProcessTeam {
  public:
   /// Joins the processes started together with this one.
-  /// @throws InputError  if there are several, but clast was built without MPI
+  /// @throws InputError  if there are several processes, but clast was built without MPI
   ProcessTeam();
-  /// Aborts the whole team if an exception leaves the section between `begin` and `end`, because
-  /// the others would wait forever.
+  /// Aborts the whole team if `begin` was called without `end`, because the other processes would
+  /// wait forever.
   ~ProcessTeam();
   ProcessTeam(const ProcessTeam&) = delete;
   ProcessTeam& operator=(const ProcessTeam&) = delete;
@@ -28,26 +28,27 @@ class ProcessTeam {
   bool is_leader() const { return rank_ == 0; }
 
   /// Runs `prepare` on each process and checks that all succeed and return the same fingerprint.
-  /// @throws Error  of this process; SimulationError with the message of the first failed process,
+  /// @throws Error  if `prepare` fails in this process; SimulationError if it fails in another one,
   ///                or if fingerprints differ
   void check_agreement(const std::function<std::string()>& prepare);
 
   /// Marks the start of a section during which the other processes depend on this one.
   void begin() { busy_ = true; }
-  /// Marks the end of that section.
+  /// Marks the end of the section that `begin` starts.
   void end() { busy_ = false; }
 
-  /// Sends the bytes of a finished item to the leader (empty at first) and receives the next item.
+  /// Sends the bytes of a finished item to the leader and receives the next item. The first call
+  /// sends no bytes.
   /// @return empty if no item is left
   std::optional<std::size_t> exchange_item(const std::string& done);
 
-  /// Result sent by a process to the leader.
+  /// Result that a process sends to the leader.
   struct TeamMessage {
     unsigned from = 0;
     std::string done;
   };
   std::optional<TeamMessage> receive_message();
-  /// Sends the next item, or none, to a process; leader only.
+  /// Sends the next item, or none, to a process. Only called by the leader.
   void send_item(unsigned to, std::optional<std::size_t> item);
 
  private:

@@ -7,10 +7,11 @@
 
 namespace clast::study_detail {
 
-/// Chooses stiffness and time step of each run from its block, its ground parameters and the
-/// largest speed that its start allows; no other block, release or ensemble member has an
+/// Chooses stiffness and time step of each run. They depend on its block, its ground parameters and
+/// the largest speed that its start allows. Other blocks, releases and ensemble members have no
 /// influence. Runs of a realisation of persistent blocks share one choice.
-/// @return warnings by block; for persistent blocks, those of the first realisation with warnings
+/// @return warnings, ordered by block; for persistent blocks, those of the first realisation that
+/// has warnings
 /// @throws SimulationError  if the given time step is too long for a block; names the block
 /// @throws InputError  if settings are impossible; names field and value
 std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared);

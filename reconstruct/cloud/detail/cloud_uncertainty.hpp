@@ -9,15 +9,15 @@ namespace clast::reconstruct_detail {
 
 /// Normals, spacings and noise of surface points.
 struct PointUncertainty {
-  std::span<const Vec3> normals;     ///< unit, outward, one per vertex
-  std::span<const double> spacings;  ///< from `compute_local_spacings`, m
-  double noise = 0.0;                ///< removed standard deviation, m
+  std::span<const Vec3> normals;     ///< unit normals, outward, one per vertex
+  std::span<const double> spacings;  ///< local point spacings (`compute_local_spacings`), m
+  double noise = 0.0;                ///< standard deviation of the removed noise, m
 };
 
-/// Bounds the true surface. Edges and tips may extend beyond the points as far as the planes
-/// through the neighbours allow, with the scatter of these points, and no farther than the largest
-/// empty area. A point out of the plane of its neighbours may be noise, so that the block may lack
-/// it.
+/// Computes bounds of the true surface. Outer bound: edges and tips may extend beyond the points up
+/// to the planes through their neighbours, including the scatter of these, and at most by a few
+/// point spacings. Inner bound: a point above the plane of its neighbours may be noise and not
+/// belong to the block.
 /// @param surface  closed, outward; its vertices are the points
 /// @returns inner and outer bounds
 SurfaceUncertainty compute_surface_uncertainty(const TriangleMesh& surface,

@@ -8,7 +8,7 @@
 
 namespace clast::reconstruct_detail {
 
-/// Moving least squares: planes and quadrics fitted to nearest points with similar normals.
+/// Moving least squares: fits planes and quadrics to the nearest points with similar normals.
 /// @cite levin2004
 class MovingLeastSquares {
  public:
@@ -17,24 +17,25 @@ class MovingLeastSquares {
   /// @param normals  unit, outward, one per point; must outlive this object
   MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals);
 
-  /// Returns the noise: the median standard deviation about small quadrics over up to 2,000 points,
-  /// m.
+  /// Estimates the noise, m: the median over up to 2,000 points of the standard deviation of their
+  /// neighbours about a fitted quadric.
   double estimate_noise() const;
 
-  /// Finds outliers close to the surface: points farther from the surface fitted to their
-  /// neighbours than `spacings` (m) and scatter allow, and slightly isolated.
+  /// Finds outliers close to the surface. They are slightly isolated, and farther from the surface
+  /// fitted to their neighbours than their spacing and scatter allow.
+  /// @param spacings  local point spacings, m
   std::vector<bool> find_off_surface_points(std::span<const double> spacings) const;
 
   /// Deviation of a point from the plane of its neighbours.
   struct PlaneDeviation {
-    double height = 0.0;     ///< of the point over the fitted plane, m
+    double height = 0.0;     ///< height of the point above the fitted plane, m
     double deviation = 0.0;  ///< standard deviation of the neighbours, m
   };
   std::vector<PlaneDeviation> plane_deviations() const;
 
-  /// Returns the points projected along their normals onto the local plane or quadric of the
-  /// largest neighbourhood that fits within `noise` (m); edges are preserved because no such fit
-  /// exists there.
+  /// Returns the points projected along their normals onto a local plane or quadric. It is that of
+  /// the largest neighbourhood that is fitted to within `noise` (m). Edges are preserved, because
+  /// there is no such fit near them.
   std::vector<Vec3> smoothed_points(double noise) const;
 
  private:

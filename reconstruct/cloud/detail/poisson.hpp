@@ -7,13 +7,14 @@
 
 namespace clast::reconstruct_detail {
 
-/// Indicator function, negative inside and positive outside the body, solved globally from oriented
-/// points [kazhdan2006] and so robust against single outliers, gaps and varying density.
+/// Indicator function of a body: negative inside and positive outside. It is the global solution of
+/// a Poisson equation for oriented points. Therefore, it is robust against single outliers, gaps
+/// and varying density.
 /// @cite kazhdan2006
 class IndicatorFunction {
  public:
   /// Solves for the function.
-  /// @param normals  unit, outward, or nearly all inward
+  /// @param normals  unit normals, nearly all outward or nearly all inward
   IndicatorFunction(std::span<const Vec3> points, std::span<const Vec3> normals);
   ~IndicatorFunction();
 
@@ -26,15 +27,15 @@ class IndicatorFunction {
   double facing_ = 1.0;  ///< -1 if most normals face inward
 };
 
-/// Extracts the closed surface that separates Delaunay tetrahedra inside and outside, by the
-/// indicator at their circumcentres: the restricted Delaunay triangulation, a manifold for dense
-/// samples. Its vertices are points, so that it stays in their hull. It has no self-intersections,
-/// one component and no cavities, and is closed with large triangles where there are no points.
-/// @param spacings  of the points, m: parts thinner than these are included, with their noise;
-///                  empty: they are not
-/// @returns outward; vertices are all points in order, including unused ones; empty if nothing is
-///          inside
-/// @pre indicator.found()
+/// Extracts the closed surface between the Delaunay tetrahedra inside and outside the body, as
+/// given by the indicator at their circumcentres. It is the restricted Delaunay triangulation, a
+/// manifold for dense samples. Its vertices are points. It has one component, no cavities and no
+/// self-intersections. Large triangles close it where there are no points.
+/// @param spacings  local point spacings, m. If given, parts thinner than these are included, with
+///                  their noise; if empty, they are not
+/// @returns surface, outward; its vertices are all points in order, including unused ones; empty if
+/// no tetrahedron is inside
+/// @pre indicator.is_solved()
 /// @cite amenta1999
 TriangleMesh extract_surface(std::span<const Vec3> points, const IndicatorFunction& indicator,
                              std::span<const double> spacings = {});

@@ -8,14 +8,14 @@
 
 namespace clast::reconstruct_detail {
 
-/// Bilinear heights on a square grid, fitted to points by least squares with a thin-plate bending
-/// penalty, which averages roughness and extrapolates smoothly.
+/// Bilinear heights on a square grid, fitted to points by least squares. A thin-plate bending
+/// penalty smooths the roughness and gives a smooth extrapolation.
 class ThinPlateGrid {
  public:
   /// Fits the grid.
   /// @param points  (x, y, height), m
-  /// @param nodes  along the longer side of the box `extent`
-  /// @param stiffness  weight of the bending relative to the points of an average node
+  /// @param nodes  number of nodes along the longer side of `extent`
+  /// @param stiffness  weight of the bending penalty relative to the points of an average node
   ThinPlateGrid(std::span<const Vec3> points, const Eigen::AlignedBox2d& extent, int nodes,
                 double stiffness);
 

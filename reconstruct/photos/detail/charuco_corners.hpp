@@ -13,11 +13,11 @@ struct DetectedCorner {
   Vec2 pixel = Vec2::Zero();  ///< px
 };
 
-/// Detects corners adjacent to two detected markers, refined to saddle points.
-/// @param board  checked
+/// Detects corners next to two detected markers, and refines them to saddle points of the image.
+/// @param board  board that passes `CharucoBoard::check`
 std::vector<DetectedCorner> detect_charuco_corners(const cv::Mat& grey, const CharucoBoard& board);
 
-/// True if OpenCV supports the older or later pattern, if they differ.
+/// True if the OpenCV in use supports the older (or later) pattern of boards.
 bool supports_pattern(bool older);
 
 /// Returns the OpenCV version, such as "4.6.0".

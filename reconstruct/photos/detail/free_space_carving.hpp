@@ -7,10 +7,11 @@
 
 namespace clast::photos_detail {
 
-/// Marks cubes of the region as free if a pair has only depths behind the cube, beyond the depth
-/// error, of which most agree with other pairs.
-/// @param agreed  per view, CV_8U: 1 if other pairs agree with the depth
-/// @param tolerance  disparity error, px
+/// Marks the cubes of the region that are free space. A cube is free if all depths of a pair along
+/// lines of sight through it are behind the cube by more than the depth error. Most of these depths
+/// must agree with other pairs.
+/// @param agreed  one image per view, CV_8U: 1 if other pairs agree with the depth
+/// @param tolerance  disparity error that defines the depth error, px
 FreeSpaceGrid carve_free_space(const std::vector<PairProjection>& views,
                                const std::vector<cv::Mat>& agreed, const PhotoRegion& region,
                                double tolerance, unsigned threads);

@@ -16,7 +16,7 @@ nlohmann::json load_json(const std::filesystem::path& file);
 /// Parses a number that may be stored as text, as in AliceVision files.
 double parse_json_number(const nlohmann::json& value);
 /// Parses an integer from 0 to a million: a size in pixels or part of a version.
-/// @throws InputError  for any other number
+/// @throws InputError  if it is not such an integer
 int parse_json_count(const nlohmann::json& value);
 
 Vec3 parse_json_vector(const nlohmann::json& value);
@@ -24,7 +24,7 @@ Vec3 parse_json_vector(const nlohmann::json& value);
 /// Parses an id given as number or text.
 std::string parse_json_id(const nlohmann::json& value);
 
-/// Reads a model; exceptions of the JSON library become InputError.
+/// Calls `read` with the parsed file. Exceptions of the JSON library become InputError.
 template <class Read>
 auto read_json_model(const std::filesystem::path& file, const Read& read) {
   try {

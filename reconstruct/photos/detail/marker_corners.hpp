@@ -18,16 +18,17 @@ struct DetectedMarker {
 /// Returns the names of common OpenCV dictionaries, the most usual first.
 const std::vector<std::string>& common_dictionary_names();
 
-/// Returns OpenCV's index of a dictionary, and its number of markers.
+/// Returns the index of a dictionary in OpenCV. `dictionary_size` returns its number of markers.
 /// @throws InputError  if the name is unknown
 int opencv_dictionary(const std::string& name);
 int dictionary_size(const std::string& name);
 
-/// Detects markers with corners accurate to about a pixel; markers found twice are skipped.
+/// Detects markers. Their corners are accurate to about a pixel. Markers that occur twice are
+/// skipped.
 std::vector<DetectedMarker> detect_markers(const cv::Mat& grey, const std::string& dictionary);
 
-/// Refines corners as intersections of lines fitted to the edges in undistorted coordinates; empty
-/// if an edge is too short, blurred or hidden.
+/// Refines the corners as intersections of lines that are fitted to the edges in undistorted
+/// coordinates. Empty if an edge is too short, blurred or hidden.
 std::optional<DetectedMarker> refine_marker_corners(const DetectedMarker& marker,
                                                     const cv::Mat& grey,
                                                     const CameraIntrinsics& lens);

@@ -1,5 +1,5 @@
 #pragma once
-/// Readers of camera model formats; photos are ordered by name.
+/// Readers of camera model formats. They order photos by name.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,8 +13,8 @@ PhotoModel read_colmap_binary(const std::filesystem::path& folder);
 PhotoModel read_metashape(const std::filesystem::path& file);
 PhotoModel read_alicevision(const std::filesystem::path& file);
 
-/// Makes the intrinsics of a COLMAP camera model ("SIMPLE_RADIAL"); pixel coordinates are shifted
-/// by half a pixel.
+/// Makes the intrinsics of a COLMAP camera model, such as "SIMPLE_RADIAL". The principal point is
+/// shifted by half a pixel to the convention of `CameraIntrinsics`.
 /// @throws InputError  if the model is unknown or the number of parameters wrong
 CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
                                   const std::vector<double>& p);
@@ -23,7 +23,7 @@ CameraIntrinsics make_colmap_lens(const std::string& model, int width, int heigh
 PhotoModel sorted_by_name(PhotoModel model);
 
 /// Converts a rotation matrix.
-/// @throws InputError  starting with `what`, if it is not a rotation
+/// @throws InputError  if it is not a rotation; the message starts with `what`
 Quat rotation_from_matrix(const Mat3& matrix, const std::string& what);
 
 }  // namespace clast::photos_detail

@@ -7,8 +7,8 @@ namespace clast::photos_detail {
 /// OpenCV disparities are in sixteenths of a pixel.
 inline constexpr double kDisparityScale = 16.0;
 
-/// Left camera of a pair: (u z, v z, z) = matrix * (p - left). The disparity of p is focal_baseline
-/// / z - offset.
+/// Left camera of a rectified pair. A point p is projected to the pixel (u, v) with (u z, v z, z) =
+/// matrix * (p - left). Its disparity is focal_baseline / z - offset.
 struct PairProjection {
   Mat3 matrix;
   Vec3 left;

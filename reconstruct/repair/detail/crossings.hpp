@@ -4,10 +4,10 @@
 
 namespace clast::reconstruct_detail {
 
-/// Smooths intersecting triangles, or removes them with growing neighbourhoods and refills;
-/// degenerate triangles are collapsed. Topology is preserved.
+/// Smooths intersecting triangles, or removes them and their neighbours and refills the holes.
+/// Degenerate triangles are collapsed. The topology is preserved.
 /// @param mesh  closed, oriented 2-manifold
-/// @return false if intersections remain; the mesh is then undefined
+/// @return false if intersections remain; the state of the mesh is then unspecified
 bool remove_crossings(TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

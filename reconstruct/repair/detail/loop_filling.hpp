@@ -11,20 +11,21 @@
 
 namespace clast::reconstruct_detail {
 
-/// Filling of a loop with its volume uncertainty.
+/// Filling of a loop, and uncertainty of the enclosed volume.
 struct LoopFilling {
   std::vector<TriangleMesh::Triangle> triangles;
   double area = 0.0;  ///< m^2
-  /// Possible decrease and increase of the enclosed volume by the lowest and highest triangulation,
-  /// or by the extended planes of the neighbours, m^3; not negative.
+  /// Possible decrease and increase of the enclosed volume, m^3; not negative. They follow from the
+  /// lowest and highest triangulation, or from the extended planes of the neighbouring triangles.
   double volume_below = 0.0, volume_above = 0.0;
 };
 
-/// Finds the triangulation of a loop with minimum bending (dihedral angle times length, summed over
-/// its edges and those of the loop) that repeats no edge of `edges`. Cubic in the number of
-/// vertices.
+/// Finds the triangulation of a loop with minimum bending that repeats no edge of `edges`. The
+/// bending is the sum of dihedral angle times length over its edges, including those of the loop.
+/// The time is cubic in the number of vertices.
 /// @param loop  may visit a vertex several times
-/// @param normals  unit normal of the triangle beyond side i, from vertex i to i + 1
+/// @param normals  unit normals; entry i is that of the triangle beyond the side from vertex i to i
+///                 + 1
 /// @param edges  all edges of the mesh
 /// @returns empty if every triangulation repeats an edge
 /// @cite liepa2003
@@ -33,9 +34,9 @@ std::optional<LoopFilling> triangulate_loop(const TriangleMesh& mesh,
                                             std::span<const Vec3> normals,
                                             const std::set<EdgeKey>& edges);
 
-/// Volumes (m^3) below and above a flat filling of a loop, of cones up to the extended planes
-/// beyond its sides; a convex surface stays within the upper one. Averaged over falling and rising
-/// sides; cone heights are limited by the loop's width.
+/// Volumes (m^3) of cones below and above a flat filling of a loop, up to the extended planes of
+/// the triangles beyond its sides. A convex surface stays within the upper cone. The height of the
+/// cones is limited by the width of the loop.
 struct TangentConeVolumes {
   double below = 0.0, above = 0.0;
 };

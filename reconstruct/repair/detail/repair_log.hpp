@@ -10,18 +10,18 @@
 
 namespace clast::reconstruct_detail {
 
-/// Records defects with positions about a local origin, converted for the report.
+/// Records defects. Positions are given relative to a local origin and converted for the report.
 class RepairLog {
  public:
   /// Starts a log.
-  /// @param origin  of the working coordinates
-  /// @param reported_place  converts a position of the mesh as read for the report; empty:
-  ///                        unchanged
+  /// @param origin  origin of the working coordinates
+  /// @param reported_place  converts positions of the mesh as read for the report; if empty, they
+  ///                        are unchanged
   RepairLog(const Vec3& origin, const std::function<Vec3(const Vec3&)>& reported_place)
       : origin_(origin), reported_place_(reported_place) {}
 
   Vec3 to_reported_frame(const Vec3& local) const;
-  std::string format_position(const Vec3& local) const;  ///< for messages
+  std::string format_position(const Vec3& local) const;  ///< formats a position for messages
 
   /// Records a defect unless `count` is 0.
   /// @param area  removed area, m^2
@@ -30,13 +30,13 @@ class RepairLog {
   void add_defect(DefectKind kind, const RepairChange& change);
   void add_duplicate(const DuplicateSurface& copy);
 
-  /// Adapts the log to a reversed orientation.
+  /// Swaps the volume changes below and above, after the mesh was flipped.
   void flip_orientation();
   /// Adds the hole defect and sorts the defects by kind.
   void finish();
 
   RepairReport report;
-  double area_as_read = 1.0;  ///< after welding, m^2
+  double area_as_read = 1.0;  ///< area after welding, m^2
 
  private:
   Vec3 origin_;

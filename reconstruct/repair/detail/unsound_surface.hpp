@@ -15,11 +15,11 @@ inline constexpr const char* kRepairAdvice =
 ///                        `kMaxCoordinate`
 void check_coordinates(const TriangleMesh& mesh);
 /// Checks the extent.
-/// @throws GeometryError  if it is below 1 nm, as in damaged files
+/// @throws GeometryError  if the extent is below 1 nm, as in damaged files
 void check_extent(const TriangleMesh& mesh);
 
 /// Checks that triangles are left.
-/// @throws GeometryError  if there is none
+/// @throws GeometryError  if the mesh has no triangle
 void check_not_empty(const TriangleMesh& mesh);
 
 /// Checks that the surface is orientable.
@@ -28,18 +28,19 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
                       const RepairLog& log);
 
 /// Checks the size of a hole.
-/// @param welded  surface before any repair, for counts in messages
-/// @throws GeometryError  if the hole has more than `largest` of the repaired surface
+/// @param welded  surface after welding, before other repairs; for counts in messages
+/// @throws GeometryError  if the filling has more than the fraction `largest` of the repaired
+///                        surface
 void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
                 const RepairLog& log);
 
 /// Checks that the surface is closed.
-/// @param welded  as above
-/// @throws GeometryError  if it is not
+/// @param welded  see `check_hole`
+/// @throws GeometryError  if it is not closed
 void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const RepairLog& log);
 
 /// Checks the volume.
-/// @throws GeometryError  if the surface encloses none
+/// @throws GeometryError  if the surface encloses no volume
 void check_volume(const TriangleMesh& closed);
 
 }  // namespace clast::reconstruct_detail

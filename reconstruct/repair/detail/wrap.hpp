@@ -4,20 +4,20 @@
 
 namespace clast::reconstruct_detail {
 
-/// Wrap parameters as fractions of the diagonal. The cost grows with their inverse square.
+/// Wrap parameters as fractions of the diagonal. The time is proportional to their inverse square.
 struct WrapParameters {
-  double alpha;   ///< width of bridged cavities
+  double alpha;   ///< maximum width of cavities that the wrap bridges
   double offset;  ///< distance of the wrap from the surface
 };
 
-/// The fine wrap takes some seconds; the coarse one a tenth of it, and shows whether the fine one
-/// is worthwhile.
+/// The fine wrap takes some seconds. The coarse wrap takes a tenth of that time; it shows if the
+/// fine wrap can succeed.
 inline constexpr WrapParameters kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
     kCoarseWrap{1.0 / 20.0, 1.0 / 600.0};
 
-/// Computes a closed 2-manifold without self-intersections around `closed`, at a distance given by
-/// `parameters`.
-/// @param closed  without holes, through which the wrap would enter
+/// Computes a closed 2-manifold without self-intersections that encloses `closed` at the distance
+/// `parameters.offset`.
+/// @param closed  surface without holes; the wrap would enter through holes
 /// @throws GeometryError  if it has holes
 /// @cite portaneri2022
 TriangleMesh wrap_surface(const TriangleMesh& closed, const WrapParameters& parameters);

@@ -1,5 +1,5 @@
 #pragma once
-/// Closure of a hole, lowered to the possible bottom of a block.
+/// Closure of a hole by a surface that is lowered to the possible bottom of a block.
 #include <cstddef>
 #include <utility>
 
@@ -9,33 +9,32 @@
 
 namespace clast::reconstruct_detail {
 
-/// Displacement of the closure: `depth` (m) times the deflection to a power. Larger powers give a
-/// more pointed bottom.
+/// Displacement of the closure. Each vertex moves by `depth` (m) times its deflection raised to
+/// `power`. Larger powers give a more pointed bottom.
 struct ClosureShape {
   double power = 0.0, depth = 0.0;
 };
 
-/// Closure that is lowered along one direction, so that the added volume is proportional to the
-/// depth.
+/// Closure that is lowered along one direction. The added volume is proportional to the depth.
 class BottomClosure {
  public:
-  static constexpr double kMinPower = 0.05;  ///< smallest power
+  static constexpr double kMinPower = 0.05;  ///< minimum of `ClosureShape::power`
 
   /// Stores the closure.
   /// @param closed  mesh with the closure; must outlive this object
-  /// @param patch  closure, with vertices from `first_vertex` on in `closed`
-  /// @param down  unit vector
+  /// @param patch  closure; its vertices in `closed` begin at `first_vertex`
+  /// @param down  direction in which the closure is lowered, unit vector
   BottomClosure(const TriangleMesh& closed, HolePatch patch, std::size_t first_vertex,
                 const Vec3& down)
       : closed_(closed), patch_(std::move(patch)), first_vertex_(first_vertex), down_(down) {}
 
   /// Returns `closed` with the lowered closure.
   TriangleMesh lower_mesh(const ClosureShape& move) const;
-  /// Returns the shape with `added` volume (m^3), at most `deepest` (m) if possible, by reducing
-  /// the power.
+  /// Returns the shape with the volume `added` (m^3). The power is reduced such that the depth is
+  /// at most `deepest` (m), if possible.
   ClosureShape shape_for_volume(double added, double power, double deepest) const;
-  /// Returns the shape of equal volume that touches the ground, because a block does not float, by
-  /// increasing the power up to `max_power`.
+  /// Returns the shape with the volume `added` that touches the ground, because a block does not
+  /// float. The power of `blunt` is increased up to `max_power`.
   ClosureShape shape_touching_ground(const Plane& ground, const ClosureShape& blunt, double added,
                                      double max_power) const;
 

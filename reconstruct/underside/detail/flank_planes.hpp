@@ -1,5 +1,5 @@
 #pragma once
-/// Planes that bound a body whose flanks continue as observed.
+/// Planes that bound a body if its unobserved part continues the observed flanks.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace clast::reconstruct_detail {
 
-/// Bounding half-spaces n . p <= d with outward normals.
+/// Planes with outward normals n. The body is inside the half-spaces n . p <= d.
 struct FlankPlanes {
   std::vector<Plane> planes;
   double slack = 0.0;  ///< outward offset from the observed surface, m
 };
 
-/// Fits tangent planes to patches of the observed surface, moved outwards until it is behind all of
-/// them, and by the slack: the mean height of surface parts above the tangent planes of others,
-/// zero for convex bodies. A convex body lies behind these planes whatever its unobserved part is
-/// like.
+/// Fits tangent planes to patches of the observed surface. They are moved outwards until the
+/// observed surface is behind all of them, and by `slack`. The slack is the mean height of patches
+/// above the tangent planes of others; it is zero for convex bodies. A convex body is behind all
+/// planes, including its unobserved part.
 /// @param closed  outward
-/// @param observed  number of observed triangles, which come first
-/// @param rims  rim vertices: planes determined by them alone are omitted
+/// @param observed  number of observed triangles, which are the first ones
+/// @param rims  vertices on the rims of holes; planes that only these determine are omitted
 FlankPlanes fit_flank_planes(const TriangleMesh& closed, std::size_t observed,
                              std::span<const std::uint32_t> rims);
 

@@ -1,10 +1,10 @@
 #pragma once
-/// Level sections of closed meshes.
+/// Horizontal sections of closed meshes.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 
-/// Section areas and volumes as functions of the height along a direction.
+/// Areas of sections, and volumes above them, as functions of the height along a direction.
 class LevelSections {
  public:
   /// Prepares the sections.
@@ -22,7 +22,7 @@ class LevelSections {
  private:
   TriangleMesh mesh_;  ///< rotated so that `up` is z
   Vec3 origin_;
-  double offset_ = 0.0;  ///< height of the centre
+  double offset_ = 0.0;  ///< height of the origin of `mesh_`
   double lowest_ = 0.0, highest_ = 0.0;
 };
 

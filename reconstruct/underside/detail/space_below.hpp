@@ -6,19 +6,19 @@
 
 namespace clast::reconstruct_detail {
 
-/// Unobserved volume below a closed mesh, within its plan; rock outside its plan would have been
-/// observed. In m, m^2, m^3 if the mesh is in metres.
+/// Volume below a closed mesh that was not observed to be free. Only the space within its plan is
+/// included, because rock outside it would have been observed. Units are those of the mesh.
 struct OccludedSpace {
-  double volume = 0.0;  ///< above the ground
-  /// Area of the base just above the strip over the ground in which depths are ambiguous. The block
-  /// is assumed to be no wider in and below the strip.
+  double volume = 0.0;  ///< volume above the ground
+  /// Plan area that may be rock just above the strip over the ground. Depths in the strip are
+  /// ambiguous, so the block is assumed to have the same area there.
   double base_area = 0.0;
-  double plan_area = 0.0;  ///< of the mesh
+  double plan_area = 0.0;  ///< plan area of the mesh
 };
 
 /// Measures the unobserved space.
-/// @param closed  closed below by a membrane
-/// @param strip  height, m; at least three cubes
+/// @param closed  mesh that is closed below by a membrane
+/// @param strip  height of the strip above the ground, m; at least three cubes are used
 OccludedSpace measure_occluded_space(const TriangleMesh& closed, const Plane& ground, double strip,
                                      const FreeSpaceGrid& free_space);
 

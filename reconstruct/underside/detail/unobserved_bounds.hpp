@@ -11,36 +11,38 @@
 
 namespace clast::reconstruct_detail {
 
-/// Possible cavity or tunnel: a closure whose rim turns into the body. In units of the mesh.
+/// Possible cavity or tunnel at a closure whose rim turns into the body. In units of the mesh.
 struct PossibleHollow {
   Vec3 position = Vec3::Zero();  ///< centre of the opening
-  double width = 0.0;            ///< of the opening
-  double volume = 0.0;           ///< of the body behind it, which may be empty
-  std::optional<Vec3> beyond;    ///< centre of the opening at the other end, if there is one
+  double width = 0.0;            ///< width of the opening
+  double volume = 0.0;           ///< volume of the part of the body behind it that may be empty
+  std::optional<Vec3> beyond;    ///< centre of the other opening, for a tunnel
 };
 
-/// Bounds of a body whose observed flanks continue, in units of the mesh. The lower volume assumes
-/// indentations of the closures like those of the observed surface, and excludes possible cavities.
+/// Bounds of a body if its unobserved part continues the observed flanks, in units of the mesh. For
+/// the lower volume, closures are indented like the observed surface, and possible cavities are
+/// excluded.
 struct UnobservedBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
 
-/// Knowledge of a body besides its observed surface.
+/// Information on the unobserved parts of a body.
 struct UnobservedParts {
-  std::vector<bool> closure;                        ///< per triangle: fills a hole
-  std::optional<Plane> floor;                       ///< the body is above it; normal up
-  bool on_ground = false;                           ///< the unobserved part faces the ground
-  const SurfaceUncertainty* uncertainty = nullptr;  ///< of the observed surface; null if exact
+  std::vector<bool> closure;   ///< one flag per triangle; true if it fills a hole
+  std::optional<Plane> floor;  ///< plane below the body, normal up
+  bool on_ground = false;      ///< true if the unobserved part faces the ground
+  const SurfaceUncertainty* uncertainty =
+      nullptr;  ///< uncertainty of the observed surface; null if it is exact
 };
 
-/// Bounds the volume and sides. The upper volume is the observed part plus the space behind its
-/// closures, seen from its centre, within the flank planes (`fit_flank_planes`) and above the floor
-/// (docs/theory.md). Uncertainty widens the bounds.
-/// @param closed  outward, with the closures
+/// Computes bounds of the volume and sides. The upper volume is the sum of the observed part and of
+/// the space behind its closures that is within the flank planes (`fit_flank_planes`) and above the
+/// floor. Uncertainty of the observed surface widens the bounds. See docs/theory.md.
+/// @param closed  closed mesh with the closures, outward
 UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts);
 
-/// Describes each possible cavity or tunnel with position and width.
-/// @param unit  m per unit of the mesh, in which positions are given
+/// Describes the possible cavities and tunnels, with position and width.
+/// @param unit  m per unit of the mesh; positions are given in units of the mesh
 std::vector<std::string> describe_hollows(const std::vector<PossibleHollow>& hollows, double unit);
 
 }  // namespace clast::reconstruct_detail

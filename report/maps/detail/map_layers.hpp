@@ -8,22 +8,24 @@
 
 namespace clast::report_detail {
 
-/// Maximum number of raster cells; larger rasters are coarsened by the maximum of the merged cells.
+/// Maximum number of raster cells. Cells of larger rasters are merged; a merged cell has the
+/// maximum of their values.
 inline constexpr std::size_t kMaxMapCells = 100'000;
-/// Maximum number of drawn paths, chosen evenly.
+/// Maximum number of drawn paths. They are selected evenly from the stored paths.
 inline constexpr std::size_t kMaxMapPaths = 250;
 
 struct MapLayers {
-  std::string json;              ///< {layers, paths}: see map.js
+  std::string json;              ///< {layers, paths}, for map.js
   std::size_t paths = 0;         ///< number of drawn paths
   std::size_t stored_paths = 0;  ///< number of stored paths
 };
 
-/// Makes JSON with `layers`, a list of {name, title, meaning, unit, unit_size, breaks, numbers,
-/// colours, columns, x0, y0, cell, values float32 row-major from the top, in stored units, NaN:
-/// none}, and `paths`, a list per shape class of {name, colour, x, y float32, NaN between paths}.
-/// Positions are map coordinates minus `origin`.
-/// @param with_paths  include paths
+/// Makes the JSON of rasters and paths. `layers` is a list of {name, title, meaning, unit,
+/// unit_size, breaks, numbers, colours, columns, x0, y0, cell, values}. The values are float32,
+/// row-major from the top, in stored units, NaN for none. `paths` has for each shape class {name,
+/// colour, x, y}, with float32 arrays in which NaN separates paths. Positions are map coordinates
+/// minus `origin`.
+/// @param with_paths  true: includes paths
 /// @throws InputError  if a results file can no longer be read
 MapLayers make_map_layers(const Comparison& comparison,
                           const std::vector<const MapRasterSet*>& rasters, const Vec2& origin,

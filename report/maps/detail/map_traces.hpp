@@ -1,18 +1,18 @@
 #pragma once
-/// Plotly traces of an interactive map above the relief.
+/// Plotly traces that an interactive map draws over the relief.
 #include <nlohmann/json.hpp>
 
 #include "report/maps/site_map.hpp"
 
 namespace clast::report_detail {
 
-/// Value of `meta` for traces that are hidden while a raster is shown.
+/// Value of `meta` of traces that are hidden while a raster is shown.
 inline constexpr const char* kStopsTrace = "stops";
 
-/// Adds simulated stops, single or as a density, and observed stops.
+/// Adds simulated stops, drawn singly or as a density, and observed stops.
 void add_stops(const Comparison& comparison, const PlanWindow& window,
                nlohmann::ordered_json& traces);
-/// Adds barrier lines, and to `notes` their names with an arrow in the counted direction.
+/// Adds barrier lines. Adds their names, with an arrow in the counted direction, to `notes`.
 void add_barriers(const SiteMap& site, nlohmann::ordered_json& traces,
                   nlohmann::ordered_json& notes);
 void add_releases(const SiteMap& site, nlohmann::ordered_json& traces);

@@ -7,8 +7,8 @@
 
 namespace clast::study_detail {
 
-/// Reads a study part by part through `read`; a part that depends on another is skipped if the
-/// other failed.
+/// Reads a study part by part through `read`. If a part fails, the parts that depend on it are
+/// skipped.
 CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read);
 
 }  // namespace clast::study_detail

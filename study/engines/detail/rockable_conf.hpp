@@ -15,44 +15,45 @@ namespace clast::study_detail {
 struct RockableBody {
   std::string shape;
   std::uint32_t group = 0;
-  double scale = 1.0;  ///< of lengths
+  double scale = 1.0;  ///< scale of lengths
   RigidState state;
 };
 
-/// Contents of a conf file that results need.
+/// Contents of a conf file that are needed to import results.
 struct RockableConf {
   double time = 0.0;      ///< s
   double max_time = 0.0;  ///< s
   double time_step = 0.0;
   std::size_t driven = 0;  ///< number of fixed bodies, the first ones
   std::map<std::string, double>
-      pair;  ///< parameters such as "muContact 2 0", groups in either order
+      pair;  ///< contact parameters by name, such as "muContact 2 0"; groups are in either order
   std::vector<RockableBody> bodies;
 };
 
 /// Reads a conf file.
 /// @throws InputError  if the file cannot be read or is not a conf file; names file, line and
 ///                     expectation
-RockableConf read_rockable_conf(const std::filesystem::path& file);  ///< track file
+RockableConf read_rockable_conf(const std::filesystem::path& file);
 
-/// Lists the snapshots of a folder by number; empty if the scene was not run.
+/// Lists the snapshots of a folder, ordered by number. Empty if the scene was not run.
 std::vector<std::filesystem::path> list_rockable_states(const std::filesystem::path& folder);
 
 /// Stop criterion of a single block: TrackRockfall in dataExtractors.txt.
 struct RockfallTracker {
   std::size_t body = 0;
-  double rest_speed = 0.0;  ///< m/s; rest needs a smaller speed ...
-  double rest_spin = 0.0;   ///< rad/s; ... and a smaller angular velocity
-  std::string file;         ///< of the track
+  double rest_speed = 0.0;  ///< maximum speed at rest, m/s
+  double rest_spin = 0.0;   ///< maximum angular speed at rest, rad/s
+  std::string file;         ///< name of the track file
 };
-/// Reads the stop criterion; empty if the folder has no dataExtractors.txt or another extractor.
+/// Reads the stop criterion. Empty if the folder has no dataExtractors.txt, or if that has another
+/// extractor.
 std::optional<RockfallTracker> read_rockfall_tracker(const std::filesystem::path& folder);
 
 struct TrackedState {
   double time = 0.0;
   RigidState state;
 };
-/// Reads the last complete line of a track; empty if there is none.
+/// Reads the last complete line of a track. Empty if there is none.
 std::optional<TrackedState> read_last_tracked_state(const std::filesystem::path& file);
 
 }  // namespace clast::study_detail

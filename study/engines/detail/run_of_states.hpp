@@ -1,5 +1,5 @@
 #pragma once
-/// Runs made from the states computed by another engine.
+/// Conversion of the states computed by another engine into runs.
 #include <vector>
 
 #include "study/simulate/campaign_runner.hpp"
@@ -14,22 +14,21 @@ struct StateSeries {
 
 struct RunEnd {
   StopReason reason = StopReason::kError;
-  std::string message = {};  ///< for errors
+  std::string message = {};  ///< message, if the run failed
 };
 
-/// Makes a run from states: duration, stop position, path, barrier crossings, energies, and the
-/// largest speeds of the states. Between two states the motion is the exact free flight if it
-/// connects them, otherwise interpolated (`interpolate_state`). Contact quantities are NaN, counts
-/// 0.
+/// Makes a run from states. It has duration, stop position, path, barrier crossings, energies and
+/// largest speeds. Between two states, the motion is free flight if this connects them; otherwise,
+/// it is interpolated (`interpolate_state`). Contact quantities are NaN, and their counts are 0.
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
                                const StateSeries& series, const RunEnd& end);
 
-/// Returns the index of the first state whose centre is not above the terrain; the number of states
-/// if there is none.
+/// Returns the index of the first state whose centre is outside the terrain, or the number of
+/// states if there is none.
 std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
 
-/// True if the block is at rest at the end of the series, by [run] rest_energy_j_kg and
-/// rest_duration_s; false for a single state.
+/// True if the block is at rest at the end of the series, according to rest_energy_j_kg and
+/// rest_duration_s of [run]. False for a single state.
 bool rests_at_end(const CampaignPlan& prepared, const RunRecord& planned,
                   const StateSeries& series);
 

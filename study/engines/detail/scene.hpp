@@ -1,5 +1,6 @@
 #pragma once
-/// Scenes for other discrete element codes: shapes, bodies in groups, contacts between groups.
+/// Scenes for other discrete element codes. A scene has bodies in groups, and contact parameters
+/// for pairs of groups.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -11,7 +12,7 @@
 namespace clast::study_detail {
 
 struct SceneShape {
-  ShpShape shape;        ///< index of shape and group
+  ShpShape shape;        ///< shape in the format of the engine
   std::string block;     ///< id in the library
   double density = 0.0;  ///< kg/m^3
 };
@@ -19,11 +20,11 @@ struct SceneShape {
 struct SceneZone {
   ShpShape shape;  ///< local frame of the terrain
   TriangleMesh surface;
-  std::string zone;  ///< name in the campaign
+  std::string zone;  ///< name of the zone in the campaign
 };
 
-/// Shapes and zones shared by all scenes of a campaign. The group of a block is the index of its
-/// shape; that of a zone is `shapes.size()` plus its index.
+/// Shapes and zones that all scenes of a campaign share. The group of a block is the index of its
+/// shape. The group of a zone is `shapes.size()` plus its index.
 struct SceneContents {
   std::vector<SceneShape> shapes;
   std::vector<SceneZone> zones;
@@ -33,18 +34,18 @@ struct SceneContents {
   }
 };
 
-/// Number of time steps between two lines of a Rockable track.
+/// Number of time steps between two lines of a track written by Rockable.
 inline constexpr std::size_t kTrackedSteps = 200;
 
 struct SceneBody {
-  std::uint32_t shape = 0;  ///< and group
-  double scale = 1.0;       ///< of lengths
+  std::uint32_t shape = 0;  ///< index of shape and group
+  double scale = 1.0;       ///< scale of lengths
   RigidState start;
 };
 
-/// Contact parameters of two groups.
+/// Contact parameters of a pair of groups.
 struct SceneContact {
-  std::uint32_t first = 0, second = 0;  ///< groups
+  std::uint32_t first = 0, second = 0;  ///< indices of the groups
   double normal = 0.0;                  ///< k_n, N/m
   double tangential = 0.0;              ///< k_t, N/m
   double rolling = 0.0;                 ///< k_r, N m/rad
@@ -53,23 +54,23 @@ struct SceneContact {
 
 /// Bodies, contacts and time step of one scene.
 struct Scene {
-  std::string name;  ///< "run00001", "realisation0001"
+  std::string name;  ///< name, such as "run00001" or "realisation0001"
   std::vector<SceneBody> bodies;
   std::vector<SceneContact> contacts;
-  double time_step = 0.0;      ///< constant step that resolves impacts, s
-  double search_margin = 0.0;  ///< distance of listed neighbour pairs, m
-  double search_interval =
-      0.0;  ///< interval between neighbour searches, s; no block moves by more than half the margin
+  double time_step = 0.0;        ///< constant step that resolves impacts, s
+  double search_margin = 0.0;    ///< maximum distance of pairs in the neighbour list, m
+  double search_interval = 0.0;  ///< interval between neighbour searches, s; no block moves by more
+                                 ///< than half of `search_margin` in it
 };
 
 /// Returns the name of the scene that starts with a run.
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first);
 
-/// Collects shapes and zones.
+/// Collects the shapes and zones of a campaign.
 SceneContents scene_set(const CampaignPlan& prepared);
 
 /// Builds the scene of one run or realisation.
-/// @param first  index of its first run
+/// @param first  index of the first run
 Scene build_scene(const CampaignPlan& prepared, const SceneContents& set, std::uint32_t first);
 
 /// Writes shapes, conf file and tracker input for Rockable.

@@ -1,12 +1,12 @@
 #pragma once
-/// Text formats of numbers and bodies for other codes.
+/// Text formats of numbers and bodies for other discrete element codes.
 #include <string>
 
 #include "study/engines/detail/scene.hpp"
 
 namespace clast::study_detail {
 
-/// Formats a number with the fewest digits that restore its bits.
+/// Formats a number with the fewest digits that represent it exactly.
 std::string format_exact(double value);
 /// Formats a point as "x y z".
 std::string format_exact(const Vec3& v);

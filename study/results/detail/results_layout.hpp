@@ -1,9 +1,10 @@
 #pragma once
-/// Layout of the datasets of a results file, declared once for the file, its journal, tables and
-/// docs/formats.md.
+/// Layout of the datasets of a results file. It is declared once for the file, its journal, the
+/// tables and docs/formats.md.
 ///
 /// `visit_columns` calls visit(name, unit, meaning, field) for each column, in the order of file
-/// and journal; `std::invoke(field, row)` is an assignable reference to its value in a row.
+/// and journal. `std::invoke(field, row)` returns an assignable reference to the value of the
+/// column in a row.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -17,7 +18,7 @@ inline constexpr const char* kResultsFormat = "clast results";
 inline constexpr int kResultsSchema = 4;
 inline constexpr int kOldestResultsSchema = 2;  ///< oldest schema that can be read
 
-/// Converts a value to its dataset type.
+/// Converts a value to the type of its dataset.
 inline std::uint32_t stored(std::uint32_t value) { return value; }
 inline double stored(double value) { return value; }
 inline std::string stored(const std::string& value) { return value; }
@@ -30,8 +31,8 @@ using Stored = decltype(stored(std::invoke(std::declval<Field>(), std::declval<c
 template <class Row>
 inline constexpr std::type_identity<Row> kRowsOf{};
 
-/// Visits the columns of a rigid-body state: suffixes of the start and stop columns of /runs, and
-/// rows 1 to 13 of a trajectory.
+/// Visits the columns of a rigid-body state. Their names are suffixes of the start and stop columns
+/// of /runs, and they are rows 1 to 13 of a trajectory.
 template <class Visit>
 void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
   const char* place = "position of the centre of mass";
@@ -56,8 +57,8 @@ void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
         [](auto& s) -> decltype(auto) { return (s.angular_velocity.z()); });
 }
 
-/// Visits the stiffness columns of a run. Before schema 4 the first four were attributes of
-/// /contact, shared by all runs.
+/// Visits the stiffness columns of a run. Before schema 4, the first four were attributes of
+/// /contact that all runs shared.
 template <class Visit>
 void visit_stiffness(const Visit& visit) {
   const char* used = "k_n and k_t as used, determined for the run or given";
@@ -81,8 +82,8 @@ void visit_stiffness(const Visit& visit) {
 }
 
 /// Visits the columns of one state of a run.
-/// @param prefix  of the column names
-/// @param when  suffix of their meanings: " at the start"
+/// @param prefix  prefix of the column names
+/// @param when  prefix of the column descriptions, such as "at the start: "
 /// @param state  returns the state of a run
 template <class Visit, class State>
 void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
@@ -285,7 +286,8 @@ inline std::size_t trajectory_row_count() {
   return rows;
 }
 
-/// Returns the dataset name of a run, zero-padded so that names sort like numbers: "00000012".
+/// Returns the dataset name of the trajectory of a run, such as "00000012". It is zero-padded, so
+/// names sort like numbers.
 std::string trajectory_dataset_name(std::uint32_t run);
 
 }  // namespace clast::study_detail

@@ -1,5 +1,5 @@
 #pragma once
-/// Checkpoints of unfinished realisations, beside the journal of their campaign.
+/// Checkpoints of unfinished realisations. They are stored beside the journal of the campaign.
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -11,23 +11,24 @@
 
 namespace clast::study_detail {
 
-/// Checkpoint of one realisation, readable only by the program version that wrote it. The writer
-/// holds the lock on the results target.
+/// Checkpoint of one realisation. Only the program version that wrote it can read it. The target of
+/// the results must be locked while it is used.
 class CheckpointFile {
  public:
-  /// Names the checkpoint of a realisation.
+  /// Sets the path of the checkpoint; no file is accessed.
   /// @param target  results file; the checkpoint is `journal_path` with the realisation number
   /// @param header  must outlive this object
-  /// @param realisation  from 0; in the file name from 1
+  /// @param realisation  index from 0; the file name has a number from 1
   CheckpointFile(const std::filesystem::path& target, const CampaignHeader& header,
                  std::uint32_t realisation);
 
   const std::filesystem::path& path() const { return path_; }
   /// Reads the stored state; empty if there is no file.
-  /// @throws InputError  if the file is damaged, not a checkpoint, or of another campaign,
-  ///                     realisation, inputs or program
+  /// @throws InputError  if the file is damaged, is not a checkpoint, or belongs to another
+  ///                     campaign, realisation, inputs or program version
   std::optional<std::string> read() const;
-  /// Writes the bytes of `save`, replacing the previous state atomically.
+  /// Writes a state. It replaces the previous one atomically.
+  /// @param save  function that writes the bytes of the state
   /// @throws InputError  if the file cannot be written
   void write(const std::function<void(ByteWriter& to)>& save) const;
   void remove() const;

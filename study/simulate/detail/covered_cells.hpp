@@ -1,5 +1,5 @@
 #pragma once
-/// Plan grid cells covered by a placed block.
+/// Cells of a plan grid that a placed block covers.
 #include <cstdint>
 #include <vector>
 
@@ -8,18 +8,19 @@
 
 namespace clast::study_detail {
 
-/// Cell covered by a block. Cell (i, j) spans x from i to i + 1 and y from j to j + 1, times the
-/// cell width.
+/// Cell covered by a block. In units of the cell width, cell (i, j) extends in x from i to i + 1
+/// and in y from j to j + 1.
 struct CoveredCell {
   std::int64_t i = 0, j = 0;
   double lowest = 0.0, highest = 0.0;  ///< bounds of the block's height in this cell, m
 };
 
-/// Computes conservative height bounds of a block in each covered cell, at most `radius` too wide:
-/// each core triangle is clipped to the cell enlarged by the radius.
-/// @param core  closed triangles of the core, body frame
+/// Computes conservative bounds of the height of a block in each covered cell. They exceed the
+/// exact bounds by at most `radius`, because each core triangle is clipped to the cell enlarged by
+/// the radius.
+/// @param core  closed surface of the core, body frame
 /// @param place  world_from_body
-/// @param width  of a cell, m
+/// @param width  width of a cell, m
 std::vector<CoveredCell> compute_covered_cells(const TriangleMesh& core, double radius,
                                                const Pose& place, double width);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies with precomputed data for their overlap with the ground.
+/// Bodies with precomputed data for computing their overlap with the ground.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -20,15 +20,15 @@ struct MeasuredBody {
   GroundOverlap overlap;
 };
 
-/// Cache of up to 500 bodies, cleared when full: consecutive runs often use equal blocks, but
-/// sampled blocks can be too many to store.
+/// Cache of up to 500 bodies, which is cleared when full. Consecutive runs often use equal blocks,
+/// but sampled blocks may be too many to store.
 class MeasuredBodies {
  public:
-  /// Makes an empty cache; both arguments must outlive it.
+  /// Makes an empty cache. Both arguments must outlive it.
   MeasuredBodies(const TerrainSurface& ground, const BlockBodies& bodies)
       : ground_(ground), bodies_(bodies) {}
 
-  /// Returns the body of a block; valid until the next call.
+  /// Returns the body of a block. The reference is valid until the next call.
   const MeasuredBody& of(std::size_t block) {
     const std::uint32_t first = bodies_.first_equal_body(block);
     const auto found = kept_.find(first);
@@ -42,7 +42,7 @@ class MeasuredBodies {
   static constexpr std::size_t kMaxRetained = 500;
   const TerrainSurface& ground_;
   const BlockBodies& bodies_;
-  std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< by `first_equal_body`
+  std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< key: `first_equal_body`
 };
 
 }  // namespace clast::study_detail

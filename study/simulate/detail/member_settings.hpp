@@ -1,5 +1,5 @@
 #pragma once
-/// Settings of ensemble members taken from posterior draws.
+/// Settings of ensemble members that are taken from posterior draws.
 #include <cstddef>
 #include <vector>
 
@@ -7,10 +7,10 @@
 
 namespace clast::study_detail {
 
-/// Chooses a different random draw for each member; empty without a posterior.
+/// Chooses a different random draw of the posterior for each member. Empty without a posterior.
 std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble);
 
-/// Returns the medians of all parameters as a single draw.
+/// Computes the medians of all parameters. They are returned as a single draw.
 PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior);
 
 struct ReleaseStart {
@@ -19,16 +19,16 @@ struct ReleaseStart {
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
 };
 
-/// Settings of a member other than ground parameters.
+/// Settings of an ensemble member, without ground parameters.
 struct MemberSettings {
   std::vector<ReleaseStart> starts;  ///< one per release set
   StiffnessOptions stiffness;
 };
 
-/// Returns the settings of all members; a single entry if they are equal.
+/// Returns the settings of all members. There is a single entry if they are equal.
 std::vector<MemberSettings> sample_member_settings(const Campaign& campaign);
 
-/// Returns the campaign's settings, or the medians of the posterior.
+/// Returns the settings of the campaign, or the medians of the posterior if there is one.
 MemberSettings central_settings(const Campaign& campaign);
 
 }  // namespace clast::study_detail

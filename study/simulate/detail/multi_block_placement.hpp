@@ -10,23 +10,23 @@
 
 namespace clast::study_detail {
 
-/// Places the blocks of a realisation one by one: at their positions in the library frame, or on a
+/// Places the blocks of a realisation one by one, at their positions in the library frame or on a
 /// heap.
 class MultiBlockPlacement {
  public:
   /// Makes the packings of all heaps.
-  /// @param prepared  with campaign, blocks, terrain and header; must outlive this object
+  /// @param prepared  plan with campaign, blocks, terrain and header; must outlive this object
   /// @throws InputError  if a polygon has no area, leaves the terrain, or overlaps that of another
   ///                     heap
   explicit MultiBlockPlacement(const CampaignPlan& prepared);
 
   /// Starts a realisation.
-  /// @param name  seeds the orientations
+  /// @param name  name of the realisation, which seeds the orientations
   /// @param blocks  number of blocks of each release
   void begin(const std::string& name, const std::vector<std::size_t>& blocks);
   /// Places one block.
-  /// @param body  of this block
-  /// @throws InputError  if the block fits nowhere or is outside the terrain
+  /// @param body  body of the block
+  /// @throws InputError  if there is no place for the block, or if it is outside the terrain
   /// @throws SimulationError  if its position is inside the ground
   RigidState place(std::size_t mass, std::uint32_t block, const MeasuredBody& body, Random& random);
   /// Returns the placed blocks of each release since `begin`.
@@ -41,10 +41,10 @@ class MultiBlockPlacement {
 
   const CampaignPlan& prepared_;
   const std::vector<MultiBlockRelease>& plans_;
-  std::vector<BlockPacking> packings_;  ///< of the heaps
+  std::vector<BlockPacking> packings_;  ///< one entry per heap
   std::string name_;
   std::vector<std::size_t> expected_;    ///< number of blocks of each release
-  std::vector<MultiBlockStart> placed_;  ///< of each release
+  std::vector<MultiBlockStart> placed_;  ///< one entry per release
 };
 
 }  // namespace clast::study_detail

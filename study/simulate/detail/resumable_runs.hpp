@@ -1,5 +1,5 @@
 #pragma once
-/// Runs with checkpoints of long realisations.
+/// Simulation of runs with checkpoints of long realisations.
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -12,24 +12,25 @@ namespace clast::study_detail {
 
 class ResumableRuns {
  public:
-  /// Receives progress about twice per second. If it throws, a checkpoint is written and the
-  /// realisation ends.
+  /// Function that receives the progress about twice per second. If it throws, a checkpoint is
+  /// written and the realisation ends.
   using Report = std::function<void(const std::string& what)>;
 
-  /// Stores references; all arguments must outlive this object.
+  /// Stores references. All arguments must outlive this object.
   /// @param target  results file; checkpoints are stored beside it
   ResumableRuns(const CampaignPlan& prepared, const std::filesystem::path& target,
                 const RunOptions& options)
       : prepared_(prepared), target_(target), options_(options) {}
 
-  /// Checks all checkpoints before the first run.
-  /// @param firsts  first runs of the groups that are computed together
+  /// Checks all checkpoints. Called before the first run.
+  /// @param firsts  first run of each group of runs that are computed together
   /// @throws InputError  if a checkpoint is damaged or of another campaign
   void check_checkpoints(const std::vector<std::uint32_t>& firsts) const;
-  /// Computes the runs of the group that starts at `first`, resuming from its checkpoint if there
-  /// is one. If a checkpoint cannot be written, this is reported and tried again later.
-  /// @param threads  for a realisation
-  /// @throws InputError  as `check_checkpoints`
+  /// Computes the runs of the group that starts at `first`. If there is a checkpoint, the
+  /// computation continues from it. If a checkpoint cannot be written, this is reported, and
+  /// writing is tried again later.
+  /// @param threads  number of threads for a realisation
+  /// @throws InputError  if the checkpoint is damaged or of another campaign
   std::vector<StoredRun> compute(std::uint32_t first, unsigned threads,
                                  const Report& report = {}) const;
   /// Removes the checkpoint of a group whose runs are stored.
