@@ -137,7 +137,7 @@ TEST_F(Campaigns, FinishedResultsAreKeptAndNotRunAgain) {
                  "r.h5: already exists; --replace replaces it");
   const ProgramRun again = simulate({"--resume"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_TRUE(contains(again.out, "r.h5: nothing to do, has all runs already")) << again.out;
+  EXPECT_TRUE(contains(again.out, "r.h5: nothing to do, all runs are stored already")) << again.out;
   EXPECT_EQ(read_text_file(folder / "r.h5"), first);
   EXPECT_EQ(simulate({"--replace"}).exit_code, 0);
   write_text_file(folder / "campaign.toml", slope_campaign() + "# another one\n");

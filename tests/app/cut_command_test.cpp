@@ -170,7 +170,7 @@ TEST_F(CutBetweenTerrains, RefusesWithItemAndNextStep) {
   refused(with({"-j", "70/95/1", "scar.ply"}), 2, "mass");
   refused({"cut", "--before", "before.asc", "-j", "70/95/1"}, 2, "--before requires --after");
   refused({"cut", "scar.ply", "--scar", "a.ply", "-j", "70/95/1"}, 2, "--scar requires --before");
-  refused(with({"--scar", "after.asc"}), 2, "after.asc: is read, and would be written over");
+  refused(with({"--scar", "after.asc"}), 2, "after.asc: is an input and would be overwritten");
   refused(with({"--scar", "scar.tif"}), 2, "its name must end in .glb, .obj, .ply, .stl, .vtp");
   refused(with({"-j", "70/95/1", "--bodies", "none"}), 2, "--bodies = \"none\": must be largest");
   refused(with({"-j", "70/95/1", "--bodies", "2"}), 1, "--bodies = 2: there is 1 body");

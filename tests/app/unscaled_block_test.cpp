@@ -122,7 +122,8 @@ TEST_F(UnscaledBlock, FieldNotesSayWhatTheUnitIs) {
   const std::string said =
       run({"library", "set", "blocks.h5", "model", "--taped", "0.62,0.22,0.22", "--weighed", "90"})
           .out;
-  EXPECT_TRUE(contains(said, "0.5000 m (L) 0.5000 m (I) 0.5000 m (S); give one as --scale-factor"))
+  EXPECT_TRUE(
+      contains(said, "0.5000 m (L) 0.5000 m (I) 0.5000 m (S); to make the block again in metres"))
       << said;
   EXPECT_TRUE(contains(said, "no mass to compare with"));
   const Json block = Json::parse(run({"show", "blocks.h5", "model", "--json"}).out)[0];
