@@ -212,7 +212,7 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
     if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
       throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
-                       "\" sums up the other rows; remove that row");
+                       "\" is a sum of other rows; remove that row");
     }
     MeasuredStop stop;
     stop.place = {coordinate(record, columns, "x", table, file),

@@ -72,7 +72,8 @@ TEST_F(CutCommand, TurnsTheMassAndSaysWhatIsLost) {
 TEST_F(CutCommand, RefusesWithItemAndNextStep) {
   const auto refused = [&](const std::vector<std::string>& words, int code,
                            const std::string& item) { expect_refused(folder, words, code, item); };
-  refused({"cut", "scar.ply", "-j", "70/95"}, 2, "is no joint set; give DIP/DIP_DIRECTION/SPACING");
+  refused({"cut", "scar.ply", "-j", "70/95"}, 2,
+          "is not a joint set; give DIP/DIP_DIRECTION/SPACING");
   refused({"cut", "scar.ply", "-j", "95/95/1"}, 2, "dip = 95; must be from 0 to 90");
   refused({"cut", "scar.ply"}, 2, "--joints is required");
   refused({"cut", "-j", "70/95/1"}, 2, "give a closed mesh of the mass, or --before and --after");

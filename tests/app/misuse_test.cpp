@@ -76,8 +76,8 @@ TEST_F(Misuse, OfReconstruct) {
   refuse({"--units", "-1"}, "-1");
   refuse({"--up", "x"}, "--up");
   refuse({"--ground", "flat"}, "--ground");
-  refuse({"--split", "--mass", "5"}, "--mass is the mass of one block, but --split");
-  refuse({"b.obj", "--mass", "5"}, "--mass is the mass of one block, but 2 scans are given");
+  refuse({"--split", "--mass", "5"}, "--mass is the mass of a single block, but --split");
+  refuse({"b.obj", "--mass", "5"}, "--mass is the mass of a single block, but 2 scans are given");
   refuse({"--core"}, "--radius");
   refuse({"--radius", "-0.1"}, "-0.1");
   refuse({"--radius", "0.1", "--radius-share", "0.1"}, "--radius-share");

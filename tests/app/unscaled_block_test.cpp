@@ -81,7 +81,7 @@ TEST_F(UnscaledBlock, HasNoMetricKeysInJson) {
 TEST_F(UnscaledBlock, IsClassifiedByItsShapeAlone) {
   const ProgramRun text = run({"classify", "blocks.h5"});
   EXPECT_TRUE(contains(text.out, "1.240 u"));
-  EXPECT_TRUE(contains(text.err, "in no sizes and masses: model")) << text.err;
+  EXPECT_TRUE(contains(text.err, "not in sizes and masses: model")) << text.err;
   const Json json = Json::parse(run({"classify", "blocks.h5", "--json"}).out);
   EXPECT_EQ(json["size"]["by_number"]["blocks"], 1);
   EXPECT_FALSE(json["blocks"][1].contains("mass_kg"));

@@ -371,9 +371,9 @@ TEST_F(CampaignFile, BadLinesOfPointFilesAreNamed) {
             "points.xyz:1: nan is not a number from -1e+08 to 1e+08 m; a line must be three "
             "numbers, x y z");
   EXPECT_EQ(refused_points("# only this\n"),
-            "points.xyz: holds no line with numbers; each line must be three numbers, x y z");
+            "points.xyz: has no line of numbers; each line must be three numbers, x y z");
   EXPECT_EQ(refused_points(""),
-            "points.xyz: holds no line with numbers; each line must be three numbers, x y z");
+            "points.xyz: has no line of numbers; each line must be three numbers, x y z");
   EXPECT_EQ(refused_points("x y z\n# survey of May\n\n1;2;+3 # corner\r\n1;\t2;3e0\n"), "");
   EXPECT_EQ(refused_points("1;2;3\n1,2,3\n"),
             "points.xyz:2: 1 number; a line must be three numbers, x y z");

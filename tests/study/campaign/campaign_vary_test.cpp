@@ -133,7 +133,7 @@ TEST_F(CampaignVary, DrawsFromATableWhoseHashIsKept) {
   EXPECT_TRUE(
       std::any_of(plan.header.inputs.begin(), plan.header.inputs.end(),
                   [](const std::string& input) { return input.find("taped.csv ") != input.npos; }));
-  expect_refused("vary = { population = { count = 3 } }", "ten blocks, and there are 2");
+  expect_refused("vary = { population = { count = 3 } }", "ten blocks, but there are 2");
   expect_misread("vary = { population = { count = 3, units = \"cm\" } }", "leave units out");
   expect_misread("vary = { population = { count = 3, prefix = \"a/b\" } }", "a/b");
   expect_misread("vary = { population = { table = \"taped.csv\" } }", "count is missing");
@@ -144,10 +144,10 @@ TEST_F(CampaignVary, SaysWhatCanNotBeMade) {
                  "[blocks] vary: 2 of 4 bodies can't be made; leave out what asks for them. The "
                  "first: block cube: a convexity of 0.5");
   expect_refused("vary = { vertices = 100 }",
-                 "no body could be made; the first: block cube: 100 "
+                 "no body could be made; first reason: block cube: 100 "
                  "vertices can't be reached");
   expect_refused("vary = { to = [[0.5, 0.5], [0.5, 0.5]] }",
-                 "\"cube_il0.5_sl0.5\" is asked for twice");
+                 "\"cube_il0.5_sl0.5\" is requested twice");
   expect_refused("vary = { like = \"moss\" }", "moss");
 }
 
