@@ -177,9 +177,9 @@ TEST_F(CutBetweenTerrains, RefusesWithItemAndNextStep) {
   refused(with({"-j", "70/95/1", "--bodies", "2"}), 1, "--bodies = 2: there is 1 body");
   refused(with({"-j", "70/95/1", "--min-thickness", "4"}), 1, "give a smaller --min-thickness");
   refused({"cut", "--before", "after.asc", "--after", "before.asc", "-j", "70/95/1"}, 1,
-          "are the two swapped?");
+          "check that the two are not swapped");
   refused({"cut", "--before", "before.asc", "--after", "elsewhere.asc", "-j", "70/95/1"}, 1,
-          "--before and --after have no place in common");
+          "--before and --after do not overlap");
   refused({"cut", "--before", "before.asc", "--after", "none.asc", "-j", "70/95/1"}, 1, "none.asc");
   std::string empty = read_text_file(folder / "after.asc");
   empty.resize(empty.find("-9999") + 6);
