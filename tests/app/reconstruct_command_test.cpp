@@ -41,7 +41,7 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
     EXPECT_LE(unseen["axes_lower_m"][axis], block["box_m"][axis]);
     EXPECT_GE(unseen["axes_upper_m"][axis], block["box_m"][axis]);
   }
-  EXPECT_TRUE(contains(unseen["assumption"].get<std::string>(), "planes of the flanks"));
+  EXPECT_TRUE(contains(unseen["assumption"].get<std::string>(), "planes of the observed flanks"));
   const ProgramRun full = run_clast({"show", "blocks.h5", "open"}, folder.path());
   EXPECT_TRUE(contains(full.out, "surface filled in %")) << full.out;
   EXPECT_TRUE(contains(full.out, "mass kg")) << full.out;
@@ -88,7 +88,7 @@ TEST_F(Scans, AnOpenScanIsABlockThatSaysWhatWasInventedButNoCore) {
   write_obj(folder / "open.obj", open);
   const std::vector<std::string> core = {"reconstruct", "open.obj", "--core", "--radius", "0.01"};
   expect_refused(folder, core, 1, "open.obj: the surface is not closed: ");
-  expect_refused(folder, core, 1, " m round near (");
+  expect_refused(folder, core, 1, " m in perimeter near (");
   const ProgramRun run = run_clast({"reconstruct", "open.obj"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "the scan was open: "));

@@ -179,7 +179,7 @@ TEST_F(Clouds, ColumnsThatAreAskedForAreTaken) {
   EXPECT_TRUE(contains(refusal([&] {
                          stream_cloud(folder / "a.pcd", [](const PointBatch&) {}, {"1", "2", "3"});
                        }),
-                       "a.pcd: `columns` are of clouds in text"));
+                       "a.pcd: `columns` applies only to clouds in text"));
 }
 
 TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
