@@ -113,7 +113,7 @@ TEST_F(VaryCommand, ShowsSeriesAsTablesOfPictures) {
 }
 
 TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
-  refused({}, 2, "nothing is asked for");
+  refused({}, 2, "no variation is requested");
   refused({"R3", "--roundness", "1.5"}, 2, "--roundness");
   refused({"R3", "--roundness", "0.99"}, 1, "a roundness of 0.99 can't be reached");
   refused({"--to", "0.5"}, 2, "--to 0.5: give I/L,S/L");

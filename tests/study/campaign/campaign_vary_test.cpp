@@ -153,7 +153,7 @@ TEST_F(CampaignVary, SaysWhatCanNotBeMade) {
 
 TEST_F(CampaignVary, RefusesWhatMakesNoSenseWithLineKeyAndValue) {
   expect_misread("vary = {}",
-                 "campaign.toml:3: [blocks] vary: nothing is asked for; give to, grid");
+                 "campaign.toml:3: [blocks] vary: no variation is requested; give to, grid");
   expect_misread("vary = 3", "vary = 3");
   expect_misread("vary = { too = [[1, 1]] }", "too = [[1, 1]]: unknown key; did you mean to?");
   expect_misread("vary = { to = [[0.5, 0.8]] }", "to = [0.5, 0.8]: S/L must be at most I/L");
@@ -186,7 +186,7 @@ TEST_F(CampaignVary, IsNotOfAMassInPlace) {
   text += "\n[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.1\n";
   EXPECT_TRUE(
       contains(clast::refusal<InputError>([&] { campaign(text); }),
-               "in_place = true: blocks in place run as they are; leave [blocks] vary out"));
+               "in_place = true: blocks in place can't be varied; leave [blocks] vary out"));
 }
 
 }  // namespace
