@@ -35,7 +35,7 @@ Columns columns_of(const Record& header, const std::string& file) {
   };
   const auto add = [&](const std::string& name, std::size_t column) {
     if (!columns.emplace(name, column).second) {
-      refuse("has two columns \"" + name + "\"; keep one of them");
+      refuse("has two columns \"" + name + "\"; keep only one of them");
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
     if (heading.length && heading.length->factor != 1.0) {

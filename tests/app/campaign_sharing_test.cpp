@@ -78,7 +78,7 @@ TEST_F(SharedCampaign, IsTheSameInFourShardsJoined) {
   }
   EXPECT_FALSE(fs::exists(folder / "all.h5"));
   expect_refused(folder, {"simulate", "--merge", "all.1of4.h5", "all.3of4.h5", "-o", "all.h5"}, 1,
-                 "80 of 160 runs are in no part, run 1 first");
+                 "80 of 160 runs are in none of the parts, run 1 first");
   expect_refused(
       folder, {"simulate", "--merge", "all.1of4.h5", "all.2of4.h5", "all.1of4.h5", "-o", "all.h5"},
       1, "run 0 is in");

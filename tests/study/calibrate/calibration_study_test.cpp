@@ -139,7 +139,7 @@ TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
   EXPECT_TRUE(contains(asked("blocks.mass_std_kg", "[100, 900]"), "{ normal = [mean, std] }"));
   EXPECT_TRUE(contains(asked("blocks.share.compact", "[0, 1]"), no_class));
   EXPECT_TRUE(contains(asked("blocks.share.round", "[0, 1]"),
-                       "is the share of no class; classes are compact, elongated"));
+                       "is not the fraction of a class; classes are compact, elongated"));
   drawing("{ count = 5, shares = { compact = 0.5, elongated = 0.5 }, mass_kg = 300 }");
   EXPECT_EQ(asked("blocks.mass_kg", "[100, 900]"), "");
   EXPECT_EQ(asked("blocks.share.compact", "[0, 1]"), "");
@@ -177,7 +177,7 @@ TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {
             "blocks at a height_m");
   EXPECT_TRUE(refused("ground.blue.friction", "ground.blue.colour")
                   .starts_with("study.toml:10: [[unknown]] parameter = \"ground.blue.colour\": is "
-                               "no parameter that can be calibrated; these are "
+                               "not a parameter that can be calibrated; these are "
                                "ground.ZONE.energy_restitution, ground.ZONE.friction"));
   EXPECT_EQ(refused("[0.4, 0.9]", "[0.9, 0.4]"),
             "study.toml:11: [[unknown]] range = [0.9, 0.4]: the lower end must come first");

@@ -141,8 +141,8 @@ TEST_F(CampaignVary, DrawsFromATableWhoseHashIsKept) {
 
 TEST_F(CampaignVary, SaysWhatCanNotBeMade) {
   expect_refused("vary = { convexity = [0.5, 1] }",
-                 "[blocks] vary: 2 of 4 bodies can't be made; leave out what asks for them. The "
-                 "first: block cube: a convexity of 0.5");
+                 "[blocks] vary: 2 of 4 bodies can't be made; leave out the keys that request "
+                 "them. First reason: block cube: a convexity of 0.5");
   expect_refused("vary = { vertices = 100 }",
                  "no body could be made; first reason: block cube: 100 "
                  "vertices can't be reached");

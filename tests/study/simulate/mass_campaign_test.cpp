@@ -231,7 +231,8 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
   refused(text(std::string(kMass) + "height_m = 1\n"), "applies to blocks in place");
   // Those of the other library lie in one another.
   refused(replaced_once(in_place, "\"insitu.h5\"", "\"blocks.h5\""),
-          "[mass] in_place: 1 pair of blocks overlap, the most cube and slab, by 0.3 m");
+          "[mass] in_place: 1 pair of blocks overlap, the largest overlap is that of cube and "
+          "slab, by 0.3 m");
   // A mass that reaches into the ground.
   for (Vec3& vertex : mass.vertices) vertex.z() -= 0.5;
   const RockMassBlocks deep =

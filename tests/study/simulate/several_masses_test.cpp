@@ -221,7 +221,7 @@ TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
   refused(masses("share = 0\n"), "share = 0");
   refused(masses("share = 0.5\ncount = 2\n"), "contradicts share");
   refused(masses("count = 9\n"),
-          "make 9 of 9 blocks of a realisation and leave none to [mass] upper");
+          "make 9 of 9 blocks of a realisation and leave none for [mass] upper");
   refused(masses("count = 2\n", "count = 2\n"), "make 4 of 9 blocks of a realisation; make it all");
   refused(masses("share = 0.01\n"), "[mass] lower gets none of the 9 blocks");
   refused(masses("in_place = true\n"), "neither drawn nor scaled");
