@@ -35,7 +35,7 @@ std::string described(const CLI::ParseError& error, const CLI::App& command) {
   for (const CLI::App* subcommand : known)
     names += (names.empty() ? "" : ", ") + subcommand->get_name();
   if (rest.empty()) return "a command is missing; there are " + names;
-  return "\"" + rest.front() + "\" is no command; there are " + names;
+  return "\"" + rest.front() + "\" is not a command; there are " + names;
 }
 
 int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands) {
@@ -71,7 +71,7 @@ int run(int argc, char** argv, const std::function<void(CLI::App&)>& add_command
 int checked(int exit_code) {
   std::cout.flush();
   if (std::cout || exit_code != 0) return exit_code;
-  std::cerr << "clast: what was to be printed could not all be written; is the disk full?\n";
+  std::cerr << "clast: the output could not be written completely; is the disk full?\n";
   return kFailed;
 }
 

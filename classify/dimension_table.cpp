@@ -105,7 +105,7 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
   if (label) {
     ++table.skipped;
     table.notes.push_back(row() + " skipped: \"" + std::string(*label) +
-                          "\" sums up the other rows");
+                          "\" is a sum of other rows");
     return;
   }
   std::array<double, 3> values{};
@@ -135,7 +135,8 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
       block.mass = mass.value * layout.mass_units;
     } else {
       ++table.without_mass;
-      table.notes.push_back(row() + ": " + mass.trouble + "; the block counts by number only");
+      table.notes.push_back(row() + ": " + mass.trouble +
+                            "; the block counts by number, not by mass");
     }
   }
   const bool named = layout.name && !record.fields[*layout.name].empty();
@@ -165,7 +166,7 @@ void note_unnamed_summaries(DimensionTable& table) {
     const std::string& name = table.blocks[i].name;
     if ((mean || sum) && name.starts_with("row ")) {
       notes.push_back(name + " is the " + (mean ? "mean" : "sum") +
-                      " of the rows above: is it a block? If not, delete the row");
+                      " of the rows above: if this row is not a block, delete it");
     }
   }
   table.notes.insert(table.notes.end(), notes.begin(), notes.end());
@@ -194,13 +195,13 @@ std::string length_note(const DimensionTable& table, bool units_are_known) {
     const auto beyond = lengths.end() - std::upper_bound(lengths.begin(), lengths.end(), kDoubtful);
     return std::to_string(beyond) + (beyond == 1 ? " block is" : " blocks are") + " longer than " +
            format_significant(kDoubtful, 3) + " m, up to " + format_significant(lengths.back(), 3) +
-           " m: are these slips of the pen?";
+           " m: check that these are not typing errors";
   }
   const std::string half =
       "half of the blocks are " + format_significant(median, 3) + " m long or longer";
-  if (units_are_known) return half + ": check the unit, which is as `units` or the header says";
+  if (units_are_known) return half + ": check the unit, which `units` or the header gives";
   return "axes were read in metres, as neither the header nor `units` names a unit, and " + half +
-         in_other_units(median) + "; give the unit with `units`";
+         in_other_units(median) + "; give the unit as `units`";
 }
 
 }  // namespace
@@ -221,8 +222,8 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
   DimensionTable table;
   if (content.from_latin1) {
     table.notes.push_back(
-        "the file is not UTF-8 and was read as Windows-1252 (Latin-1); where letters with accents "
-        "look wrong, save it as CSV (UTF-8)");
+        "the file is not UTF-8 and was read as Windows-1252 (Latin-1); if accented letters look "
+        "wrong, save it as CSV (UTF-8)");
   }
   TableLayout layout = find_table_layout(record, text.separator(), columns, file, table.notes);
   find_summary_rows(content.text, layout);

@@ -42,7 +42,7 @@ FormCopula::Values FormCopula::measure_values(std::span<const BlockForm> blocks,
 
 FormCopula::FormCopula(std::span<const BlockForm> population) {
   if (population.size() < kFewest) {
-    throw InputError("a distribution to draw from needs ten blocks, and there are " +
+    throw InputError("a distribution of forms needs at least ten blocks, but there are " +
                      std::to_string(population.size()));
   }
   has_convexity_ = std::all_of(population.begin(), population.end(),

@@ -51,12 +51,13 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
   std::vector<std::string> notes;
   const std::string repeated = repeated_names(blocks);
   if (!repeated.empty()) {
-    notes.push_back("the same name stands for several blocks, and each is counted: " + repeated);
+    notes.push_back("several blocks have the same name, and each is counted: " + repeated);
   }
   const std::string unscaled = unscaled_names(blocks);
   if (!unscaled.empty()) {
-    notes.push_back("of unknown size, and so in the classes but in no sizes and masses: " +
-                    unscaled + "; their lengths are marked u, units of the model");
+    notes.push_back(
+        "blocks without a known size, which count in the classes but not in sizes and masses: " +
+        unscaled + "; their lengths are in units of the model, marked u");
   }
   const auto uncertain =
       std::count_if(blocks.begin(), blocks.end(),
@@ -65,12 +66,12 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
     const auto widest =
         std::max_element(blocks.begin(), blocks.end(),
                          [](const auto& a, const auto& b) { return a.axis_error < b.axis_error; });
-    notes.push_back(std::to_string(uncertain) + " of " + std::to_string(blocks.size()) +
-                    " blocks have a shortest axis that is no longer than the error of the axes, "
-                    "which is up to " +
-                    format_significant(widest->axis_error, 3) +
-                    " m: their classes are guesses; give the error you measured with as "
-                    "`axis_error`");
+    notes.push_back(
+        std::to_string(uncertain) + " of " + std::to_string(blocks.size()) +
+        " blocks have a shortest axis that is no longer than the error of the axes, "
+        "which is up to " +
+        format_significant(widest->axis_error, 3) +
+        " m: their classes are unreliable; give the error of your measurements as `axis_error`");
   }
   return notes;
 }

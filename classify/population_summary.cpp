@@ -13,8 +13,7 @@ namespace {
 
 void check_has_blocks(const Population& population) {
   if (population.blocks.empty()) {
-    throw InputError("population " + population.name +
-                     ": has no blocks; nothing can be said of it");
+    throw InputError("population " + population.name + ": has no blocks to describe");
   }
 }
 
@@ -37,7 +36,7 @@ double median_of(std::vector<double> values) {
 }
 
 std::string chance(double p) {
-  return "two samples of one deposit differ as much with a chance of " + format_p_value(p);
+  return "two samples of one deposit differ this much with a probability of " + format_p_value(p);
 }
 
 MeasureDifference measure_difference(const ShapeMeasure& measure, const Population& a,
@@ -96,8 +95,8 @@ ClassDifference class_difference(const std::string& scheme, const Population& a,
   }
   const ChiSquaredResult& test = *result.test;
   const bool differs = test.p_value < kSignificanceLevel;
-  result.description = (differs ? "The shares of the " + scheme + " classes differ, "
-                                : "No difference in the shares of the " + scheme +
+  result.description = (differs ? "The fractions of the " + scheme + " classes differ, "
+                                : "No difference in the fractions of the " + scheme +
                                       " classes can be shown; they differ ") +
                        describe_largest_difference(shares_a, a.name, shares_b, b.name) + "; " +
                        chance(test.p_value) + " (chi-squared " +
@@ -137,8 +136,8 @@ std::string format_p_value(double p_value) {
 std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasure size) {
   const std::string pair = name_of(size) + " and " + relation.measure->name;
   if (!relation.test) {
-    return "Whether " + pair + " go together can't be said of " + std::to_string(relation.blocks) +
-           (relation.blocks == 1 ? " block" : " blocks") +
+    return "Whether " + pair + " are related can't be tested for " +
+           std::to_string(relation.blocks) + (relation.blocks == 1 ? " block" : " blocks") +
            (relation.blocks < 3 ? "." : " of one size or one shape.");
   }
   const double rho = relation.test->statistic;

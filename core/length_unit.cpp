@@ -12,8 +12,8 @@ double parse_length_unit(const std::string& text) {
   const std::optional<double> factor = parse_number(text);
   if (factor && kLengthUnit.contains(*factor)) return *factor;
   throw InputError("`units`: \"" + text +
-                   "\" is no unit; expected m, cm, mm, um, km, in, ft or the metres in one unit, a "
-                   "number " +
+                   "\" is not a length unit; expected m, cm, mm, um, km, in, ft or the length of "
+                   "one unit in metres, a number " +
                    kLengthUnit.describe());
 }
 

@@ -60,7 +60,7 @@ std::string describe_volume_bracket(const Block& block) {
   const bool metric = !is_unscaled(block);
   const bool is_open = unseen.filled_fraction > 0.0;
   const std::string filled = is_open ? format_significant(100.0 * unseen.filled_fraction, 2) +
-                                           " % of the surface is not seen but filled in"
+                                           " % of the surface was not scanned but filled in"
                                      : "the surface is not known exactly";
   const std::optional<double>& upper = unseen.upper_volume;
   if (upper && *upper - unseen.lower_volume < kHardlyOpen * unseen.estimated_volume) {

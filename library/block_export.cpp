@@ -138,7 +138,7 @@ bool BlockExportOptions::includes_rounded_surface() const {
 }
 
 void BlockExportOptions::check() const {
-  if (formats.empty()) throw InputError("`format` names no format");
+  if (formats.empty()) throw InputError("`format` is empty");
   for (const std::string& format : formats) {
     const std::vector<std::string>& known = block_export_formats();
     if (std::find(known.begin(), known.end(), format) != known.end()) continue;

@@ -264,10 +264,10 @@ void check_unseen(const Block& block) {
   const VolumeBracket& unseen = *block.volume_bracket;
   const auto require = [&](bool fine) {
     if (fine) return;
-    throw InputError("block " + block.id + ": the bounds of its unseen part, volume from " +
+    throw InputError("block " + block.id + ": the bounds of its unobserved part, volume from " +
                      format_significant(unseen.lower_volume, 4) + " m^3 about " +
                      format_significant(unseen.estimated_volume, 4) +
-                     " m^3, are those of no body; scan more of the block");
+                     " m^3, are impossible for a body; scan more of the block");
   };
   require(unseen.lower_volume > 0.0 && unseen.estimated_volume >= unseen.lower_volume);
   require(!unseen.upper_volume || *unseen.upper_volume >= unseen.estimated_volume);

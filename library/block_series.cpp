@@ -86,7 +86,7 @@ BlockSeries make_series(std::span<const VariationRequest> requests, const BlockS
 SampledSeries sample_series(std::span<const Block* const> parents,
                             std::span<const BlockForm> population, std::size_t count,
                             std::uint64_t seed, const std::string& prefix) {
-  if (parents.empty()) throw InputError("no block to make bodies of");
+  if (parents.empty()) throw InputError("there is no block from which to make bodies");
   const FormCopula copula(population);
   Random random(seed);
   SampledSeries series;

@@ -132,7 +132,7 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
                         std::to_string(surface.vertices.size()) + " vertices have a volume " +
                         format_significant(100.0 * std::abs(gap), 4) + " % " +
                         (gap > 0.0 ? "above" : "below") +
-                        " the scan's, and 3 % is the most that scaling corrects; give a smaller "
+                        " the scan's, and scaling corrects 3 % at most; give a smaller "
                         "`radius` or more `vertices`");
   }
   return body;
@@ -144,7 +144,7 @@ void warn_of_thin_walls(Block& block) {
   block.warnings.push_back(
       "the radius " + format_significant(block.body.radius, 4) +
       " m is more than half the thinnest wall, " + format_significant(wall->thickness, 4) +
-      " m near " + format_point(wall->position) + ": the block is thicker there than the rock");
+      " m near " + format_point(wall->position) + ": the block is thicker than the rock there");
 }
 
 /// Lighter than pumice or heavier than ore: a unit was mistaken, or a mass.
@@ -152,11 +152,11 @@ void warn_of_density(Block& block) {
   if (block.density >= kLightestRock && block.density <= kMaxRockMass) return;
   std::string advice = "; check mass and scale";
   if (block.density >= 1e-3 * kLightestRock && block.density <= 1e-3 * kMaxRockMass) {
-    advice = "; if that is in g/cm3 or t/m3, give `density` " +
+    advice = "; if this is in g/cm3 or t/m3, give `density` " +
              format_significant(1000.0 * block.density, 4);
   }
   block.warnings.push_back("the density " + format_significant(block.density, 4) +
-                           " kg/m3 is not that of a rock, 500 to 8000 kg/m3" + advice);
+                           " kg/m3 is outside the range of rocks, 500 to 8000 kg/m3" + advice);
 }
 
 void add_warnings(Block& block, const BlockOptions& options) {
@@ -164,19 +164,19 @@ void add_warnings(Block& block, const BlockOptions& options) {
   const double S = block.box.lengths[2];
   if (block.principal.has_near_equal_moments) {
     block.warnings.push_back(
-        "two principal moments are nearly equal: the principal axes, and what is given relative to "
-        "them, follow a convention and not the shape");
+        "two principal moments are nearly equal: the directions of the principal axes are set by a "
+        "convention, not by the shape");
   }
   if (block.mass.relative_error > options.accuracy) {
     block.warnings.push_back("volume and inertia are known to " +
                              format_significant(block.mass.relative_error, 4) + " and not to the " +
                              format_significant(options.accuracy, 4) +
-                             " asked for; simplify the scan, or ask for less with `accuracy`");
+                             " requested; simplify the scan, or raise `accuracy`");
   }
   if (block.body.radius > kMaxRadiusFraction * S) {
     block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +
                              " m is more than a quarter of S (" + format_significant(S, 4) +
-                             " m): corners and edges are mostly rounding");
+                             " m): corners and edges are strongly rounded");
   }
   if (!block.from_core) warn_of_thin_walls(block);
   warn_of_density(block);
@@ -184,7 +184,7 @@ void add_warnings(Block& block, const BlockOptions& options) {
     block.warnings.push_back(
         "a principal moment differs by " +
         format_significant(100.0 * block.deviation.moments_relative, 4) +
-        " % from the scan's; give more `vertices` or a smaller `radius_share`");
+        " % from that of the scan; give more `vertices` or a smaller `radius_share`");
   }
   if (!near_enough(block, options)) {
     block.warnings.push_back(
@@ -283,15 +283,16 @@ Block named_block(const std::string& id, Make&& make) {
 
 void BlockOptions::check() const {
   if (core && !radius) {
-    throw InputError("a core needs its Minkowski radius: give `radius` in metres beside `core`");
+    throw InputError(
+        "a core needs its Minkowski radius: give `core` together with `radius` in metres");
   }
   if (radius && (!(*radius >= 0.0) || !std::isfinite(*radius))) {
     throw InputError("radius is " + format_significant(*radius, 4) +
                      " m; it must be zero or a positive number");
   }
   if (!(radius_share >= 0.0) || radius_share > kMaxRadiusFraction) {
-    throw InputError("radius share is " + format_significant(radius_share, 4) +
-                     " of S; it must be between 0 and 0.25");
+    throw InputError("the radius as a fraction of S is " + format_significant(radius_share, 4) +
+                     "; it must be between 0 and 0.25");
   }
   check_positive(density, "density", "kg/m3");
   if (mass) check_positive(*mass, "mass", "kg");
@@ -300,8 +301,8 @@ void BlockOptions::check() const {
                      "; it must be between 1e-6 and 1e-2");
   }
   if (!(tolerance > 0.0 && tolerance <= 1.0)) {
-    throw InputError("tolerance is " + format_significant(tolerance, 4) +
-                     " of L; it must be more than 0 and at most 1");
+    throw InputError("tolerance, a fraction of L, is " + format_significant(tolerance, 4) +
+                     "; it must be more than 0 and at most 1");
   }
 }
 

@@ -45,7 +45,7 @@ void refuse_repeated(const std::vector<VariationRequest>& bodies) {
   std::set<std::string> ids;
   for (const VariationRequest& body : bodies) {
     if (!ids.insert(body.id).second) {
-      throw InputError("\"" + body.id + "\" is asked for twice; ask for each body once");
+      throw InputError("\"" + body.id + "\" is requested twice; request each body once");
     }
   }
 }
@@ -60,7 +60,7 @@ std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
   std::vector<VariationRequest> bodies = combine_variations(parents, variations);
   if (bodies.size() + request.draw > kMaxSeriesBodies) {
     throw InputError(std::to_string(bodies.size() + request.draw) +
-                     " bodies are asked for; the most is " + std::to_string(kMaxSeriesBodies));
+                     " bodies are requested; the limit is " + std::to_string(kMaxSeriesBodies));
   }
   if (request.draw > 0) {
     SampledSeries drawn = sample_series(parents, population_of(request, parents, made.notes),
@@ -92,7 +92,8 @@ void SeriesRequest::check() const {
   if (!units.empty()) parse_length_unit(units);
   if (is_empty()) {
     throw InputError(
-        "nothing is asked for; give `to`, `grid`, `like`, `convexity`, `rounding`, `roundness`, "
+        "no variation is requested; give `to`, `grid`, `like`, `convexity`, `rounding`, "
+        "`roundness`, "
         "`vertices`, "
         "`detail`, `reference`, `inertia` or `draw`");
   }
@@ -105,7 +106,7 @@ SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& libra
   made.wanted = bodies.size();
   made.series = make_series(bodies, source_of(request), request.options);
   if (made.series.blocks.empty()) {
-    throw GeometryError("no body could be made; the first: " + made.series.failures.front());
+    throw GeometryError("no body could be made; first reason: " + made.series.failures.front());
   }
   return made;
 }

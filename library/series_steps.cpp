@@ -11,7 +11,7 @@ namespace {
 std::vector<Axes> forms_of(const FormGrid& grid) {
   if (grid.diagram == "zingg") return zingg_grid(grid.steps, grid.least);
   if (grid.diagram == "sneed-folk") return sneed_folk_grid(grid.steps, grid.least);
-  throw InputError("`grid` \"" + grid.diagram + "\" is no diagram; take sneed-folk or zingg");
+  throw InputError("`grid` \"" + grid.diagram + "\" is not a diagram; use sneed-folk or zingg");
 }
 
 }  // namespace

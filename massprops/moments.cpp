@@ -64,7 +64,7 @@ void check_closed(const TriangleMesh& mesh, const char* what) {
   const MeshReport report = inspect_mesh(mesh);
   if (report.is_closed() && report.is_oriented()) return;
   throw GeometryError(std::string(what) + " bounds no solid: " + report.summary() +
-                      "; its volume would be meaningless, repair it first");
+                      "; it has no defined volume, repair it first");
 }
 
 }  // namespace clast::massprops_detail

@@ -23,15 +23,17 @@ void check_moments(const Vec3& moments, double relative_error) {
                              format_significant(moments[1], 6) + ", " +
                              format_significant(moments[2], 6) + " kg m2";
   if (!moments.allFinite() || !(moments[0] > 0.0)) {
-    throw GeometryError("principal moments " + values +
-                        ": not all positive, so no solid has them; check that the mesh is closed, "
-                        "faces outward and doesn't pass through itself");
+    throw GeometryError(
+        "principal moments " + values +
+        ": not all positive, which is impossible for a solid; check that the mesh is closed, "
+        "faces outward and doesn't pass through itself");
   }
   const double slack = (kRounding + 2.0 * relative_error) * moments[2];
   if (moments[0] + moments[1] + slack < moments[2]) {
-    throw GeometryError("principal moments " + values +
-                        ": the largest exceeds the sum of the others, so no solid has them; check "
-                        "that the mesh is closed, faces outward and doesn't pass through itself");
+    throw GeometryError(
+        "principal moments " + values +
+        ": the largest exceeds the sum of the others, which is impossible for a solid; check "
+        "that the mesh is closed, faces outward and doesn't pass through itself");
   }
 }
 

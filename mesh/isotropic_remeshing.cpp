@@ -32,7 +32,7 @@ TriangleMesh remesh_isotropic(const TriangleMesh& mesh, double edge_length) {
   if (triangles > kMaxTriangles) {
     throw InputError("remeshing: edges of " + format_significant(edge_length, 6) +
                      " m would take " + format_significant(triangles, 3) +
-                     " triangles; ask for longer ones");
+                     " triangles; give a longer edge length");
   }
   mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
   CGAL::Polygon_mesh_processing::isotropic_remeshing(

@@ -47,7 +47,7 @@ void check_usable(const TriangleMesh& mesh, bool points_will_do) {
     throw InputError("vertex " + std::to_string(v + 1) + " of " +
                      std::to_string(mesh.vertices.size()) + " is " +
                      format_point(mesh.vertices[v]) +
-                     ", not a finite point; clean the file in the program that wrote it");
+                     ", not a finite point; correct the file in the program that wrote it");
   }
   if (!mesh.triangles.empty()) return;
   if (points_will_do && !mesh.vertices.empty()) return;
@@ -55,7 +55,7 @@ void check_usable(const TriangleMesh& mesh, bool points_will_do) {
     throw InputError("holds no vertices and no triangles; export it again");
   }
   throw InputError("is a point cloud with " + std::to_string(mesh.vertices.size()) +
-                   " points and no faces; make a closed surface of it first, for example by "
+                   " points and no faces; make a closed surface from it first, for example by "
                    "Poisson reconstruction in CloudCompare or MeshLab");
 }
 

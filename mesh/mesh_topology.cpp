@@ -20,7 +20,7 @@ void check_indices(const TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t vertex : mesh.triangles[t]) {
       if (vertex < mesh.vertices.size()) continue;
-      throw GeometryError("triangle " + std::to_string(t + 1) + " names vertex " +
+      throw GeometryError("triangle " + std::to_string(t + 1) + " refers to vertex " +
                           std::to_string(std::uint64_t{vertex} + 1) + " of " +
                           std::to_string(mesh.vertices.size()) + "; the mesh is corrupt");
     }

@@ -65,7 +65,7 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
                                   mesh_detail::PointSink& sink,
                                   const std::vector<std::string>& columns) {
   if (!columns.empty() && !is_text_cloud(extension)) {
-    throw InputError("`columns` are of clouds in text; leave them out");
+    throw InputError("`columns` applies only to clouds in text; leave it out");
   }
   if (extension == ".pcd") return mesh_detail::read_pcd(read_text_file(path), sink);
   if (is_text_cloud(extension) || extension == ".las" || extension == ".laz") {
@@ -86,11 +86,11 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
 /// Why a file that could be read gives no point.
 std::string nothing_in(const CloudSummary& summary) {
   if (summary.withheld > 0) {
-    return "holds no points that count: " + std::to_string(summary.withheld) +
+    return "holds no usable points: " + std::to_string(summary.withheld) +
            " are flagged as withheld or classed as noise; classify them anew";
   }
   if (summary.non_finite > 0) {
-    return "holds no points that count: " + std::to_string(summary.non_finite) +
+    return "holds no usable points: " + std::to_string(summary.non_finite) +
            " have a coordinate that is not finite; export it again";
   }
   return "holds no points; export it again";

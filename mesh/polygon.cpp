@@ -74,8 +74,8 @@ void append_polygon(TriangleMesh& mesh, std::span<const std::int64_t> corners) {
   polygon.reserve(corners.size());
   for (const std::int64_t corner : corners) {
     if (corner < 0 || corner >= static_cast<std::int64_t>(mesh.vertices.size())) {
-      throw InputError("a face names vertex " + std::to_string(corner + 1) +
-                       " (counted from 1), there are " + std::to_string(mesh.vertices.size()));
+      throw InputError("a face refers to vertex " + std::to_string(corner + 1) +
+                       " (counted from 1), but there are " + std::to_string(mesh.vertices.size()));
     }
     polygon.push_back(static_cast<std::uint32_t>(corner));
   }

@@ -184,8 +184,8 @@ void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclarati
                               *degrees = of_kind(ReferenceSystemKind::kGeographic);
   const LengthUnitDeclaration* geocentric = of_kind(ReferenceSystemKind::kGeocentric);
   if (map && degrees) {
-    throw InputError(name + ": its coordinates are lengths by its " + map->source +
-                     ", and degrees by its " + degrees->source + "; " + relabelled(use));
+    throw InputError(name + ": its coordinates are lengths according to its " + map->source +
+                     ", but degrees according to its " + degrees->source + "; " + relabelled(use));
   }
   if (degrees) {
     throw InputError(name +
@@ -328,10 +328,9 @@ std::vector<std::string> check_length_units(const std::string& name,
   std::vector<std::string> notes;
   for (const LengthUnitDeclaration& each : declared) {
     if (each.kind != ReferenceSystemKind::kUnknown) continue;
-    notes.push_back(
-        "its " + each.source +
-        " names no unit or reference system that is known; its coordinates are assumed to "
-        "be in the stated or default unit");
+    notes.push_back("its " + each.source +
+                    " names no known unit or reference system; its coordinates are assumed to be "
+                    "in the given or default unit");
   }
   refuse_kinds(name, declared, use);
   const auto plan =
@@ -354,7 +353,7 @@ std::vector<std::string> check_length_units(const std::string& name,
       throw InputError(name + ": " + text + "; " + unit_advice(unit->unit, use));
     }
     notes.push_back(text + "; lengths were read as " + format_significant(use.unit, 7) +
-                    " m per unit, as asked");
+                    " m per unit, as requested");
   }
   return notes;
 }

@@ -57,8 +57,9 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
     try_vertex_count.radius_share /= 2.0;
   }
   Block kept = nearest_block(options);
-  kept.warnings.push_back("no block of up to " + std::to_string(kMaxVertices) +
-                          " vertices is within the tolerance of this scan; this is the nearest");
+  kept.warnings.push_back(
+      "no block of up to " + std::to_string(kMaxVertices) +
+      " vertices is within the tolerance of this scan; this is the closest block");
   return kept;
 }
 

@@ -90,7 +90,7 @@ class Batch {
     if (options_.replace) return false;
     std::string how;
     if (options_.resume)
-      how = same_request ? ", made of another file" : ", made with other options";
+      how = same_request ? ", made from another file" : ", made with other options";
     throw InputError("block " + first + " is in " + options_.library.string() + " already" + how +
                      "; use `replace` to put the new one in its place");
   }
@@ -174,8 +174,9 @@ class Batch {
     if (!options_.scan.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
     const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
     if (!library_.contains(next)) return;
-    observer_.on_note(options_.library.string() + " still holds block " + next +
-                      " of an earlier split; if it is obsolete, use clast library remove");
+    observer_.on_note(
+        options_.library.string() + " still holds block " + next +
+        " of an earlier split; if it is obsolete, remove it with clast library remove");
   }
 
   /// Adds what was made since the last time to the library as it is now, which other processes may
@@ -215,7 +216,7 @@ class Batch {
     try {
       save();
     } catch (const Error& error) {
-      observer_.on_note(std::string(error.what()) + "; writing is tried again at the end");
+      observer_.on_note(std::string(error.what()) + "; writing will be tried again at the end");
     }
     written_ = std::chrono::steady_clock::now();
   }
@@ -251,7 +252,7 @@ void BatchOptions::check(std::size_t scans) const {
   scan.check();
   if (!scan.block.mass || (scans < 2 && !scan.split)) return;
   throw InputError(
-      "`mass` is the mass of one block, but " +
+      "`mass` is the mass of a single block, but " +
       (scan.split ? "`split` may make several" : std::to_string(scans) + " scans are given"));
 }
 

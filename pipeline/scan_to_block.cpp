@@ -31,9 +31,9 @@ TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& no
       solid_mass_properties(hull, 1.0).volume / solid_mass_properties(scan, 1.0).volume - 1.0;
   const SurfaceDeviation gap = measure_surface_deviation(scan, make_sphero_polyhedron(hull, 0.0));
   notes.push_back(
-      "the convex hull was taken, as asked: it has " + format_rounded(100.0 * added, 3) +
+      "the convex hull was used, as requested: it has " + format_rounded(100.0 * added, 3) +
       " % more volume than the scan and lies up to " + format_rounded(gap.hausdorff, 3) +
-      " m off it; distances and moments below are against the hull");
+      " m off it; distances and moments below are relative to the hull");
   return hull;
 }
 
@@ -49,9 +49,9 @@ std::string wide_tolerance_note(const BlockOptions& options, const Block& block)
   constexpr double kWidest = 0.1;
   if (options.tolerance <= kWidest || options.core) return {};
   return "`tolerance` " + format_significant(options.tolerance, 4) +
-         " is a share of L and lets the block lie " +
+         " is a fraction of L and allows the block to lie " +
          format_rounded(options.tolerance * block.box.lengths[0], 3) +
-         " m off its scan: was a length or a percentage meant? 0.01 is 1 %";
+         " m off its scan; it is not a length or a percentage: 0.01 means 1 %";
 }
 
 /// Simplifies and measures one block of a scan.

@@ -51,9 +51,10 @@ std::pair<double, double> sampling_errors(const Block& block, double points) {
 void warn_of_gap(Block& block, const std::string& what, double gap, double error) {
   if (gap <= std::max(kStandardErrors * error, kRounding)) return;
   block.warnings.push_back("the .shp file gives " + what + ": " +
-                           format_significant(100.0 * gap, 3) + " % apart, sampling explains " +
+                           format_significant(100.0 * gap, 3) +
+                           " % apart, of which sampling explains " +
                            format_significant(100.0 * kStandardErrors * error, 2) +
-                           " %; the shape's own is used");
+                           " %; the value computed from the shape is used");
 }
 
 std::string numbers(const Vec3& v) {
@@ -109,8 +110,7 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
   return with_rewritten_error(in_shape, [&] {
     if (shape.is_surface) {
       throw InputError(
-          "is a surface (isSurface) and no block; a ground goes to clast terrain as "
-          "a mesh");
+          "is a surface (isSurface), not a block; give ground as a mesh to clast terrain");
     }
     callbacks.begin_step("measuring " + id);
     ScanToBlockOptions taken = options;

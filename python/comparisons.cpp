@@ -110,7 +110,8 @@ std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folde
     OutputFolder output(folder, comparison_folder_kind(), replace);
     const WrittenReport filled = fill_folder(output, of.analyses, extras);
     if (filled.no_pdf) {
-      throw InputError(folder.string() + " has the report, but not as PDF: " + *filled.no_pdf);
+      throw InputError(folder.string() +
+                       " holds the report, but report.pdf could not be made: " + *filled.no_pdf);
     }
     std::vector<std::string> files;
     for (const fs::path& file : filled.files) files.push_back((folder / file).string());

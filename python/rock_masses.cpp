@@ -98,7 +98,7 @@ py::tuple cut(const py::dict& keywords, const py::object& progress) {
     if (request.options.joints.empty()) return blocks;
     if (blocks.blocks.empty()) {
       throw GeometryError((mesh ? request.file.path : request.terrains.before.front()).string() +
-                          ": no piece became a block; the first: " + blocks.failures.front());
+                          ": no piece became a block; first reason: " + blocks.failures.front());
     }
     if (request.output) {
       update_library(*request.output, {.create_if_missing = true}, [&](BlockLibrary& library) {

@@ -77,7 +77,7 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
         },
         options.scan.columns);
   } else if (!options.scan.columns.empty()) {
-    throw InputError(path.string() + ": `columns` are of clouds in text; leave them out");
+    throw InputError(path.string() + ": `columns` applies only to clouds in text; leave it out");
   } else {
     scan.raw = read_mesh_or_points(path);
   }

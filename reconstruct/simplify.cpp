@@ -64,7 +64,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
       std::to_string(*most) + " triangles meet at one vertex, near " +
       format_point(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
       ": to simplify such a fan takes hours; remesh the surface with triangles of even "
-      "size first (isotropic remeshing), or ask for " +
+      "size first (isotropic remeshing), or request " +
       std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
 }
 
@@ -81,7 +81,7 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
   options.check();
   const MeshReport report = inspect_mesh(mesh);
   if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0) {
-    throw GeometryError("only a closed surface can be simplified, this one has " +
+    throw GeometryError("only a closed surface can be simplified, but this one has " +
                         report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;
@@ -144,14 +144,14 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
     message += " near " + format_point(first.vertices[first.triangles[crossings[0][0]][0]]);
   }
   message += input_crossings.empty()
-                 ? fewest ? "; ask for " + std::to_string(*fewest) +
+                 ? fewest ? "; request " + std::to_string(*fewest) +
                                 " vertices, the fewest found without self-intersections"
-                          : "; ask for more vertices"
+                          : "; request more vertices"
                  : "; the scan also intersects itself, at " +
                        std::to_string(input_crossings.size()) +
                        " pairs of triangles, the first near " +
                        format_point(mesh.vertices[mesh.triangles[input_crossings[0][0]][0]]) +
-                       ": repair it there, or ask for more vertices";
+                       ": repair it there, or request more vertices";
   throw GeometryError(message);
 }
 

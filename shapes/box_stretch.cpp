@@ -84,7 +84,7 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
   const double gap = ratio_difference(box_ratios(before), target);
   if (gap <= kSameRatios) return {body, Vec3::Ones(), gap};
   if (before.lengths[2] - 2.0 * body.radius <= kNoThickness * before.lengths[0]) {
-    throw GeometryError("the core is flat, so that no stretch gives it another S");
+    throw GeometryError("the core is flat, so stretching can't change its S");
   }
   const double share = body.radius / before.lengths[2];
   const Vec3 wanted = core_sides(target, share);

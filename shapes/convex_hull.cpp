@@ -179,7 +179,7 @@ TriangleMesh convex_hull(std::span<const Vec3> points) {
   if (sorted.size() < 4 || dimension < 3) {
     const char* what = dimension == 2   ? "in one plane"
                        : dimension == 1 ? "on one line"
-                                        : "at one place";
+                                        : "at one point";
     throw GeometryError("convex hull: the " + std::to_string(points.size()) + " points are all " +
                         what + ", so they enclose no volume");
   }

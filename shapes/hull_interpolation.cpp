@@ -38,7 +38,8 @@ double sixfold(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 HullInterpolation::HullInterpolation(const TriangleMesh& surface) : surface_(surface) {
   const std::optional<Vec3> centre = find_kernel_point(surface);
   if (!centre) {
-    throw GeometryError("the surface is not star-shaped: no point inside sees all of it");
+    throw GeometryError(
+        "the surface is not star-shaped: no inner point has a straight line of sight to all of it");
   }
   centre_ = *centre;
   const TriangleMesh hull = convex_hull(surface.vertices);

@@ -102,7 +102,7 @@ class Cutting {
   [[noreturn]] void refuse_count() const {
     throw InputError(
         "the joint sets cut the mass into more than " + std::to_string(options_.most_blocks) +
-        " blocks; take wider spacings or a smaller mass, allow more, or check the units");
+        " blocks; use wider spacings or a smaller mass, raise the limit, or check the units");
   }
 
   /// The cell without what is outside of the mass, as large as may be; none where too little is
@@ -226,7 +226,7 @@ JointSet parse_joint_set(const std::string& text) {
   if (numbers.size() != 3 && numbers.size() != 4) {
     throw InputError(
         "\"" + text +
-        "\" is no joint set; give DIP/DIP_DIRECTION/SPACING or "
+        "\" is not a joint set; give DIP/DIP_DIRECTION/SPACING or "
         "DIP/DIP_DIRECTION/SPACING/SCATTER in degrees and metres, such as 65/095/1.2/0.3");
   }
   if (numbers.size() == 3) numbers.push_back(0.0);
@@ -246,7 +246,7 @@ JointSet parse_joint_set(const std::string& text) {
 
 JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
                           const CuttingOptions& options) {
-  if (sets.empty()) throw InputError("no joint set is given; a mass is cut by one at least");
+  if (sets.empty()) throw InputError("no joint set is given; at least one is needed to cut a mass");
   const MeshReport report = inspect_mesh(on_map);
   if (!report.is_closed() || !report.is_oriented()) {
     throw GeometryError("the mass is not a closed surface (" + report.summary() +
@@ -278,7 +278,7 @@ JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> 
   if (cut.blocks.empty()) {
     throw InputError("no block of " + format_significant(options.least_volume, 3) +
                      " m3 or more fits into the mass of " + format_significant(cut.volume, 3) +
-                     " m3; take wider spacings or a smaller least volume");
+                     " m3; use wider spacings or a smaller least volume");
   }
   return cut;
 }

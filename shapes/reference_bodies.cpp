@@ -149,8 +149,8 @@ ReferenceShape parse_reference_shape(const std::string& name) {
 void ReferenceBodyOptions::check() const {
   ratios.check();
   if (!(radius_share >= 0.0 && radius_share <= kMaxFraction)) {
-    throw InputError("radius share is " + format_significant(radius_share, 4) +
-                     " of S; it must be between 0 and " + format_significant(kMaxFraction, 2));
+    throw InputError("the radius as a fraction of S is " + format_significant(radius_share, 4) +
+                     "; it must be between 0 and " + format_significant(kMaxFraction, 2));
   }
   if (!(exponent >= 1.0 && exponent <= 20.0)) {
     throw InputError("`exponent` = " + format_significant(exponent, 4) + ": must be from 1 to 20");
@@ -174,8 +174,8 @@ SpheroPolyhedron make_reference_body(ReferenceShape form, const ReferenceBodyOpt
   std::optional<SpheroPolyhedron> body = inscribed_rounded_body(convex_hull(points), radius);
   if (!body) {
     throw GeometryError("rounded with " + format_significant(options.radius_share, 4) +
-                        " of S, nothing is left of the core of the " + name_of(form) +
-                        "; give a smaller share");
+                        " of S, no core is left of the " + name_of(form) +
+                        "; give a smaller radius");
   }
   // Corners that were rounded inwards reach less far than they did.
   SpheroPolyhedron fitted = stretch_to_ratios(*body, ratios).body;

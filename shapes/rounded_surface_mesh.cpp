@@ -276,7 +276,7 @@ TriangleMesh capsule_skin(const Vec3& bottom, const Vec3& top, double radius, in
 TriangleMesh rounded_surface_mesh(const SpheroPolyhedron& shape, int segments) {
   if (segments < 1) {
     throw InputError("segments = " + std::to_string(segments) +
-                     ": a quarter turn needs at least one piece");
+                     ": a quarter circle needs at least one segment");
   }
   if (shape.faces.empty()) {
     const std::size_t count = shape.vertices.size();

@@ -118,10 +118,11 @@ SpheroPolyhedron inset_core(const TriangleMesh& scan, double minkowski_radius) {
   if (largest > 0.0) {
     message << "its core would vanish or turn inside out; " << largest << " m works";
   } else if (!crossing(scan).empty()) {
-    message << "no smaller one works either, because the surface passes through itself; repair it "
-               "first, for example in MeshLab or CloudCompare";
+    message
+        << "no smaller radius works either, because the surface passes through itself; repair it "
+           "first, for example in MeshLab or CloudCompare";
   } else {
-    message << "no smaller one works either; simplify the scan first";
+    message << "no smaller radius works either; simplify the scan first";
   }
   throw GeometryError(message.str());
 }

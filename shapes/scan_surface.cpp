@@ -7,7 +7,7 @@ namespace clast {
 
 ScanSurface::ScanSurface(const TriangleMesh& mesh) : mesh_(&mesh) {
   if (mesh.triangles.empty()) {
-    throw GeometryError("nothing can be compared with a scan that has no triangles");
+    throw GeometryError("the scan has no triangles, so nothing can be compared with it");
   }
   tree_ = std::make_unique<TriangleTree>(mesh);
 }

@@ -17,7 +17,7 @@ SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkows
                      " m: must be zero or positive");
   }
   if (core.triangles.empty()) {
-    throw GeometryError("a block needs a core with triangles, this mesh has none");
+    throw GeometryError("a block needs a core with triangles, but this mesh has none");
   }
   SpheroPolyhedron shape;
   shape.vertices = core.vertices;

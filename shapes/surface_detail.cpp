@@ -91,8 +91,8 @@ TriangleMesh harmonic_detail(TriangleMesh mesh, const Vec3& centre,
     const double distance = coarse[v] + options.gain * (distances[v] - coarse[v]);
     if (!(distance > kMinDistance * mean)) {
       throw GeometryError("detail times " + format_significant(options.gain, 4) +
-                          " would draw the surface to within a tenth of its mean radius of the "
-                          "middle; give a smaller `detail` or a larger `degree`");
+                          " would move the surface to less than a tenth of its mean radius from "
+                          "the centre; give a smaller `detail` or a larger `degree`");
     }
     Vec3& vertex = mesh.vertices[static_cast<std::size_t>(v)];
     vertex = centre + distance / distances[v] * (vertex - centre);

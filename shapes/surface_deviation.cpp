@@ -233,7 +233,7 @@ double skin_to_scan(const ScanSurface& scan, const TriangleMesh& core, const Tri
 SurfaceDeviation measure_surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
                                            std::size_t samples) {
   if (body.faces.empty()) {
-    throw GeometryError("a deviation needs two surfaces; the body has none");
+    throw GeometryError("a deviation needs two surfaces, but the body has none");
   }
   const TriangleMesh core = core_mesh(body);
   const TriangleTree tree(core);

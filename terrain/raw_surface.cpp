@@ -12,7 +12,7 @@ TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::pat
   constexpr std::uint32_t kNone = 0xffffffffu;
   if (grid.heights.size() >= kNone) {
     throw InputError(path.string() + ": " + std::to_string(grid.heights.size()) +
-                     " cells are more than can be numbered; cut the area or use `resolution`");
+                     " cells are too many; reduce the area or use `resolution`");
   }
   TriangleMesh mesh;
   std::vector<std::uint32_t> number(grid.heights.size(), kNone);

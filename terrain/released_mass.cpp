@@ -57,12 +57,12 @@ void check_systems(const std::string& before, const std::string& after,
                    std::vector<std::string>& notes) {
   if (before.empty() != after.empty()) {
     notes.push_back(std::string(before.empty() ? "`before`" : "`after`") +
-                    " names no map system; it is taken to be that of the other");
+                    " has no map system; it is assumed to be that of the other");
   }
   if (before.empty() || after.empty() || terrain_detail::is_same_crs(before, after)) return;
   throw InputError("`before` is in the map system " + reference_system_name(before) +
                    ", `after` in " + reference_system_name(after) +
-                   "; bring both to one, for example with gdalwarp");
+                   "; convert both to one, for example with gdalwarp");
 }
 
 std::string extent_on_map(const TriangleMesh& mesh, const MapFrame& frame) {
@@ -77,7 +77,7 @@ void check_overlap(const Surfaces& surfaces) {
   const Vec2 low = one.low.cwiseMax(two.low).head<2>();
   const Vec2 high = one.high.cwiseMin(two.high).head<2>();
   if ((low.array() < high.array()).all()) return;
-  throw InputError("`before` and `after` have no place in common: one has " +
+  throw InputError("`before` and `after` do not overlap: one has " +
                    extent_on_map(surfaces.before, surfaces.frame) + ", the other " +
                    extent_on_map(surfaces.after, surfaces.frame) +
                    "; check their map systems and upward axes");
@@ -117,23 +117,23 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
   const terrain_detail::HeightDifferenceRange range =
       terrain_detail::height_difference_range(surfaces.before, surfaces.after);
   if (range.low > range.high) {
-    throw InputError("`before` and `after` have no place in common where both have ground");
+    throw InputError("`before` and `after` have no common area with ground in both");
   }
   const auto at = [&](const Vec3& place) { return format_map_point(surfaces.frame.to_map(place)); };
   std::string text = "`before` is nowhere" + inside + " more than " +
                      format_significant(options.min_thickness, 4) + " m above `after`; ";
   if (range.high > options.min_thickness) {
-    text += "elsewhere it is, by up to " + format_significant(range.high, 3) + " m at " +
+    text += "outside the polygon it is, by up to " + format_significant(range.high, 3) + " m at " +
             at(range.high_position) + ": check the polygon and its map system, or `least_volume`";
   } else if (range.high > 0.0) {
     text += "the most is " + format_significant(range.high, 3) + " m at " +
             at(range.high_position) + ": give a smaller `min_thickness`";
   } else {
-    text += "it is above it nowhere";
+    text += "`before` is above `after` nowhere";
   }
   if (-range.low > std::max(options.min_thickness, range.high)) {
-    text += "; it is up to " + format_significant(-range.low, 3) + " m below at " +
-            at(range.low_position) + ": are the two swapped?";
+    text += "; `before` is up to " + format_significant(-range.low, 3) + " m below `after` at " +
+            at(range.low_position) + ": check that the two are not swapped";
   }
   throw InputError(text);
 }
@@ -185,10 +185,10 @@ void check_mass_heights(const TriangleMesh& mesh, const char* name, const Cover&
   }
   if (count == 0) return;
   throw GeometryError(std::string(name) + ": " + format_count(count, "triangle") +
-                      " within the mass stand upright or overhang, the first at " +
+                      " within the mass are vertical or overhang, the first at " +
                       format_map_point(frame.to_map(first)) +
-                      "; two heights over a place do not say what the mass is there. Give "
-                      "`resolution`, which takes the highest, or cut a closed mesh of the mass");
+                      "; the mass between such surfaces is not defined. Give `resolution`, which "
+                      "uses the highest point of each cell, or cut a closed mesh of the mass");
 }
 
 MassBody body_of(const OverlayBody& pair, const MapFrame& frame) {
@@ -223,8 +223,8 @@ void note_wall(const OverlayBody& pair, const MassBody& body, const ReleasedMass
   notes.push_back("body " + std::to_string(body.rank) + " ends at a wall of up to " +
                   format_significant(pair.max_wall_height, 3) + " m, as at " +
                   format_map_point(frame.to_map(pair.wall_position)) +
-                  ": there is the border of a surface, a step of one, or the polygon; what lies "
-                  "beyond is not in it");
+                  ", which is the border or a step of a surface, or the polygon; the mass beyond "
+                  "it is not included");
 }
 
 double sum_of_volumes(const std::vector<MassBody>& bodies) {

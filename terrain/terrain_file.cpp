@@ -56,7 +56,7 @@ void check(const Terrain& terrain, const std::string& file) {
   for (std::size_t t = 0; t < terrain.surface.triangles.size(); ++t) {
     for (const std::uint32_t corner : terrain.surface.triangles[t]) {
       if (corner >= terrain.surface.vertices.size()) {
-        refuse("triangle " + std::to_string(t) + " names vertex " + std::to_string(corner) +
+        refuse("triangle " + std::to_string(t) + " refers to vertex " + std::to_string(corner) +
                " of " + std::to_string(terrain.surface.vertices.size()));
       }
     }

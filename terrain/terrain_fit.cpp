@@ -65,7 +65,7 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
                         (at.array() <= box.high.head<2>().array()).all();
     throw InputError(name + ": release point " + std::to_string(i + 1) + " at " +
                      format_map_point(positions[i]) +
-                     (in_box ? " is over a hole or beside the ground" : " is off the ground") +
+                     (in_box ? " is over a hole or outside the ground" : " is off the ground") +
                      ", which lies in x " + format_significant(low.x(), 9) + " to " +
                      format_significant(high.x(), 9) + ", y " + format_significant(low.y(), 9) +
                      " to " + format_significant(high.y(), 9) +
@@ -85,9 +85,9 @@ void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
       continue;
     }
     throw InputError(name + " at " + format_map_point({place.x(), place.y(), 0.0}) +
-                     " is far off the ground, which begins at " +
+                     " is far off the ground, whose lowest x and y are at " +
                      format_map_point({low.x(), low.y(), 0.0}) +
-                     "; bring both into one map system");
+                     "; convert both to one map system");
   }
 }
 
@@ -110,7 +110,7 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
          " release points are nearer than " + format_significant(distance, 4) +
          " m to the border of the ground, the nearest, " + format_significant(nearest, 3) +
          " m, at " + format_map_point(nearest_at) +
-         "; blocks may leave the survey there, extend it";
+         "; blocks may leave the survey there, so extend it";
 }
 
 std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,
@@ -122,12 +122,12 @@ std::optional<std::string> cell_size_warning(const Terrain& terrain, double smal
   };
   if (edge > kLongEdges * largest) {
     return text("much longer", largest,
-                "the ground they meet is smoother than the real one: survey it more finely, or "
-                "let friction stand for its roughness");
+                "the simulated ground is smoother than the real one: survey it at higher "
+                "resolution, or represent its roughness by friction");
   }
   if (edge < kShortEdges * smallest) {
     return text("much shorter", smallest,
-                "runs take longer than they need: use a coarser resolution or a tolerance");
+                "runs take unnecessarily long: use a coarser resolution or a tolerance");
   }
   return std::nullopt;
 }

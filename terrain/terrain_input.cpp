@@ -55,8 +55,8 @@ void repair_tiles(RawSurface& raw, const std::vector<std::uint16_t>& zone_of_fil
   if (raw.mesh.triangles.empty()) {
     throw GeometryError(files.front() + (files.size() > 1 ? " and the other surfaces" : "") +
                         ": none of " + std::to_string(report.triangles_read) +
-                        " triangles is left as ground; all have no area, or lie twice at one "
-                        "place; export the surface again");
+                        " triangles remains as ground, because all are without area or duplicates; "
+                        "export the surface again");
   }
   terrain_detail::fill_surface_holes(
       raw, options.fill.value_or(kMeshHole * median_edge_length(raw.mesh)), options.crack, report);
@@ -79,18 +79,17 @@ std::vector<std::uint16_t> zones_of_files(const TerrainOptions& options, Surface
   }
   if (kind == SurfaceKind::kCloud && files > 1) {
     throw InputError(
-        "zones: several clouds make one grid, so a name for each can't be kept; give "
-        "a zone raster or polygons");
+        "zones: several clouds form one grid, so zones can't be named for each cloud; give a zone "
+        "raster or polygons");
   }
   std::vector<std::uint16_t> zone_of_file;
   for (const std::string& name : options.zones) {
     std::error_code code;
     if (fs::exists(name, code) && fs::path(name).has_extension()) {
-      throw InputError(
-          "zones: " + name +
-          " is a file, but not of zones: those are rasters (tif, asc, ...) or polygons "
-          "in geojson, gpkg or shp; convert it (ogr2ogr zones.gpkg " +
-          fs::path(name).filename().string() + ")");
+      throw InputError("zones: " + name +
+                       " is not a file of zones, which are rasters (tif, asc, ...) or polygons "
+                       "in geojson, gpkg or shp; convert it (ogr2ogr zones.gpkg " +
+                       fs::path(name).filename().string() + ")");
     }
     const auto known = std::find(names.begin(), names.end(), name);
     zone_of_file.push_back(static_cast<std::uint16_t>(known - names.begin()));
@@ -117,12 +116,12 @@ void note_doubts(Terrain& terrain) {
   const double extent = (box.high - box.low).head<2>().maxCoeff();
   if (extent < kSmallGround || extent > kLargeGround) {
     notes.push_back("the ground is " + format_significant(extent, 6) +
-                    " m across; are its coordinates in metres?");
+                    " m across: check that its coordinates are in metres");
   }
   if (box.high.z() - box.low.z() > 3.0 * extent) {
     notes.push_back("the ground is " + format_significant(box.high.z() - box.low.z(), 6) +
                     " m high and " + format_significant(extent, 6) +
-                    " m across; is z its upward axis?");
+                    " m across: check that z is its upward axis");
   }
   std::size_t overhangs = 0;
   for (const auto& [a, b, c] : terrain.surface.triangles) {
@@ -133,7 +132,8 @@ void note_doubts(Terrain& terrain) {
   std::string note = std::to_string(overhangs) + " of " +
                      std::to_string(terrain.surface.triangles.size()) + " triangles overhang";
   // Ground seldom does; a ground that lies on its side always.
-  if (overhangs * 10 > terrain.surface.triangles.size()) note += "; is z its upward axis?";
+  if (overhangs * 10 > terrain.surface.triangles.size())
+    note += ": check that z is the upward axis";
   notes.push_back(note);
 }
 
@@ -154,27 +154,27 @@ void check_suits(const TerrainOptions& options, SurfaceKind kind) {
     refuse("rasters and terrain files are z up; leave out up = \"y\"");
   }
   if ((options.percentile || options.outliers) && kind != SurfaceKind::kCloud) {
-    refuse("percentile and outliers are for clouds; leave them out");
+    refuse("percentile and outliers apply only to clouds; leave them out");
   }
   if (!options.columns.empty() && kind != SurfaceKind::kCloud) {
-    refuse("columns are for clouds in text; leave them out");
+    refuse("columns apply only to clouds in text; leave them out");
   }
   if (!options.breaklines.empty() && (mesh || terrain_file)) {
-    refuse("breaklines are for rasters and clouds; a mesh has its edges already");
+    refuse("breaklines apply only to rasters and clouds; leave them out");
   }
   if (!terrain_file) return;
   if (options.resolution) {
     refuse(
-        "a terrain file is checked and repaired already; leave out resolution, or start from the "
+        "a terrain file is already checked and repaired; leave out resolution, or start from the "
         "survey");
   }
   if (options.tolerance || options.smoothing > 0 || options.fill) {
     refuse(
-        "a terrain file is checked and repaired already; leave out fill, smoothing and tolerance, "
+        "a terrain file is already checked and repaired; leave out fill, smoothing and tolerance, "
         "or "
         "start from the survey");
   }
-  if (!options.zones.empty()) refuse("a terrain file has its zones already; leave zones out");
+  if (!options.zones.empty()) refuse("a terrain file already has zones; leave zones out");
 }
 
 /// "path digest" of every file that is read.
@@ -206,7 +206,7 @@ void TerrainOptions::check() const {
   if (surface.empty()) throw InputError("surface: no file; name at least one");
   if (surface.size() > 65535) {
     throw InputError("surface: " + std::to_string(surface.size()) +
-                     " files; 65,535 at most, join some");
+                     " files; the limit is 65,535, join some");
   }
   resolve_up_axis(up, {});
   const auto check_range = [](const char* field, const std::optional<double>& value,

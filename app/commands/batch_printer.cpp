@@ -113,7 +113,8 @@ void BatchPrinter::finish(const BatchResult& result) {
   if (failed_.empty()) return;
   if (scans_ == 1) throw InputError(last_failure_);
   throw InputError(std::to_string(result.failed_scans) + " of " + std::to_string(scans_) +
-                   " scans gave no block" + (options_.scan.split ? ", or not all of theirs" : "") +
+                   " scans gave no block" +
+                   (options_.scan.split ? ", or not all of their blocks" : "") +
                    "; the reasons are above");
 }
 
@@ -126,8 +127,9 @@ void BatchPrinter::print_end(const BatchResult& result) const {
   }
   const std::string library = escape_nonprintable(options_.library.string());
   if (result.skipped > 0) {
-    std::cout << library << ": " << format_count(result.skipped, "scan")
-              << " skipped, in the library already with the same file and options\n";
+    std::cout
+        << library << ": " << format_count(result.skipped, "scan")
+        << " skipped: already in the library, made from the same file with the same options\n";
   }
   if (made_.empty()) return;
   std::cout << library << ": " << format_count(made_.size(), "block") << " written, "

@@ -55,7 +55,7 @@ void print_members(const Calibration& calibration, const Shard& shard) {
   for (std::uint32_t i = 0; i < calibration.study.design.members; ++i) members += shard.has(i);
   std::cout << escape_nonprintable(calibration.file.string()) << ": " << members << " of "
             << format_count(calibration.study.design.members, "member")
-            << " simulated. When those of all shards are, join them: "
+            << " simulated. When all shards are finished, join them: "
             << escape_nonprintable(
                    format_shell_command({"clast", "calibrate", calibration.study.file.string()}))
             << " --merge PARTS\n";
@@ -124,44 +124,44 @@ void calibrate_study(const CalibrateArgs& args) {
 void add_calibrate(CLI::App& app) {
   const auto args = std::make_shared<CalibrateArgs>();
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Find ground parameters from what was observed, with their uncertainty");
-  command->add_option("study", args->study, "Study file (TOML); every key is in docs/formats.md")
+      "calibrate", "Estimate ground parameters from field observations, with their uncertainty");
+  command
+      ->add_option("study", args->study, "Study file (TOML); docs/formats.md describes every key")
       ->required()
       ->type_name("STUDY");
   command
       ->add_option("-o,--output", args->output,
-                   "Posterior file; a page is written beside it, with the extension .html")
+                   "Posterior file to write; an HTML page of the same name is written beside it")
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
       ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
-  CLI::Option* resume =
-      command->add_flag("--resume", args->resume,
-                        "Reuse the members that an interrupted calibration, or one with other "
-                        "observations, has simulated");
-  command->add_flag("--replace", args->replace, "Replace the posterior that FILE holds");
+  CLI::Option* resume = command->add_flag("--resume", args->resume,
+                                          "Reuse the simulated members of an interrupted "
+                                          "calibration or of one with other observations");
+  command->add_flag("--replace", args->replace, "Replace an existing posterior in FILE");
   CLI::Option* shard =
       command
-          ->add_option(
-              "--shard", args->shard,
-              "Simulate every n-th member only, from the i-th on, infer nothing, and write "
-              "FILE with .IofN before its extension")
+          ->add_option("--shard", args->shard,
+                       "Simulate only every n-th member, starting with the i-th, without "
+                       "inference; the output is FILE with .IofN before its extension")
           ->type_name("I/N");
   command
       ->add_option("--merge", args->parts,
-                   "Take the members from the files of all shards instead of simulating them")
+                   "Read the members from the files of all shards instead of simulating them")
       ->type_name("PARTS")
       ->excludes(shard)
       ->excludes(resume);
   command->add_flag("--json", args->json, "Print the summary as JSON")->excludes(shard);
   command->footer(
-      "Simulates sets of parameters that fill their ranges evenly, learns how the observed figures "
-      "depend on them, and draws the parameters that explain what was observed.\nCtrl-C stops "
+      "Simulates parameter sets that are evenly distributed over their ranges, fits how the "
+      "observed statistics depend on the parameters, and draws parameter sets that explain the "
+      "observations.\nCtrl-C stops "
       "after the current member; --resume continues from there. Results do not depend on "
-      "--threads, on --shard, or on\nthe processes of mpirun, which have one thread each unless "
-      "--threads says otherwise.\nExamples:\n"
+      "--threads, on --shard, or on\nthe number of mpirun processes; each process has one thread "
+      "unless --threads is given.\nExamples:\n"
       "  clast calibrate study.toml -o posterior.h5\n"
       "  mpirun -n 8 clast calibrate study.toml -o posterior.h5\n"
       "  clast calibrate study.toml -o posterior.h5 --shard "

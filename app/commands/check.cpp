@@ -90,18 +90,17 @@ void check_one(const CheckArgs& args) {
 
 void add_check(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
-  CLI::App* command = app.add_subcommand("check",
-                                         "List everything that clast simulate or calibrate would "
-                                         "refuse in a file, without running it");
+  CLI::App* command = app.add_subcommand(
+      "check", "List all errors in a campaign or calibration study, without running it");
   CLI::Option* file =
       command->add_option("file", args->file, "Campaign, or study of a calibration (TOML)")
           ->type_name("FILE");
   CLI::Option* json =
-      command->add_flag("--json", args->json, "Print findings, or what would run, as JSON");
+      command->add_flag("--json", args->json, "Print the errors, or the planned runs, as JSON");
   command
       ->add_option("--schema", args->schema,
-                   "Print the JSON Schema of campaigns, or of studies, with which editors complete "
-                   "and explain keys, and check nothing")
+                   "Only print the JSON Schema of campaigns or of studies, with which editors "
+                   "complete and explain keys")
       ->type_name("KIND")
       ->expected(0, 1)
       ->default_str(kSchemas[0])
@@ -109,8 +108,9 @@ void add_check(CLI::App& app) {
       ->excludes(file)
       ->excludes(json);
   command->footer(
-      "Lists what is wrong in each table of the file, in the library, the terrain and the starts, "
-      "of a study also\nin the campaigns of its sites; exit code 0 when it would run, else 1.\n"
+      "Lists the errors in each table of the file, in the library, the terrain and the starts, for "
+      "a study also\nin the campaigns of its sites. The exit code is 0 if the file can be run, "
+      "else 1.\n"
       "Example:\n"
       "  clast check campaign.toml\n"
       "  clast check study.toml\n"

@@ -80,7 +80,7 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
          "is for tables, and every input is a library, whose axes are in metres");
   }
   for (const char* option : {"--against-columns", "--against-units"}) {
-    need(option, any(against.inputs, false), "is for tables, and --against names none");
+    need(option, any(against.inputs, false), "is for tables, and --against has no table");
   }
   need("--roundness", any(first.inputs, true) || any(against.inputs, true),
        "is measured on the surface of a library's blocks, and no input is a library");
@@ -121,9 +121,9 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
       ->capture_default_str();
   command
       .add_option("--box", args.request.reading.box,
-                  "Box whose sides are L, I, S of a library's blocks: smallest volume, along the "
-                  "principal axes of inertia, longest Feret as by callipers, or PCA of the hull's "
-                  "corners")
+                  "Box whose sides are L, I, S of blocks of a library: the smallest volume, the "
+                  "principal axes of inertia, the longest Feret diameters as with callipers, or "
+                  "the principal components of the hull's corners")
       ->check(CLI::IsMember({"smallest", "inertia", "feret", "pca"}))
       ->type_name("NAME")
       ->capture_default_str();
@@ -134,17 +134,18 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
       ->check(within(kAxisError))
       ->type_name("M");
   command.add_flag("--thirds", args.request.options.limits.sneed_folk_thirds,
-                   "Limits 1/3 and 2/3 for the second letter of Sneed & Folk, not 0.33 and 0.67");
+                   "Sneed & Folk: limits 1/3 and 2/3 for the second letter of a class, instead of "
+                   "0.33 and 0.67");
   command
       .add_option("--erdogan-limit", args.request.options.limits.erdogan_limit,
-                  "Ratio of axes from which one counts as longer, for the scheme erdogan")
+                  "Scheme erdogan: two axes count as different if their ratio is at least this")
       ->check(within(kErdoganLimit))
       ->type_name("RATIO")
       ->capture_default_str();
   command
       .add_option("--roundness", args.request.reading.roundness_edge,
-                  "With --json: Wadell roundness of a library's blocks, on their surface remeshed "
-                  "with this edge length, m")
+                  "With --json: also compute Wadell roundness of blocks of a library, on their "
+                  "surface remeshed to this edge length, m")
       ->check(within(kBlockLength))
       ->type_name("M");
 }
@@ -176,11 +177,11 @@ void add_table_options(CLI::App& command, PopulationRequest& request) {
 void add_classify(CLI::App& app) {
   const auto args = std::make_shared<ClassifyArgs>();
   CLI::App* command = app.add_subcommand(
-      "classify", "Give blocks their shape classes, from libraries or tables of L, I, S");
+      "classify", "Determine the shape classes of blocks, from libraries or tables of L, I, S");
   command
       ->add_option("inputs", args->request.first.inputs,
                    "Block libraries, or text tables of tape-measured axes (csv, tsv, txt); several "
-                   "are one population")
+                   "inputs form one population")
       ->required()
       ->type_name("LIB|CSV");
   command
@@ -198,7 +199,7 @@ void add_classify(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--seed", args->request.options.seed,
-                   "Seed of the random samples behind p-values of fits")
+                   "Seed of the random samples for the p-values of fits")
       ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
@@ -209,8 +210,8 @@ void add_classify(CLI::App& app) {
   command->add_flag("--replace", args->replace, "Replace an existing report in the folder");
   command->add_flag("--json", args->json, "Print as JSON");
   command->footer(
-      "Shares come with the 95 % interval of Wilson: what a sample of this size says "
-      "about the deposit.\nExamples:\n  clast classify blocks.h5\n"
+      "Fractions are given with Wilson's 95 % confidence interval for the whole "
+      "deposit.\nExamples:\n  clast classify blocks.h5\n"
       "  clast classify talus.csv --columns L=5,I=6,S=7,mass=4 --units cm --scheme zingg\n"
       "  clast classify talus.csv --against blocks.h5 -o classes");
   command->callback([args, command] {

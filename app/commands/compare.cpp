@@ -83,7 +83,8 @@ void compare_results(const CompareArgs& args) {
     std::cout << escape_nonprintable((std::filesystem::path(args.folder) / file).string()) << "\n";
   }
   if (filled.no_pdf) {
-    throw InputError(args.folder + " has the report, but not as PDF: " + *filled.no_pdf);
+    throw InputError(args.folder +
+                     " holds the report, but report.pdf could not be made: " + *filled.no_pdf);
   }
 }
 
@@ -99,7 +100,7 @@ void print_summary(const CompareArgs& args) {
 void add_compare(CLI::App& app) {
   const auto args = std::make_shared<CompareArgs>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Compare shapes and classes: tables, map layers and one HTML report");
+      "compare", "Compare runs by block shape and class: tables, map layers and an HTML report");
   command->add_option("results", args->results, "Results files of one or more campaigns")
       ->required()
       ->type_name("RESULTS");
@@ -109,13 +110,13 @@ void add_compare(CLI::App& app) {
   command->add_flag("--replace", args->replace, "Replace an existing comparison in the folder");
   command
       ->add_option("--by", args->by,
-                   "Group by the values of a column of runs.csv too, for example release_set, "
-                   "block_group, mass_kg (in quarters); may be given again")
+                   "Also group by a column of runs.csv, for example release_set, "
+                   "block_group, mass_kg (in quarters); may be given several times")
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   command
       ->add_option("--animate", args->animated,
-                   "Write animation/animation.pvd for ParaView, with this many runs")
+                   "Write animation/animation.pvd for ParaView, with this number of runs")
       ->type_name("RUNS")
       ->check(whole_number(0, 1000000))
       ->capture_default_str();
@@ -125,13 +126,14 @@ void add_compare(CLI::App& app) {
                    "start_y, block, shape), compared with the simulated ones")
       ->type_name("CSV");
   command->add_flag("--effects", args->effects,
-                    "Print what share of the variance of runout, lateral angle, energy and passing "
-                    "is due to form, mass, orientation and release point, where every combination "
-                    "was run, and what rises and falls with the shape of the blocks");
+                    "Print the fractions of the variance of runout, lateral angle, energy and "
+                    "barrier passage that are explained by form, mass, orientation and release "
+                    "point, if every combination was run, and the trends with block shape");
   command
-      ->add_option("--margin", args->margin,
-                   "Differences in runout up to this do not matter: say whether those between "
-                   "blocks are smaller, and how many runs it takes to know")
+      ->add_option(
+          "--margin", args->margin,
+          "Largest difference in runout that does not matter: report whether the differences "
+          "between blocks are smaller, and the number of runs that this test needs")
       ->check(within({1e-3, 1e5, "m"}))
       ->type_name("M");
   command->add_flag("--pdf", args->pdf,
@@ -141,8 +143,8 @@ void add_compare(CLI::App& app) {
                     "written");
   command->footer(
       "Writes tables (runs, barriers, crossings, deposits, impacts, differences, profiles, ...), "
-      "map "
-      "layers and report.html,\nwhose path comes last. Units are in the column names.\n"
+      "map layers and report.html;\nthe path of the report is printed last. Units are in the "
+      "column names.\n"
       "Example:\n  clast compare compact.h5 elongated.h5 -o comparison --by release_set");
   command->callback([args, command] {
     const bool writes = command->count("--output") > 0 || args->pdf || args->animated > 0;

@@ -78,7 +78,7 @@ RockMassBlocks cut_blocks(const CutArgs& args,
   try {
     return make(options);
   } catch (const Cancelled&) {
-    throw InputError("interrupted; " + args.output + " is as it was");
+    throw InputError("interrupted; " + args.output + " is unchanged");
   }
 }
 
@@ -138,8 +138,8 @@ void check_sources(const CutArgs& args) {
   }
   if (args.joints.empty() && args.scar.empty()) {
     throw InputError(
-        "--joints is required; with --before, --after and --scar the mass is written "
-        "without cutting it");
+        "--joints is required; to write the mass without cutting it, give --before, --after and "
+        "--scar");
   }
   for (const std::string& input : split_list(args.before + "," + args.after)) {
     std::error_code none;
@@ -147,8 +147,7 @@ void check_sources(const CutArgs& args) {
     if (std::filesystem::weakly_canonical(input, none) ==
         std::filesystem::weakly_canonical(args.scar, none)) {
       throw InputError("--scar " + args.scar +
-                       ": is read, and would be written over; give another "
-                       "name");
+                       ": is an input and would be overwritten; give another name");
     }
   }
   static const std::vector<std::string> known = {".glb", ".obj", ".ply", ".stl", ".vtp"};
@@ -169,10 +168,10 @@ void print_cut_blocks(const CutArgs& args, const RockMassBlocks& made,
   }
   const double share = made.block_volume / made.volume;
   if (share < kUsualFraction) {
-    std::cerr << "clast: warning: " << format_percent(1.0 - share)
-              << " of the mass is in no block: the surface is hollow there within a block, or "
-                 "pieces are smaller than --least-volume; closer joints or a smaller volume lose "
-                 "less\n";
+    std::cerr
+        << "clast: warning: " << format_percent(1.0 - share)
+        << " of the mass is in no block: the surface is concave within a block, or pieces are "
+           "smaller than --least-volume; use a closer joint spacing or a smaller --least-volume\n";
   }
   std::vector<double> volumes;
   for (const Block& block : made.blocks) volumes.push_back(block.mass.volume);
@@ -209,7 +208,7 @@ void cut(CutArgs args) {
   if (args.joints.empty()) return;
   if (made.blocks.empty()) {
     throw GeometryError((args.mass.empty() ? args.before : args.mass) +
-                        ": no piece became a block; the first: " + made.failures.front());
+                        ": no piece became a block; first reason: " + made.failures.front());
   }
   const BlockLibrary library =
       update_library(args.output, {.create_if_missing = true}, [&](BlockLibrary& changed) {
@@ -223,14 +222,14 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
   CLI::Option* before =
       command
           .add_option("--before", args.before,
-                      "Instead of a mesh: the terrain before the failure, what `clast terrain` "
-                      "takes; several files comma-separated")
+                      "Instead of a mesh: the terrain before the failure, in any format that "
+                      "`clast terrain` reads; several files comma-separated")
           ->excludes(mass)
           ->type_name("FILES");
   CLI::Option* after = command
                            .add_option("--after", args.after,
-                                       "The terrain after it, in the same map system; the mass is "
-                                       "where it is lower")
+                                       "The terrain after the failure, in the same map system; the "
+                                       "mass is the volume between the two terrains")
                            ->needs(before)
                            ->type_name("FILES");
   before->needs(after);
@@ -245,7 +244,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
       ->capture_default_str();
   command
       .add_option("--polygon", args.polygon,
-                  "Only within these polygons (GeoJSON, GeoPackage, Shapefile)")
+                  "Take only the mass within these polygons (GeoJSON, GeoPackage, Shapefile)")
       ->needs(before)
       ->type_name("FILE");
   command
@@ -267,7 +266,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
   command
       .add_option("--scar", args.scar,
                   "Also write the mass as a closed mesh (ply, obj, vtp, stl, glb); without "
-                  "--joints, do no more")
+                  "--joints, nothing else is written")
       ->needs(before)
       ->type_name("FILE");
 }
@@ -296,7 +295,7 @@ void add_block_making_options(CLI::App& command, RockMassOptions& options) {
       ->capture_default_str();
   command
       .add_option("--radius-share", options.block.radius_share,
-                  "Minkowski radius of the rounding as a share of S, 0 to 0.25")
+                  "Minkowski radius of the rounding as a fraction of S, 0 to 0.25")
       ->check(within(kRadiusFraction))
       ->type_name("SHARE")
       ->capture_default_str();
@@ -319,11 +318,12 @@ void add_cut(CLI::App& app) {
                    "give one for each set")
       ->allow_extra_args(false)
       ->type_name("SET");
-  command->add_option("-o,--output", args->output, "Block library; blocks in it are kept")
+  command
+      ->add_option("-o,--output", args->output, "Block library to write; existing blocks are kept")
       ->type_name("LIB")
       ->capture_default_str();
   command->add_flag("--replace", args->replace, "Replace blocks of the same id");
-  command->add_option("--prefix", options.prefix, "Ids are this and a number")
+  command->add_option("--prefix", options.prefix, "Prefix of the ids, which are numbered")
       ->type_name("TEXT")
       ->capture_default_str();
   add_block_making_options(*command, options);
@@ -345,7 +345,8 @@ void add_cut(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   command->footer(
-      "The joints cut through the whole mass. Blocks are convex and keep their place on the map: a "
+      "The joints cut through the whole mass. Blocks are convex and keep their position on the "
+      "map: a "
       "campaign\nwith [[mass]] in_place = true releases them from there.\n"
       "Examples:\n"
       "  clast cut scar.ply -j 65/095/1.2/0.3 -j 80/190/1.5 -j 20/310/0.8/0.2 -o insitu.h5\n"

@@ -58,7 +58,7 @@ void run_export(const ExportArgs& args) {
   }
   const BlockLibrary library = BlockLibrary::read(args.library);
   const std::vector<const Block*> blocks = library.select_blocks(args.ids);
-  if (blocks.empty()) throw InputError(args.library + ": there is no block in it to export");
+  if (blocks.empty()) throw InputError(args.library + ": holds no block to export");
   const std::vector<std::filesystem::path> written = export_blocks(
       blocks, args.folder, args.options,
       [](const std::string& text) { std::cerr << format_for_terminal(text) << "\n"; });
@@ -75,31 +75,30 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
       ->capture_default_str();
   command
       .add_option("--what", args.what,
-                  "What mesh files hold: the rounded skin, the core, both (a second file "
-                  "ID_core), or surface, the simplified scan the block was made from")
+                  "Content of mesh files: the rounded skin, the core, both (a second file "
+                  "ID_core), or surface, the simplified scan from which the block was made")
       ->check(CLI::IsMember({"skin", "core", "both", "surface"}))
       ->type_name("NAME")
       ->capture_default_str();
   command
-      .add_option(
-          "--segments", args.segments,
-          "Segments of a quarter turn in the skin, 1 to 64; its volume is too small by a fraction "
-          "that decreases with N squared. A concave block's skin has no triangles below "
-          "1/150 of its diagonal")
+      .add_option("--segments", args.segments,
+                  "Segments per quarter circle of the skin, 1 to 64; the error of its volume "
+                  "decreases with N squared. The skin of a concave block has no triangles smaller "
+                  "than 1/150 of its diagonal")
       ->check(whole_number(1, 64))
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--frame", args.frame,
-                  "Frame of mesh files: source, that of the scan, or principal, origin at the "
-                  "centre of mass as in shp files")
+                  "Frame of mesh files: source (that of the scan) or principal (origin at the "
+                  "centre of mass, as in shp files)")
       ->check(CLI::IsMember({"source", "principal"}))
       ->type_name("NAME")
       ->capture_default_str();
   command
       .add_option("--up", args.options.up,
-                  "Up axis of mesh files: z as stored, y, or auto: y in glb, as its standard "
-                  "has it, z in all others")
+                  "Up axis of mesh files: z as stored, y, or auto (y in glb, as its standard "
+                  "requires, z in all others)")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
@@ -113,10 +112,11 @@ void add_export(CLI::App& app) {
   command->add_option("library", args->library, "Block library, or with --to a campaign file")
       ->required()
       ->type_name("LIB");
-  command->add_option("ids", args->ids, "Blocks to export; without: all")->type_name("ID");
+  command->add_option("ids", args->ids, "Blocks to export; default: all")->type_name("ID");
   command
       ->add_option("-o,--output", args->folder,
-                   "Folder, created if missing; a file for each block, a folder for each scene")
+                   "Output folder, created if missing, with a file for each block or a folder for "
+                   "each scene")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--replace", args->options.replace, "Replace existing files");
@@ -124,11 +124,10 @@ void add_export(CLI::App& app) {
   add_scene_options(*command, args->scene);
   command->footer(
       "Mesh files are in metres. shp files hold core and radius in metres in the principal frame, "
-      "origin at\nthe centre of mass, faces in one plane as one polygon, and where the scan had "
-      "that frame.\n"
-      "Scenes (--to) hold blocks, terrain, starts and contact parameters of each run as Rockable "
-      "or "
-      "ExaDEM read\nthem; what their formats can't express is listed.\n"
+      "origin at\nthe centre of mass, coplanar faces as one polygon, and the pose of that frame in "
+      "the scan.\n"
+      "Scenes (--to) hold blocks, terrain, starts and contact parameters of each run in the format "
+      "of Rockable or\nExaDEM; features that these formats can't express are listed.\n"
       "Examples:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl\n"
       "  clast export campaign.toml --to rockable --runs 0-15 -o scenes");
   command->callback([args, command] {

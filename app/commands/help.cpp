@@ -34,7 +34,7 @@ const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>
       if (part->get_name() == word) found = part;
     }
     if (!found) {
-      throw CLI::ValidationError("\"" + word + "\" is no command" +
+      throw CLI::ValidationError("\"" + word + "\" is not a command" +
                                  (known.empty() ? " below " + command->get_name()
                                                 : "; there are " + comma_separated(known)));
     }
@@ -63,8 +63,8 @@ void help(const CLI::App& app, const ReconstructHelp& reconstruct, const HelpArg
 void add_help(CLI::App& app, const ReconstructHelp& reconstruct) {
   const auto args = std::make_shared<HelpArgs>();
   CLI::App* command = app.add_subcommand("help", "Explain a command; print shell completion");
-  CLI::Option* words =
-      command->add_option("command", args->command, "Words of the command")->type_name("COMMAND");
+  CLI::Option* words = command->add_option("command", args->command, "Command, one or two words")
+                           ->type_name("COMMAND");
   command
       ->add_option("--completion", args->completion,
                    "Print the script for command completion in a shell")

@@ -54,14 +54,16 @@ void import_results(ImportArgs& args) {
 void add_import(CLI::App& app) {
   const auto args = std::make_shared<ImportArgs>();
   CLI::App* command = app.add_subcommand(
-      "import", "Read what another engine computed of exported scenes, as results for compare");
+      "import",
+      "Convert the results of another engine for exported scenes to a results file for compare");
   command->add_option("engine", args->options.engine, "Engine that ran the scenes: rockable")
       ->required()
       ->check(CLI::IsMember(importable_engines()))
       ->type_name("ENGINE");
   command
       ->add_option("scenes", args->options.scenes,
-                   "Folder that clast export wrote, with the conf files of each run in its folder")
+                   "Folder written by clast export, with the conf files of each run in the folder "
+                   "of that run")
       ->required()
       ->type_name("DIR");
   command->add_option("-o,--output", args->output, "Results file")
@@ -69,16 +71,15 @@ void add_import(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--campaign", args->options.campaign,
-                   "The campaign that was exported, where it is no longer in its folder")
+                   "The exported campaign, if it is no longer in its folder")
       ->type_name("FILE");
-  command->add_flag("--replace", args->options.replace, "Replace the results that FILE holds");
+  command->add_flag("--replace", args->options.replace, "Replace existing results in FILE");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Positions, speeds, energies and crossings of barriers come from the states in the conf "
       "files. "
-      "Quantities that require contact data\n(penetration, impacts, dissipation by cause) is left "
-      "out, and "
-      "reports say so.\n"
+      "Quantities that require contact data\n(penetration, impacts, dissipation by cause) are left "
+      "out, and reports say so.\n"
       "Example:\n"
       "  clast export campaign.toml --to rockable -o scenes\n"
       "  for run in scenes/run*; do (cd $run && rockable input.txt); done\n"

@@ -111,14 +111,16 @@ std::string against(const std::string& what, double field, double block, const s
 
 /// What a tape says of the unit of an unscaled block.
 std::string scales_by_tape(const Axes& taped, const Axes& units) {
-  std::string text = "the block is unscaled; by the tape one of its units is";
+  std::string text = "the block is unscaled; by the taped axes one of its units is";
   const auto add = [&](const char* name, double tape, double block) {
     text += " " + format_rounded(tape / block) + " m (" + name + ")";
   };
   add("L", taped.L, units.L);
   add("I", taped.I, units.I);
   add("S", taped.S, units.S);
-  return text + "; give one as --scale-factor to clast reconstruct to make it again in metres\n";
+  return text +
+         "; to make the block again in metres, give one of these to clast reconstruct as "
+         "--scale-factor\n";
 }
 
 /// "L,I,S" in metres, in any order.
@@ -175,14 +177,15 @@ void add_set(CLI::App& app) {
   CLI::App* command = app.add_subcommand("set", "Attach field notes to a block");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("id", args->id, "Block")->required()->type_name("ID");
-  command->add_option("--site", args->site, "Where the block lies or came from")->type_name("TEXT");
+  command->add_option("--site", args->site, "Place where the block lies or came from")
+      ->type_name("TEXT");
   command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
   command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
   command->add_option("--weighed", args->weighed, "Weighed mass, kg")
       ->check(within(kBlockMass))
       ->type_name("KG");
   command->footer(
-      "Notes are kept beside the computed values and change none of them.\n"
+      "Field notes are stored beside the computed values and do not change them.\n"
       "Example:\n  clast library set blocks.h5 SP1A --site \"Authume, north face\" "
       "--taped 0.65,0.53,0.38 --weighed 342");
   command->callback([args] { set_field_notes(*args); });

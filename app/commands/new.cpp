@@ -52,7 +52,7 @@ void write_campaign(const NewCampaignArgs& args) {
       write_new_campaign(args.library, {args.terrain.begin(), args.terrain.end()}, args.output,
                          {.replace = args.replace});
   print_proposal(proposal);
-  std::cout << escape_nonprintable(args.output) << ": written. Go through it, then: "
+  std::cout << escape_nonprintable(args.output) << ": written. Edit it, then: "
             << escape_nonprintable(
                    format_shell_command({"clast", "simulate", args.output, "--dry-run"}))
             << "\n";
@@ -65,12 +65,12 @@ void add_new(CLI::App& app) {
   CLI::App* parent = app.add_subcommand("new", "Write a first campaign file to edit");
   parent->require_subcommand(1);
   CLI::App* command = parent->add_subcommand(
-      "campaign", "Write a commented campaign that runs, from a block library and a terrain");
+      "campaign", "Write a complete, commented campaign file from a block library and a terrain");
   command->add_option("--library", args->library, "Block library")->required()->type_name("LIB");
   command
       ->add_option("--terrain", args->terrain,
-                   "Terrain file of clast terrain, whose ground zones it takes over; or meshes, a "
-                   "raster or clouds, as one zone")
+                   "Terrain file of clast terrain, with its ground zones; or meshes, a raster or "
+                   "clouds, which form one zone")
       ->required()
       ->type_name("FILE");
   command->add_option("-o,--output", args->output, "Campaign file")
@@ -81,9 +81,9 @@ void add_new(CLI::App& app) {
       "Release points are proposed on steep ground in the upper part of the terrain, a barrier "
       "across the path\nof the blocks at the foot of the slope, or higher up if few of 16 trial "
       "runs reach "
-      "the foot. Ground parameters are usual ones of the\nkind of ground that a zone's name says "
-      "(rock, talus, "
-      "scree, soil hard, soil medium, soil soft), else\nthose of scree: see docs/parameters.md.\n"
+      "the foot. Ground parameters are typical of the\nground type that a zone is named after "
+      "(rock, talus, scree, soil hard, soil medium, soil soft), else\nof scree: see "
+      "docs/parameters.md.\n"
       "Example:\n"
       "  clast new campaign --library blocks.h5 --terrain slope.h5 -o campaign.toml");
   command->callback([args] { write_campaign(*args); });

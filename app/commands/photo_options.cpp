@@ -25,9 +25,9 @@ ScaleBar bar_from(const std::string& text) {
                      kBarLength.contains(numbers[2]);
   if (!whole) {
     throw CLI::ValidationError(
-        "--scale-bar", "\"" + text +
-                           "\" is not two different markers and the distance of their centres, " +
-                           kBarLength.describe() + ", such as 0,3,1.254");
+        "--scale-bar",
+        "\"" + text + "\" is not two different markers and the distance between their centres, " +
+            kBarLength.describe() + ", such as 0,3,1.254");
   }
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
 }
@@ -38,16 +38,15 @@ constexpr const char* kGroup = "Photographs";  ///< of the options, in the help
 void add_camera_options(CLI::App& command, PhotoArgs& args) {
   PhotoScanOptions& options = args.options;
   command
-      .add_option(
-          "--model", options.model,
-          "Camera poses computed by another program: folder of COLMAP, .xml of Metashape, "
-          ".sfm or .json of AliceVision; without it one in the folder of the photos, else the "
-          "program colmap is run")
+      .add_option("--model", options.model,
+                  "Camera poses computed by another program: folder of COLMAP, .xml of Metashape, "
+                  ".sfm or .json of AliceVision; default: the one in the folder of the photos, "
+                  "else the program colmap is run")
       ->type_name("PATH")
       ->group(kGroup);
   command
       .add_option("--masks", options.dense.masks,
-                  "Folder of images named as the photos, black where a photo is not to be used")
+                  "Folder of mask images with the names of the photos; black areas are not used")
       ->type_name("DIR")
       ->group(kGroup);
   command.add_option("--colmap", options.colmap.program, "The program colmap, by name or path")
@@ -63,8 +62,8 @@ void add_camera_options(CLI::App& command, PhotoArgs& args) {
       ->group(kGroup);
   command
       .add_option("--photo-cache", options.colmap.cache,
-                  "Folder that keeps what colmap found, by the content of the photos; default: "
-                  "clast/photos in the user's folder for caches")
+                  "Folder that stores the results of colmap for reuse with the same photos; "
+                  "default: clast/photos in the user's cache folder")
       ->type_name("DIR")
       ->group(kGroup);
 }
@@ -119,7 +118,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
       ->group(kGroup);
   command
       .add_flag("--allow-unscaled", options.allow_unscaled,
-                "Make blocks without any scale: their shape is usable, their mass is not")
+                "Make blocks without any scale: their shape is usable, but they have no mass")
       ->group(kGroup);
   add_camera_options(command, args);
 }

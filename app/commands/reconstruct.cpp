@@ -57,7 +57,7 @@ MeasuredLength measured_length(const std::string& text) {
   if (numbers.size() != 7)
     refuse("has " + format_count(numbers.size(), "number") + " and not seven");
   for (const double number : numbers) {
-    if (!std::isfinite(number)) refuse("holds what is no number");
+    if (!std::isfinite(number)) refuse("holds a word that is not a number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
   if (!kBlockLength.contains(numbers[6]))
@@ -99,8 +99,8 @@ void reconstruct(const ReconstructArgs& args) {
   try {
     printer.finish(reconstruct_batch(scans, batch, printer, progress));
   } catch (const Cancelled&) {
-    throw InputError("interrupted; what was finished is in " + batch.library.string() +
-                     ". Give the same command with `resume` to go on");
+    throw InputError("interrupted; finished blocks are in " + batch.library.string() +
+                     ". To continue, repeat the command with `resume`");
   }
 }
 
@@ -113,47 +113,46 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       ->capture_default_str();
   command
       .add_option("--scale-length", args.scale_length,
-                  "Scale from a length that was measured: two points of the scan in its own "
-                  "coordinates, and the metres between them, as \"x,y,z;x,y,z;metres\"")
+                  "Scale from a measured length: two points in the coordinates of the scan and "
+                  "their distance in metres, as \"x,y,z;x,y,z;metres\"")
       ->excludes("--units")
       ->type_name("A;B;M");
   command
       .add_option("--scale-factor", args.scale_factor,
-                  "Factor on all lengths, after --units or --scale-length")
+                  "Factor for all lengths, applied after --units or --scale-length")
       ->check(within(kScaleFactor))
       ->type_name("F")
       ->capture_default_str();
   command
-      .add_option(
-          "--up", args.batch.scan.scan.up,
-          "Axis of the scans that points up: y or z; without it y of glb and gltf files and "
-          "z of all others, or away from the ground if the scan contains ground")
+      .add_option("--up", args.batch.scan.scan.up,
+                  "Axis of the scans that points up: y or z; default: away from the ground if the "
+                  "scan contains ground, else y for glb and gltf files and z for all others")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
   command
       .add_option("--columns", args.columns,
-                  "Columns x, y and z of clouds in text, by name or number from 1: 2,3,4; default: "
-                  "as the heading says")
+                  "Columns x, y and z of clouds in text, by name or number from 1, such as 2,3,4; "
+                  "default: from the heading")
       ->type_name("X,Y,Z");
   command
       .add_option("--ground", args.ground,
-                  "auto: remove the ground around a block; none: the scan is of the block alone")
+                  "auto: remove the ground around a block; none: the scan shows only the block")
       ->check(CLI::IsMember({"auto", "none"}))
       ->type_name("WHICH")
       ->capture_default_str();
   command.add_flag("--split", args.batch.scan.split,
-                   "Make a block of everything that stands on the ground of a scan, as ID_1, ID_2 "
-                   "... in order of x, and not only of what stands near its middle");
+                   "Make a block of each object on the ground of a scan, as ID_1, ID_2 ... in "
+                   "order of x; default: only of the object near the middle");
   command.add_flag("--any-size", args.batch.scan.allow_any_size,
-                   "Take blocks over 20 m, over 10,000 t or under 1 mm too");
+                   "Also accept blocks over 20 m, over 10,000 t or under 1 mm");
 }
 
 /// What blocks are made of the scans.
 void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
   command
       .add_option("--vertices", options.vertices,
-                  "Vertices a block has at most, 4 or more; default: the fewest up to 2000 with "
-                  "which it is within the tolerance")
+                  "Largest number of vertices of a block, 4 or more; default: the smallest number "
+                  "up to 2000 that meets the tolerance")
       ->check(whole_number(4, 1000000))
       ->type_name("N");
   CLI::Option* radius =
@@ -162,21 +161,21 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
           ->type_name("M");
   command
       .add_option("--radius-share", options.block.radius_share,
-                  "The same as a share of S, the shortest side, 0 to 0.25; without it and without "
-                  "--vertices, 0.02 is halved down to 0.0025 where the tolerance needs it")
+                  "Minkowski radius as a fraction of S, the shortest side, 0 to 0.25; default: "
+                  "0.02, without --vertices halved down to 0.0025 if the tolerance requires it")
       ->check(within(kRadiusFraction))
       ->excludes(radius)
       ->type_name("SHARE")
       ->capture_default_str();
   command
       .add_flag("--core", options.block.core,
-                "The mesh is the core that the sphere is swept over, not the rock's surface; it is "
-                "taken as it is")
+                "The mesh is the core over which the sphere is swept, not the rock's surface; it "
+                "is used unchanged")
       ->needs(radius)
       ->excludes("--vertices");
   command
       .add_flag("--convex", options.block.convex,
-                "Take the convex hull of each scan, for example to compare with simpler models")
+                "Use the convex hull of each scan, for example to compare with simpler models")
       ->excludes("--core");
   command.add_option("--density", options.block.density, "Density, kg/m3")
       ->check(within(kBlockDensity))
@@ -184,8 +183,8 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
       ->capture_default_str();
   command
       .add_option("--mass", options.block.mass,
-                  "Weighed mass of the block, kg: sets the density, or checks the volume when "
-                  "--density is given too")
+                  "Weighed mass of the block, kg: sets the density, or checks the volume if "
+                  "--density is also given")
       ->check(within(kBlockMass))
       ->type_name("KG");
   command
@@ -196,15 +195,15 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
       ->capture_default_str();
   command
       .add_option("--tolerance", options.block.tolerance,
-                  "How far a block may lie off its scan (Hausdorff distance), as a share of L, the "
-                  "longest side; a block beyond it is made with a warning")
+                  "Largest Hausdorff distance between a block and its scan, as a fraction of L, "
+                  "the longest side; a larger distance gives a warning")
       ->check(within(kScanTolerance))
       ->type_name("SHARE")
       ->capture_default_str();
   command
       .add_flag("--keep-inner-shells", options.scan.repair.keep_inner_shells,
-                "Keep closed shells inside a scan (bubbles) as cavities; without it rock fills "
-                "them. Their number and volume are reported either way")
+                "Keep closed shells inside a scan (bubbles) as cavities; default: they are filled "
+                "with rock. Their number and volume are reported in both cases")
       ->excludes("--convex");
 }
 
@@ -212,25 +211,26 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
 void add_batch_options(CLI::App& command, ReconstructArgs& args) {
   command
       .add_option("-o,--output", args.batch.library,
-                  "Block library; blocks are added to one that is there")
+                  "Block library to write; existing blocks are kept")
       ->type_name("FILE")
       ->capture_default_str();
   command.add_flag("--replace", args.batch.replace,
                    "Replace blocks whose id is in the library already");
   command
       .add_option("--jobs", args.batch.jobs,
-                  "Scans that are worked on at the same time, 0: one per core; each takes its own "
-                  "memory, and the results are the same for any number")
+                  "Number of scans processed at the same time, 0: one per core; memory use grows "
+                  "with the number, the results are the same")
       ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--resume", args.batch.resume,
-                   "Skip scans whose block is in the library already, made of the same file with "
+                   "Skip scans whose block is in the library already, made from the same file with "
                    "the same options");
   command
-      .add_option("--report", args.report,
-                  "Folder for a page about each block (pictures of the scan before and after, what "
-                  "was repaired, deviation map) and a summary, index.html and summary.csv")
+      .add_option(
+          "--report", args.report,
+          "Folder for a page about each block (pictures of the scan before and after repair, list "
+          "of repairs, deviation map) and a summary, index.html and summary.csv")
       ->type_name("DIR");
   command.add_flag("--json", args.json, "Print the blocks as JSON");
 }

@@ -19,9 +19,8 @@ std::uint32_t run_number(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [stop, code] = std::from_chars(text.data(), end, number);
   if (code != std::errc() || stop != end || number >= kMaxRuns) {
-    throw CLI::ValidationError("--runs", "\"" + text +
-                                             "\" is no number of a run; take for example "
-                                             "0-15,20");
+    throw CLI::ValidationError("--runs",
+                               "\"" + text + "\" is not a run number; give for example 0-15,20");
   }
   return number;
 }
@@ -37,7 +36,7 @@ std::vector<std::uint32_t> run_numbers(const std::string& text) {
     const std::uint32_t last =
         dash == std::string::npos ? first : run_number(item.substr(dash + 1));
     if (last < first) {
-      throw CLI::ValidationError("--runs", "\"" + item + "\" ends before it begins");
+      throw CLI::ValidationError("--runs", "\"" + item + "\" has its larger number first");
     }
     for (std::uint32_t number = first; number <= last; ++number) numbers.push_back(number);
     at = comma + 1;
@@ -50,8 +49,8 @@ std::vector<std::uint32_t> run_numbers(const std::string& text) {
 void add_scene_options(CLI::App& command, SceneExportArgs& args) {
   command
       .add_option("--to", args.engine,
-                  "Scenes of a campaign for another engine: rockable or exadem; the file is then "
-                  "the campaign")
+                  "Write the scenes of a campaign for another engine, rockable or exadem; the "
+                  "input file is the campaign")
       ->check(CLI::IsMember(exportable_engines()))
       ->type_name("ENGINE");
   command
@@ -76,7 +75,7 @@ void export_scenes(const std::filesystem::path& campaign, const std::filesystem:
   for (const std::string& note : scenes.notes) std::cout << "note: " << note << "\n";
   std::cout << escape_nonprintable(folder.string()) << ": "
             << format_count(scenes.folders.size(), "scene") << " for " << args.engine
-            << " written; SCENE.txt there says what is what\n";
+            << " written; SCENE.txt there describes their files\n";
 }
 
 }  // namespace clast

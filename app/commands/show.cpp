@@ -74,7 +74,7 @@ void show(const ShowArgs& args) {
 
 void add_show(CLI::App& app) {
   const auto args = std::make_shared<ShowArgs>();
-  CLI::App* command = app.add_subcommand("show", "Show what a library holds");
+  CLI::App* command = app.add_subcommand("show", "Show the blocks of a library");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to show in full; default: one line per block")
       ->type_name("ID");

@@ -105,7 +105,7 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
     return;
   }
   if (!probe.failure.empty()) {
-    std::cout << "warning: a run that was tried failed, so the time is not to be relied on: "
+    std::cout << "warning: a trial run failed, so the estimated time is unreliable: "
               << escape_nonprintable(probe.failure) << "\n";
   }
   const std::string sentence = describe_planned_power(power);
@@ -179,7 +179,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   }
   if (finished) {
     if (team.is_leader())
-      print_results(output, args, summary, "nothing to do, has all runs already");
+      print_results(output, args, summary, "nothing to do, all runs are stored already");
     return;
   }
   std::vector<std::string> resume = {"clast", "simulate", args.campaign, "-o", args.output};
@@ -204,7 +204,7 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     throw SimulationError(
         "interrupted; " + std::to_string(step.done) + " of " + std::to_string(step.total) +
         " runs" + (prepared.header.stay ? " and the checkpoints of unfinished realisations" : "") +
-        " are kept. Go on with: " + resume_hint);
+        " are kept. Continue with: " + resume_hint);
   };
   run_campaign(prepared, output, options);
   bar.clear();
@@ -225,10 +225,11 @@ void simulate(const SimulateArgs& args) {
 void add_simulate(CLI::App& app) {
   const auto args = std::make_shared<SimulateArgs>();
   CLI::App* command = app.add_subcommand("simulate", "Run a campaign of releases");
-  CLI::Option* campaign = command
-                              ->add_option("campaign", args->campaign,
-                                           "Campaign file (TOML); every key is in docs/formats.md")
-                              ->type_name("CAMPAIGN");
+  CLI::Option* campaign =
+      command
+          ->add_option("campaign", args->campaign,
+                       "Campaign file (TOML); docs/formats.md describes every key")
+          ->type_name("CAMPAIGN");
   command->add_option("-o,--output", args->output, "Results file")
       ->type_name("FILE")
       ->capture_default_str();
@@ -237,18 +238,18 @@ void add_simulate(CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Continue an interrupted campaign");
-  command->add_flag("--replace", args->replace, "Replace the results that FILE holds");
+  command->add_flag("--replace", args->replace, "Replace existing results in FILE");
   command
       ->add_option("--checkpoint-interval", args->checkpoint_interval,
-                   "Where blocks stay: seconds between checkpoints of a realisation, from which "
-                   "--resume continues after a crash; 0: only on Ctrl-C")
+                   "Persistent blocks: seconds between checkpoints of a realisation, from which "
+                   "--resume continues after a crash; 0: checkpoints only on Ctrl-C")
       ->check(within({0.0, 1e6, "s"}))
       ->type_name("S")
       ->capture_default_str();
   command
       ->add_option("--shard", args->shard,
-                   "Do every n-th run only (realisation, where blocks stay), from the i-th on, and "
-                   "write FILE with .IofN before its extension")
+                   "Simulate only every n-th run (realisation, if blocks are persistent), starting "
+                   "with the i-th; the output is FILE with .IofN before its extension")
       ->type_name("I/N");
   CLI::Option* merge =
       command
@@ -257,20 +258,21 @@ void add_simulate(CLI::App& app) {
           ->type_name("PARTS")
           ->excludes(campaign);
   command->add_flag("--dry-run", args->dry_run,
-                    "Check everything, report what would run and the estimated time, draw "
+                    "Check everything, report the planned runs and the estimated time, draw "
                     "FILE.map.svg, and stop");
   command
       ->add_option("--margin", args->margin,
-                   "Difference in runout that matters: the dry run says how many runs are needed "
-                   "to detect it")
+                   "Difference in runout that matters: the dry run reports how many runs are "
+                   "needed to detect it")
       ->check(within({1e-3, 1e5, "m"}))
       ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the current runs; where blocks stay, at once, after writing checkpoints "
-      "(other processes of mpirun finish their realisations). --resume continues. Results do not "
-      "depend on interruptions, on --threads, on --shard, or on the processes of mpirun, which\n"
-      "have one thread each unless --threads says otherwise.\n"
+      "Ctrl-C stops after the current runs, with persistent blocks at once, after writing "
+      "checkpoints (other processes of mpirun finish their realisations). --resume continues. "
+      "Results do not "
+      "depend on interruptions, on --threads, on --shard, or on the number of mpirun "
+      "processes;\neach process has one thread unless --threads is given.\n"
       "Examples:\n"
       "  clast simulate campaign.toml --dry-run\n"
       "  clast simulate campaign.toml -o results.h5 --threads 4\n"

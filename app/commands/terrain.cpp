@@ -219,7 +219,7 @@ void check_outputs(const TerrainArgs& args) {
   for (const std::string& output : {args.output, args.exported, args.picture}) {
     for (const std::string& input : inputs) {
       if (output.empty() || !is_same_file(output, input)) continue;
-      throw InputError(output + ": is read, and would be written over; give another name");
+      throw InputError(output + ": is an input and would be overwritten; give another name");
     }
   }
 }
@@ -260,19 +260,19 @@ void add_grid_options(CLI::App& command, TerrainArgs& args) {
   TerrainOptions& options = args.options;
   command
       .add_option("--columns", args.columns,
-                  "Columns x, y and z of clouds in text, by name or number from 1: 2,3,4; default: "
-                  "as the heading says")
+                  "Columns x, y and z of clouds in text, by name or number from 1, such as 2,3,4; "
+                  "default: from the heading")
       ->type_name("X,Y,Z");
   command
       .add_option("--resolution", options.resolution,
                   "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
-                  "default: about four points of a cloud per cell, others as they are")
+                  "default: about four points of a cloud per cell, no resampling of others")
       ->check(within(kCellSize))
       ->type_name("M");
   command
       .add_option("--percentile", options.percentile,
-                  "Height of a cloud's cell: this percentile of its points, 0 for the lowest; "
-                  "default: their mean")
+                  "Height of a cell of a cloud: this percentile of the heights of its points, 0 "
+                  "for the lowest; default: their mean")
       ->check(within(kPercentile))
       ->type_name("P");
   command
@@ -314,9 +314,9 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
       ->type_name("N")
       ->capture_default_str();
   command
-      .add_option(
-          "--tolerance", options.tolerance,
-          "Remove vertices as long as the surface stays within this height, m; overhangs are kept")
+      .add_option("--tolerance", options.tolerance,
+                  "Simplify: remove vertices while the surface moves up or down by no more than "
+                  "this, m; overhangs are kept")
       ->check(within(kSurfaceTolerance))
       ->type_name("M");
   command.add_flag("--cut-zones", options.cut_zones,
@@ -325,22 +325,21 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
 
 /// What the ground is for, and its picture.
 void add_fit_options(CLI::App& command, TerrainArgs& args) {
-  CLI::Option* releases =
-      command
-          .add_option("--release", args.releases,
-                      "Release points (lines of x y z, axes as the inputs): refused when off the "
-                      "ground, drawn in the picture")
-          ->type_name("FILE");
+  CLI::Option* releases = command
+                              .add_option("--release", args.releases,
+                                          "Release points (lines of x y z, axes as in the inputs), "
+                                          "drawn in the picture; points off the ground are refused")
+                              ->type_name("FILE");
   command
       .add_option("--border-distance", args.border_distance,
-                  "Warn of release points nearer than this to the border, m")
+                  "Warn if a release point is nearer than this to the border, m")
       ->check(within(kBorderDistance))
       ->needs(releases)
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--block-size", args.block_size,
-                  "Diameter of the blocks, m: warn when the ground is much coarser or finer")
+                  "Diameter of the blocks, m: warn if the ground is much coarser or finer")
       ->check(within(kBlockLength))
       ->type_name("M");
   CLI::Option* picture =
@@ -379,12 +378,12 @@ void add_terrain(CLI::App& app) {
           "named as in zones.asc:1=blue,2=gray, or one GeoJSON, GeoPackage or Shapefile "
           "of polygons with a property \"zone\", or rules: "
           "rock=slope>60,scree=height<1450,soil=else "
-          "(degrees, m; the first that holds); default: one zone, ground")
+          "(degrees, m; the first rule that holds applies); default: one zone, ground")
       ->type_name("LIST|FILE");
   command
       ->add_option("--up", args->options.up,
-                   "Axis of the inputs that points up: y, z, or auto: y of glb and gltf files, "
-                   "as their standard has it, z of all others")
+                   "Axis of the inputs that points up: y, z, or auto (y for glb and gltf files, as "
+                   "their standard requires, z for all others)")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->type_name("AXIS")
       ->capture_default_str();
@@ -398,7 +397,7 @@ void add_terrain(CLI::App& app) {
           ->type_name("FILE");
   command
       ->add_option("--export-up", args->export_up,
-                   "Up axis of the export: y, z, or auto: y in glb, z in all others")
+                   "Up axis of the export: y, z, or auto (y in glb, z in all others)")
       ->check(CLI::IsMember({"auto", "y", "z"}))
       ->needs(exported)
       ->type_name("AXIS")

@@ -82,7 +82,7 @@ SeriesResult make_bodies(SeriesRequest request) {
   try {
     return make_series(request);
   } catch (const Cancelled&) {
-    throw InputError("interrupted; " + request.output.string() + " is as it was");
+    throw InputError("interrupted; " + request.output.string() + " is unchanged");
   }
 }
 
@@ -151,12 +151,12 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
 void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--convexity", args.steps.convexity,
-                  "Fill hollows until the volume is this share of the convex hull's")
+                  "Fill hollows until the volume is this fraction of that of the convex hull")
       ->check(within(kVariedConvexity))
       ->type_name("SHARE");
   command
       .add_option("--rounding", args.steps.rounding,
-                  "Radius of edges and corners as a share of S, 0 to 0.4")
+                  "Radius of edges and corners as a fraction of S, 0 to 0.4")
       ->check(within(kVariedRadiusFraction))
       ->type_name("SHARE");
   command
@@ -166,7 +166,7 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
       ->type_name("VALUE");
   command
       .add_option("--roundness-edge", args.steps.roundness_edge,
-                  "Edge length of the mesh that roundness is measured on, as a share of the "
+                  "Edge length of the mesh on which roundness is measured, as a fraction of the "
                   "diameter of a sphere of equal volume")
       ->check(within(kRoundnessEdge))
       ->type_name("SHARE")
@@ -181,7 +181,7 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
       ->type_name("FACTOR");
   command
       .add_option("--degree", args.steps.degree,
-                  "Detail is what spherical harmonics up to this degree leave out")
+                  "Degree of the spherical harmonics of the coarse form; detail is the remainder")
       ->check(whole_number(kMinDegree, kMaxDegree))
       ->type_name("N")
       ->capture_default_str();
@@ -191,7 +191,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option(
           "--reference", args.steps.reference,
-          "Simple bodies with the block's I/L and S/L; sphere and EOTA bodies have their own")
+          "Simple bodies with the block's I/L and S/L; sphere and EOTA bodies have fixed ratios")
       ->check(CLI::IsMember(reference_shape_names()))
       ->type_name("FORM");
   command.add_option("--exponent", args.steps.exponent, "Exponent of the superellipsoid, 1 to 20")
@@ -216,17 +216,18 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->needs(draw)
       ->type_name("TABLE");
   command
-      .add_option(
-          "--units", args.request.units,
-          "Length unit of the table: m, cm, mm, km, in, ft, or metres per unit; default: the "
-          "one in its header, else m")
+      .add_option("--units", args.request.units,
+                  "Length unit of the table: m, cm, mm, km, in, ft, or metres per unit; default: "
+                  "from its header, else m")
       ->type_name("UNIT")
       ->needs(draw);
   command.add_option("--seed", args.request.seed, "Random seed of --draw")
       ->check(whole_number())
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--prefix", args.request.prefix, "Ids of drawn bodies are this and a number")
+  command
+      .add_option("--prefix", args.request.prefix,
+                  "Prefix of the ids of drawn bodies, which are numbered")
       ->type_name("TEXT")
       ->capture_default_str();
 }
@@ -239,14 +240,15 @@ void add_vary(CLI::App& app) {
       app.add_subcommand("vary", "Make variants and series of blocks that differ in one property");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");
   command->add_option("ids", args->request.ids, "Blocks to vary; default: all")->type_name("ID");
-  command->add_option("-o,--output", args->output, "Block library; blocks in it are kept")
+  command
+      ->add_option("-o,--output", args->output, "Block library to write; existing blocks are kept")
       ->type_name("LIB")
       ->capture_default_str();
   command->add_flag("--replace", args->request.replace, "Replace blocks of the same id");
   add_form_options(*command, *args);
   add_surface_options(*command, *args);
   add_body_options(*command, *args);
-  command->add_option("--keep", args->keep, "What each body has in common with its block")
+  command->add_option("--keep", args->keep, "Quantity that is equal for a body and its block")
       ->check(CLI::IsMember({"mass", "volume", "L"}))
       ->type_name("WHAT")
       ->capture_default_str();
@@ -258,9 +260,10 @@ void add_vary(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", args->json, "Print the bodies as JSON");
   command->footer(
-      "Bodies are named after their block and what was done to it: B01_il0.8_sl0.5. I/L and S/L "
-      "stay those of the\nblock unless they are what is varied. Targets are reached within 0.5 %, "
-      "roundness within 1 %; what can't be\nreached is reported with the nearest value that can.\n"
+      "Bodies are named after their block and the variation, such as B01_il0.8_sl0.5. I/L and S/L "
+      "remain those of the\nblock unless they are varied. Targets are reached within 0.5 %, "
+      "roundness within 1 %; for a target that can't be\nreached, the nearest possible value is "
+      "reported.\n"
       "Examples:\n"
       "  clast vary blocks.h5 B01 --grid sneed-folk:10 -o forms.h5\n"
       "  clast vary blocks.h5 B01 --convexity 0.9 0.95 1 --reference ellipsoid box\n"

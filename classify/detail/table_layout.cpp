@@ -135,7 +135,7 @@ std::optional<NamedUnit> named_unit(const Header& header, const TableLayout& lay
     const std::optional<NamedUnit> unit =
         header.is_one() ? header.name(column).length : std::nullopt;
     if (unit && named && unit->factor != named->factor) {
-      throw InputError(layout.file + ": the header names different units, " + named->name +
+      throw InputError(layout.file + ": the header names different units: " + named->name +
                        " and " + unit->name + "; write L, I and S in one unit");
     }
     if (unit) named = unit;
@@ -150,8 +150,8 @@ void set_units(TableLayout& layout, const Header& header, const std::optional<do
   layout.units = asked ? *asked : named ? named->factor : 1.0;
   layout.units_are_known = asked || named;
   if (named && asked && named->factor != *asked) {
-    notes.push_back(std::string("the header says ") + named->name + ", the axes were read as " +
-                    format_significant(*asked, 6) + " m per unit, as asked");
+    notes.push_back(std::string("the header says ") + named->name + ", but the axes were read as " +
+                    format_significant(*asked, 6) + " m per unit, as requested");
   }
   if (named && !asked && named->factor != 1.0) {
     notes.push_back(std::string("axes were read in ") + named->name + ", as the header says");

@@ -160,7 +160,7 @@ Hdf5Group Hdf5Group::open_group(const std::string& name) const {
 }
 
 Hdf5Group Hdf5Group::create_group(const std::string& name) {
-  if (contains(name)) handle_->fail(name, "is there already");
+  if (contains(name)) handle_->fail(name, "exists already");
   const hid_t parent = handle_->get();
   const ScopedId properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties, false);
@@ -179,7 +179,7 @@ template <class T>
 void Hdf5Group::write(const std::string& name, std::span<const T> values,
                       const std::vector<std::size_t>& shape) {
   const hid_t parent = handle_->get();
-  if (contains(name)) handle_->fail(name, "is there already");
+  if (contains(name)) handle_->fail(name, "exists already");
   std::vector<hsize_t> sizes(shape.begin(), shape.end());
   if (sizes.empty()) sizes = {values.size()};
   std::size_t row = 1;  // elements below the first index
@@ -360,8 +360,8 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
               H5Fclose);
   if (!id.valid()) {
     throw InputError(path.string() + ": can't be opened" + last_error_message() +
-                     "; it is cut short or damaged, not permitted, or open in another program: "
-                     "close that, allow reading it, or make it again");
+                     "; it is cut short, damaged, without read permission, or open in another "
+                     "program: close that program, allow reading it, or make the file again");
   }
   Hdf5File file(
       std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));

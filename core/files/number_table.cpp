@@ -87,8 +87,8 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
         !is_possible_heading(heading.fields, separator)) {
       return std::nullopt;
     }
-    refuse("its heading does not name the columns; a line must be " + table.meaning +
-           ": name them so");
+    refuse("its heading does not name the columns; each line must be " + table.meaning +
+           "; give the columns these names");
   }
   for (const std::size_t column : *columns) {
     const ColumnHeading name = parse_heading(heading.fields[column]);
@@ -181,13 +181,13 @@ std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
     if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
       throw InputError(name + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
-                       "\" sums up the other rows; remove that row");
+                       "\" is a sum of other rows; remove that row");
     }
     NumericRow& read = rows.emplace_back(NumericRow{record.line, {}});
     for (const std::size_t column : columns) read.values.push_back(reader.number(record, column));
   }
   if (rows.empty()) {
-    throw InputError(name + ": holds no line with numbers; each line must be " + table.meaning);
+    throw InputError(name + ": has no line of numbers; each line must be " + table.meaning);
   }
   return rows;
 }

@@ -78,7 +78,7 @@ OutputFile::OutputFile(fs::path target, const OverwritePolicy& rules)
   fs::create_directories(folder, code);
   if (code) {
     throw InputError(folder.string() + ": can't make this folder (" + code.message() +
-                     "); check the permissions of the one it is in, or name another place");
+                     "); check the permissions of its parent folder, or name another place");
   }
   staging_ = std::make_unique<StagingPath>(target_, StagingPath::Kind::kFile);
 }
@@ -147,9 +147,9 @@ std::error_code rename_without_replacing(const fs::path& from, const fs::path& t
 }
 
 void throw_concurrent_write(const fs::path& target) {
-  throw InputError(target.string() +
-                   ": another program wrote it meanwhile, so it is left as it is; run again with "
-                   "another name");
+  throw InputError(
+      target.string() +
+      ": another program wrote it meanwhile, so it is not replaced; run again with another name");
 }
 
 void check_disk_space(const fs::path& target, std::initializer_list<std::uint64_t> files) {

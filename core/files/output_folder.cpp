@@ -71,10 +71,9 @@ fs::path resolved(const fs::path& target) {
 }
 
 [[noreturn]] void refuse_exchange(const fs::path& target, const std::error_code& code) {
-  throw InputError(
-      target.string() + ": can't be replaced (" + code.message() +
-      "), so it is as it was; check the permissions of the folder and of the one it is "
-      "in, or name another");
+  throw InputError(target.string() + ": can't be replaced (" + code.message() +
+                   "), so it is unchanged; check the permissions of the folder and of its parent "
+                   "folder, or name another");
 }
 
 /// Exchanges two folders: in one step where the file system can.
@@ -136,7 +135,7 @@ OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace
   fs::create_directories(beside, code);
   if (code) {
     throw InputError(beside.string() + ": can't make this folder (" + code.message() +
-                     "); check the permissions of the one it is in, or name another place");
+                     "); check the permissions of its parent folder, or name another place");
   }
   staging_ = std::make_unique<StagingPath>(target_, StagingPath::Kind::kFolder);
   if (fs::exists(target_, code)) {

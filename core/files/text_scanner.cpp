@@ -21,7 +21,8 @@ std::string quoted(std::string_view word) {
   for (const char c : word.substr(0, kQuoted)) text += c >= 32 && c < 127 ? c : '?';
   const bool decimal_comma = word.find(',') != std::string_view::npos;
   return "found \"" + text + "\"" +
-         (decimal_comma ? "; this format has decimal points, export it with these" : "");
+         (decimal_comma ? "; this format requires decimal points, export it with decimal points"
+                        : "");
 }
 
 }  // namespace

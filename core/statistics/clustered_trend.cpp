@@ -23,7 +23,7 @@ void check_trend_sample(const TrendSample& sample) {
   }
   for (const std::uint32_t unit : sample.units) {
     if (unit >= units) {
-      throw InputError("there is no unit " + std::to_string(unit) + " among " +
+      throw InputError("there is no unit number " + std::to_string(unit) + " among " +
                        std::to_string(units));
     }
   }

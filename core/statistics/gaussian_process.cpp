@@ -176,9 +176,9 @@ GaussianProcess::GaussianProcess(const MatrixXd& points, const VectorXd& values,
     : kernel_(options.kernel), points_(points), values_(values) {
   options.check();
   if (points.cols() < 3 || points.cols() != values.size()) {
-    throw InputError("a Gaussian process needs three places and a value of each; there are " +
-                     std::to_string(points.cols()) + " places and " +
-                     std::to_string(values.size()) + " values");
+    throw InputError(
+        "a Gaussian process needs at least three points with a value each; there are " +
+        std::to_string(points.cols()) + " points and " + std::to_string(values.size()) + " values");
   }
   const double spread = values.maxCoeff() - values.minCoeff();
   hyperparameters_ = {VectorXd::Constant(points.rows(), options.max_length_scale),

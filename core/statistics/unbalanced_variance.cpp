@@ -241,7 +241,7 @@ void check_lists(std::span<const std::vector<double>> outcomes,
   for (const std::vector<std::uint32_t>& factor : factors) {
     if (factor.size() != count) throw InputError("factors of different lengths");
     if (std::equal(factor.begin() + 1, factor.end(), factor.begin())) {
-      throw InputError("a factor of one level has no share of the variance");
+      throw InputError("a factor of one level explains no variance");
     }
   }
   for (const std::vector<double>& values : outcomes) {

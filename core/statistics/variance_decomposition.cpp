@@ -122,11 +122,11 @@ double draw_chi_squared(double degrees_of_freedom, Random& random) {
 void check_design(std::span<const double> values, std::span<const std::size_t> levels) {
   std::size_t count = 1;
   for (const std::size_t number : levels) {
-    if (number < 2) throw InputError("a factor of one level has no share of the variance");
+    if (number < 2) throw InputError("a factor of one level explains no variance");
     count *= number;
   }
   if (levels.empty() || levels.size() > kMaxCrossedFactors || count != values.size()) {
-    throw InputError(std::to_string(values.size()) + " values are no full design of " +
+    throw InputError(std::to_string(values.size()) + " values are not a full design of " +
                      std::to_string(levels.size()) + " factors with " + std::to_string(count) +
                      " combinations");
   }

@@ -20,16 +20,16 @@ void GroundParameters::check(const std::string& zone) const {
     refuse("rolling_friction", rolling_friction, "0 or more");
   }
   if (!(rolling_length >= 0.0 && std::isfinite(rolling_length))) {
-    refuse("rolling_length", rolling_length, "0 m (none stated) or more");
+    refuse("rolling_length", rolling_length, "0 m (no value) or more");
   }
   const auto not_negative = [&](const char* field, double value, const char* zero) {
     if (!(value >= 0.0 && std::isfinite(value))) {
       refuse(field, value, std::string("0 (") + zero + ") or more");
     }
   };
-  not_negative("friction_min", friction_min, "no friction before it has slid");
-  not_negative("slip_growth", slip_growth, "friction does not grow");
-  not_negative("slip_memory", slip_memory, "slip is forgotten at once");
+  not_negative("friction_min", friction_min, "no friction before sliding");
+  not_negative("slip_growth", slip_growth, "friction is constant");
+  not_negative("slip_memory", slip_memory, "slip has no memory");
   not_negative("scar_drag", scar_drag, "none");
   not_negative("soil_density", soil_density, "none stated");
   not_negative("soil_memory", soil_memory, "none");
@@ -37,7 +37,7 @@ void GroundParameters::check(const std::string& zone) const {
     refuse("friction_min", friction_min, "at most friction, " + format_significant(friction, 6));
   }
   if (!(slip_growth > 0.0) && (friction_min > 0.0 || slip_memory > 0.0)) {
-    refuse("slip_growth", slip_growth, "above 0 where friction_min or slip_memory is given");
+    refuse("slip_growth", slip_growth, "above 0 if friction_min or slip_memory is given");
   }
   if ((scar_drag > 0.0) != (soil_density > 0.0)) {
     refuse(scar_drag > 0.0 ? "soil_density" : "scar_drag", 0.0,

@@ -76,19 +76,21 @@ double find_depths(StiffnessChoice& choice, std::span<const BodyRequirements> bo
 std::string softness_warning(const StiffnessChoice& choice, double automatic,
                              double deepest_share) {
   return "k_n = " + format_significant(choice.stiffness.normal, 3) + " N/m is softer than the " +
-         format_significant(automatic, 3) + " N/m that \"auto\" would take: rest is " +
+         format_significant(automatic, 3) +
+         " N/m that \"auto\" would choose: the settled depth is " +
          format_significant(choice.settled_depth, 3) + " m deep (" +
-         format_significant(100.0 * deepest_share, 3) + " % of S) and the fastest impact goes " +
+         format_significant(100.0 * deepest_share, 3) +
+         " % of S), and the fastest impact penetrates " +
          format_significant(choice.impact_depth, 3) + " m deep";
 }
 
 std::string cost_warning(const ContactStiffness& chosen, double static_stiffness_ratio) {
   return "energy_restitution = " + format_significant(static_stiffness_ratio, 3) +
-         " lets blocks rest on that share of k_n only, so \"auto\" takes k_n = " +
+         " lets blocks rest on only that fraction of k_n, so \"auto\" chooses k_n = " +
          format_significant(chosen.normal, 3) + " N/m and steps of " +
          format_significant(chosen.time_step, 3) +
          " s: " + format_significant(std::sqrt(kUsualRestFraction / static_stiffness_ratio), 3) +
-         " times the work of 0.01";
+         " times the work of energy_restitution = 0.01";
 }
 
 std::string stiff_unloading_warning(const ContactStiffness& chosen,
@@ -98,7 +100,7 @@ std::string stiff_unloading_warning(const ContactStiffness& chosen,
          " makes the ground unload 1/energy_restitution times as stiff as it loads, in steps of " +
          format_significant(chosen.time_step, 3) +
          " s: " + format_significant(std::sqrt(kUsualRestFraction / restitution), 3) +
-         " times the work of 0.01";
+         " times the work of energy_restitution = 0.01";
 }
 
 }  // namespace
@@ -139,7 +141,7 @@ GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
                                        const ContactLaw& law) {
   if (zones.empty()) {
     throw SimulationError(
-        "stiffness: there is no ground zone to choose it for; give the parameters of one");
+        "stiffness: no ground zone is given from which to choose it; give the parameters of one");
   }
   GroundRequirements ground;
   std::visit(
@@ -169,7 +171,7 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
                                  const GroundRequirements& ground, double fastest, double gravity,
                                  const StiffnessOptions& options) {
   if (bodies.empty()) {
-    throw SimulationError("stiffness: there is no block to choose it for; give one");
+    throw SimulationError("stiffness: no block is given from which to choose it; give one");
   }
   const Demand demand = demand_of(bodies, ground, fastest, gravity);
   StiffnessChoice choice;
@@ -199,9 +201,9 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
   if (chosen.time_step > most) {
     throw SimulationError("time step " + format_significant(chosen.time_step, 3) +
                           " s is too long: beyond " + format_significant(most, 3) +
-                          " s contacts make energy or blocks pass through the ground; " +
+                          " s contacts generate energy, or blocks pass through the ground; " +
                           format_significant(resolved, 3) +
-                          " s resolves every contact: give that, or leave it out");
+                          " s resolves every contact: give this value, or leave the time step out");
   }
 
   const double deepest_share = find_depths(choice, bodies, ground, fastest, gravity);

@@ -82,8 +82,7 @@ class Release {
  private:
   std::optional<StopReason> stop_reason() {
     if (!integrator_.is_finite()) {
-      result_.message =
-          "the motion is not finite any more at " + format_significant(time_, 6) + " s";
+      result_.message = "the motion is no longer finite at " + format_significant(time_, 6) + " s";
       return StopReason::kError;
     }
     if (left_) return StopReason::kLeftTerrain;
@@ -405,7 +404,7 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
   for (const GroundParameters& zone : zones) {
     if (zone.soil_memory > 0.0) {
       throw InputError("soil_memory = " + format_significant(zone.soil_memory, 6) +
-                       ": a single release has no later ones that could find its dents; 0 here");
+                       ": residual indentations of a single release meet no later blocks; give 0");
     }
   }
   check_zones(terrain, zones);

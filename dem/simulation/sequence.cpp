@@ -38,7 +38,7 @@ class Sequence {
   void restore(ByteReader& from) {
     serialize(from);
     world_.restore(from);
-    if (!from.at_end()) throw InputError("the saved state is of another sequence");
+    if (!from.at_end()) throw InputError("the saved state belongs to another sequence");
     observe_blocks();
     count_released();
   }
@@ -174,7 +174,7 @@ class Sequence {
     }
     if (bad == 0) return;
     const std::string problem =
-        left ? "left their form; place them deeper in it"
+        left ? "left their confining walls; place them deeper within the walls"
              : "still move after settle_time = " + format_significant(settings_.settle_time, 6) +
                    " s; give them more time";
     throw SettlingError(std::to_string(bad) + " of " + std::to_string(all) +
@@ -381,7 +381,7 @@ void SequenceSettings::check() const {
     throw InputError("settle_time = " + format_significant(settle_time, 6) + "; must be above 0");
   }
   if (!confining_walls.empty() && !at_once) {
-    throw InputError("forms hold blocks that are released at once; give at_once too");
+    throw InputError("confining walls are for blocks that are released at once; also give at_once");
   }
 }
 

@@ -98,7 +98,7 @@ void World::release_bodies(std::span<const std::size_t> bodies) {
     }
     if (!is_fixed(body) || is_inactive(body)) {
       throw SimulationError(name + (is_inactive(body) ? " is gone" : " moves already") +
-                            "; only fixed bodies that are there can be freed");
+                            "; only existing fixed bodies can be made free");
     }
     if (impl_->terrain()) check_start(*impl_->terrain(), state(body).position, name);
   }

@@ -19,7 +19,7 @@ void require_equal(double stored, double expected, double tolerance, const std::
                    const std::string& where) {
   require(std::abs(stored - expected) <= tolerance * std::abs(expected), where,
           what + " is " + format_significant(stored, 9) + ", but " +
-              format_significant(expected, 9) + " follows from the rest");
+              format_significant(expected, 9) + " follows from the other values");
 }
 
 void check_moments(const Block& block, const std::string& where) {

@@ -55,8 +55,9 @@ HullInterpolation blend_of(const SpheroPolyhedron& body, double target) {
   try {
     return HullInterpolation(core_mesh(body));
   } catch (const GeometryError& error) {
-    throw GeometryError("a convexity of " + format_significant(target, 4) + " can't be reached: " +
-                        error.what() + "; the nearest are its own and 1, its hull");
+    throw GeometryError("a convexity of " + format_significant(target, 4) +
+                        " can't be reached: " + error.what() +
+                        "; the nearest are its own convexity and 1, that of its hull");
   }
 }
 
@@ -67,7 +68,7 @@ SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double ini
   if (std::abs(target - initial_convexity) <= kSameConvexity) return body;
   if (!(target <= 1.0 && target > initial_convexity)) {
     throw GeometryError("a convexity of " + format_significant(target, 4) +
-                        " can't be reached: hollows can be filled, from its own " +
+                        " can't be reached: filling hollows gives values from its own, " +
                         format_significant(initial_convexity, 4) + " to 1");
   }
   const SpheroPolyhedron hull = make_sphero_polyhedron(convex_hull(body.vertices), body.radius);

@@ -77,7 +77,7 @@ std::vector<Vec3> read_points(const Hdf5Group& group, const std::string& name,
 void check_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
                    const std::string& name, const std::string& where) {
   for (const std::uint32_t index : indices) {
-    require(index < vertices, where, name + " names a vertex that is not there");
+    require(index < vertices, where, name + " refers to a vertex that does not exist");
   }
 }
 

@@ -78,7 +78,8 @@ RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>
     }
     RoundedBody found = between(at, std::move(low), std::move(high), target);
     if (good(found, target, kRoundnessTolerance)) return found;
-    refuse_target(target, "the roundness measured leaps there; the nearest is ", found.roundness);
+    refuse_target(target, "the measured roundness is discontinuous there; the nearest value is ",
+                  found.roundness);
   }
   refuse_target(target, "with sharp edges it is ", high.roundness);
 }

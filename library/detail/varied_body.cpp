@@ -26,7 +26,7 @@ constexpr double kSameMoments = 1e-9;
 
 void refuse_round_bodies(const Block& parent) {
   if (!parent.body.faces.empty()) return;
-  throw GeometryError("it is a ball or a capsule, which has neither faces nor detail to vary");
+  throw GeometryError("it is a ball or a capsule, without faces or detail to vary");
 }
 
 double radius_share(const SpheroPolyhedron& body) {
@@ -100,9 +100,9 @@ VariedBody vary_body(const Block& parent, const VertexCountVariation& target) {
   refuse_round_bodies(parent);
   const std::size_t own = parent.body.vertices.size();
   if (target.vertices < kMinVariedVertices || target.vertices > own) {
-    throw InputError(format_count(target.vertices, "vertex", "vertices") +
-                     " can't be reached: from " + std::to_string(kMinVariedVertices) + " to the " +
-                     std::to_string(own) + " it has can; more come from its scan, by reconstruct");
+    throw InputError(format_count(target.vertices, "vertex", "vertices") + " can't be reached: " +
+                     std::to_string(kMinVariedVertices) + " to " + std::to_string(own) +
+                     " (its own number); for more, reconstruct it from its scan");
   }
   const std::string figures = "parent_vertices=" + std::to_string(own);
   if (target.vertices == own) return {parent.body, figures};
@@ -112,7 +112,7 @@ VariedBody vary_body(const Block& parent, const VertexCountVariation& target) {
   std::optional<TriangleMesh> fewer = untangle_self_intersections(decimate(core, target.vertices));
   if (!fewer || !(signed_volume(*fewer) > 0.0)) {
     throw GeometryError("with " + std::to_string(target.vertices) +
-                        " vertices its core would cross itself; ask for more");
+                        " vertices its core would cross itself; give more");
   }
   for (Vec3& vertex : fewer->vertices) vertex += parent.box.centre;
   return {with_form_of(parent, make_sphero_polyhedron(*fewer, parent.body.radius),

@@ -62,8 +62,8 @@ void check_points(const LasHeader& header, std::uint64_t file_size) {
     throw InputError("its scale or offset of coordinates is zero or not finite; it is corrupt");
   }
   if (header.data_offset < kMinHeader || header.data_offset > file_size) {
-    throw InputError("its points are said to start at byte " + std::to_string(header.data_offset) +
-                     ", outside the file; it is corrupt");
+    throw InputError("its header says that the points start at byte " +
+                     std::to_string(header.data_offset) + ", outside the file; it is corrupt");
   }
   const std::uint64_t room = (file_size - header.data_offset) / header.record_size;
   if (header.count > room) {
@@ -137,7 +137,7 @@ CloudSummary read_las(std::istream& stream, PointSink& sink) {
   for (std::uint64_t done = 0; done < header.count;) {
     const std::size_t now = std::min<std::uint64_t>(kRecordsPerRead, header.count - done);
     const std::string bytes = read_bytes(stream, now * header.record_size);
-    if (bytes.size() < now * header.record_size) throw InputError("can't be read to its end");
+    if (bytes.size() < now * header.record_size) throw InputError("can't be read completely");
     for (std::size_t i = 0; i < now; ++i) {
       const std::string_view record =
           std::string_view(bytes).substr(i * header.record_size, header.record_size);

@@ -123,7 +123,7 @@ double pcd_number_at(const char* bytes, const Field& field) {
       return is_signed ? as(std::int64_t{}) : as(std::uint64_t{});
     default:
       throw InputError("field " + field.name + " has type " + field.type +
-                       std::to_string(field.size) + ", which is not known");
+                       std::to_string(field.size) + ", which is unknown");
   }
 }
 
@@ -174,7 +174,7 @@ void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink)
                              header.fields[f].name);
           point[axis - axes.begin()] = *value;
         } else if (word.empty()) {
-          throw InputError(text.line_prefix() + "fewer values than FIELDS says");
+          throw InputError(text.line_prefix() + "it has fewer values than FIELDS says");
         }
         word = text.next_word();
       }

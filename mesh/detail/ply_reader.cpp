@@ -88,7 +88,7 @@ PlyHeader read_ply_header(TextScanner& text) {
       header.elements.push_back(element);
     } else if (keyword == "property") {
       if (header.elements.empty())
-        throw InputError(text.line_prefix() + "a property of no element");
+        throw InputError(text.line_prefix() + "a property without an element");
       Property property;
       std::string_view type = text.next_word();
       if (type == "list") {
@@ -129,7 +129,7 @@ class Body {
   std::size_t count(const Type& type) {
     const double number = value(type);
     if (!(number >= 0.0) || number > static_cast<double>(bytes_.size())) {
-      throw InputError("a list claims more entries than the file holds; it is corrupt");
+      throw InputError("a list announces more entries than the file holds; it is corrupt");
     }
     return static_cast<std::size_t>(number);
   }
@@ -215,10 +215,10 @@ class Body {
     const std::string_view text = rest.substr(0, rest.find_first_of(kBlank));
     rest.remove_prefix(text.size());
     if (const std::optional<double> number = parse_number_token(text)) return *number;
-    throw InputError("\"" + std::string(text.substr(0, 40)) + "\" stands where a number is needed" +
+    throw InputError("\"" + std::string(text.substr(0, 40)) + "\" is not a number" +
                      (text.find(',') == std::string_view::npos
                           ? ""
-                          : "; PLY has decimal points, export it with these"));
+                          : "; PLY requires decimal points, export it with decimal points"));
   }
 
   std::string_view bytes_;
@@ -230,7 +230,7 @@ class Body {
 
 std::int64_t vertex_number(double value) {
   if (value != std::floor(value) || std::abs(value) > 9e15) {
-    throw InputError("a face names vertex " + std::to_string(value) + "; it is corrupt");
+    throw InputError("a face refers to vertex " + std::to_string(value) + "; it is corrupt");
   }
   return static_cast<std::int64_t>(value);
 }

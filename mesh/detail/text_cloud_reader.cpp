@@ -42,7 +42,7 @@ class Lines {
       }
       if (text_.size() - begin_ > kMaxLineLength) {
         throw InputError("line " + std::to_string(number_ + 1) +
-                         ": has no end within a megabyte; this is not a text of points");
+                         ": is longer than a megabyte; this is not a text file of points");
       }
       refill();
     }
@@ -148,13 +148,13 @@ class LinesOfPoints {
   std::vector<LengthUnitDeclaration> finish() const {
     if (points_ >= kNoChance && counting_ && !named_) {
       throw InputError("column " + std::to_string(columns_.axes[0] + 1) +
-                       ", which was taken for x, holds point numbers; name the columns in a first "
+                       ", which was read as x, holds point numbers; name the columns in a first "
                        "line, such as \"id x y z\", or give `columns`");
     }
     if (points_ >= kNoChance && !named_ && numbers_come_first()) {
       throw InputError(
-          "column 1 holds whole numbers only, and three or more columns after it do not: does it "
-          "hold point numbers instead of x? Name the columns in a first line, such as "
+          "column 1 holds only whole numbers, unlike three or more columns after it: does it hold "
+          "point numbers instead of x? Name the columns in a first line, such as "
           "\"id x y z\", or give `columns`");
     }
     return columns_.lengths;
@@ -379,7 +379,7 @@ class LinesOfPoints {
     const std::string_view name = trimmed_field(fields_[0]);
     if (parse_number(name) || detect_summary_label(name) != SummaryLabel::kCertain) return;
     throw InputError("line " + std::to_string(number) + ": " + quoted(name) +
-                     " sums up the other rows; remove that row");
+                     " is a sum of other rows; remove that row");
   }
 
   Vec3 point_in(std::size_t number) const {

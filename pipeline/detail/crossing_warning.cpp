@@ -9,7 +9,7 @@ void warn_of_self_intersections(Block& block, const TriangleMesh& surface) {
   const std::size_t pairs = find_self_intersections(surface).size();
   if (pairs == 0) return;
   block.warnings.push_back("the surface passes through itself at " + format_count(pairs, "pair") +
-                           " of triangles: what lies inside twice counts twice in its volume; "
+                           " of triangles: overlapping parts count twice in its volume; "
                            "repair it in MeshLab or CloudCompare");
 }
 

@@ -25,7 +25,7 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
       folder, photos, [&](const std::string& what) { callbacks.begin_step(what, true); });
   if (!scan.metric && options.block.mass) {
     throw InputError(folder.string() +
-                     ": `mass` needs a scale, and these photos have none; give `bars` or "
+                     ": `mass` needs a scale, but these photos have none; give `bars` or "
                      "`marker_side`");
   }
   reading.scan.unit = 1.0;
@@ -39,8 +39,8 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
   } catch (const Error& error) {  // mostly for want of photos, which points don't know
     throw GeometryError(std::string(error.what()) +
                         ". The points come from photos: " + scan.notes.front() +
-                        ". Take one every 10 to 15 degrees all round the block, so that each "
-                        "shows much of what its neighbours show");
+                        ". Take one every 10 to 15 degrees all round the block, so that "
+                        "neighbouring photos overlap widely");
   }
   found.raw.vertices = scan.cloud.points;
   source.options = "photos=" + std::to_string(scan.model.photos.size()) +
@@ -50,7 +50,7 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
-      notes.insert(notes.begin(), "UNSCALED, and where notes say m they mean units of the model: " +
+      notes.insert(notes.begin(), "UNSCALED, and m in notes means units of the model: " +
                                       explain_unscaled_block());
     }
   }

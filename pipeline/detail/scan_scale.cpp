@@ -32,9 +32,9 @@ void check_scan_size(const Bounds& box, const std::string& id, const ScanToBlock
   const double length = (box.high - box.low).maxCoeff();
   if (options.allow_any_size || (length <= kMaxUsualLength && length >= kMinUsualLength)) return;
   const std::string size = "block " + id + " would be " + format_rounded(length, 3) + " m long, ";
-  const std::string anyway = "; `any_size` takes it as it is";
+  const std::string anyway = "; `any_size` accepts it";
   if (options.scale_points) {
-    throw InputError(size + "scaled by `scale_points`: check its two points and its metres" +
+    throw InputError(size + "scaled by `scale_points`: check its two points and its length" +
                      anyway);
   }
   throw InputError(size + "read with `units` " + options.units +
@@ -45,9 +45,9 @@ void check_block_mass(const Block& block, const ScanToBlockOptions& options) {
   if (options.allow_any_size || block.mass.mass <= kMaxUsualMass) return;
   throw InputError("block " + block.id + " would be " +
                    format_significant(block.mass.mass / 1000.0, 4) +
-                   " t heavy; usually blocks are no heavier than " +
+                   " t heavy, but blocks are rarely heavier than " +
                    format_significant(kMaxUsualMass / 1000.0, 5) +
-                   " t: check scale and density; `any_size` takes it as it is");
+                   " t: check scale and density; `any_size` accepts it");
 }
 
 std::string format_scale_record(const ScanToBlockOptions& options) {

@@ -76,12 +76,13 @@ std::array<double, 2> thicknesses(std::span<const Vec3> points) {
 void refuse_flat(std::span<const Vec3> points, double diagonal) {
   const auto [plane, line] = thicknesses(points);
   if (plane > kFlatCloud * diagonal) return;
-  const char* const what = !(diagonal > 0.0)              ? "at one place"
+  const char* const what = !(diagonal > 0.0)              ? "at one point"
                            : line > kFlatCloud * diagonal ? "in a plane"
                                                           : "on a line";
-  throw GeometryError("all " + std::to_string(points.size()) + " points lie " + what +
-                      " and bound no block; scan the block from all sides, and check which columns "
-                      "of the file are x, y and z");
+  throw GeometryError(
+      "all " + std::to_string(points.size()) + " points lie " + what +
+      " and do not enclose a block; scan the block from all sides, and check which columns "
+      "of the file are x, y and z");
 }
 
 /// Points about a body, and the closed surface through them.
@@ -219,8 +220,8 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
         std::to_string(points.size()) + " points, " +
         format_significant(100.0 * missed.fraction, 2) + " % of the area they cover, near " +
         format_point(missed.position) +
-        ": they belong to a second body that touches this one, or are too far apart "
-        "for the thickness of the block; crop the cloud to one body, or scan it more "
+        ": these points belong to a second body that touches this one, or are too far apart for "
+        "the thickness of the block; crop the cloud to one body, or scan it more "
         "densely there");
   }
   return best;

@@ -39,9 +39,9 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
     return chosen;
   }
   if (count > 1) {
-    chosen.notes.push_back(std::to_string(count) +
-                           " blocks stand on the ground; the one near the middle was taken, "
-                           "`split` takes them all");
+    chosen.notes.push_back(
+        std::to_string(count) +
+        " blocks stand on the ground; the one near the middle was used, `split` uses all of them");
   }
   chosen.blocks.push_back(with_ground(standing.blocks[standing.central], points, ground));
   return chosen;
@@ -50,7 +50,7 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
 void throw_bare_ground(const std::string& name, double fraction) {
   throw GeometryError(name + ": the largest component is the ground (" +
                       format_significant(100.0 * fraction, 3) +
-                      " % of the scan) and nothing that rises from it is a block; scan a block and "
+                      " % of the scan) and no object on it is a block; scan a block and "
                       "the ground around "
                       "it, or, if this is one block alone, use `find_ground = false`");
 }

@@ -58,7 +58,7 @@ bool hardly_open(const FieldBlock& block) {
 FieldBlock with_doubt(FieldBlock block) {
   if (hardly_open(block)) {
     block.scan.notes.push_back(
-        "hardly any surface was missing, so the bounds are narrow; the file does not show "
+        "little surface was missing, so the bounds are narrow; the file does not show "
         "whether the scanning software had already closed an unseen side, such as the bottom: "
         "check the volume by weighing (`mass` with `density`)");
   }
@@ -144,7 +144,7 @@ void note_tilt(const Quat& rotation, std::vector<std::string>& notes) {
   const double tilt = degrees_between(rotation * Vec3::UnitZ(), Vec3::UnitZ());
   if (tilt <= kNotedTilt) return;
   notes.push_back("turned by " + format_significant(tilt, 3) +
-                  " degrees so that z points up from the ground; `up` keeps the file's axes");
+                  " degrees so that z points up from the ground; `up` keeps the axes of the file");
 }
 
 /// The same underside with every length scaled and every place moved.

@@ -26,8 +26,8 @@ void refuse_unusable(const std::vector<Vec3>& points, const std::string& name, d
   }
   if (points.size() < kMinPoints) {
     throw InputError(name + ": no block: " + std::to_string(points.size()) +
-                     " points are too few for one; a scan of a block has " +
-                     std::to_string(kMinPoints) + " at least");
+                     " points are too few for a block; at least " + std::to_string(kMinPoints) +
+                     " are needed");
   }
 }
 
@@ -39,8 +39,7 @@ std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::st
   notes.push_back("made from " + std::to_string(raw.size()) + " points, " +
                   std::to_string(once.size() - points.size()) + " of them outliers");
   if (once.size() < raw.size()) {
-    notes.push_back(std::to_string(raw.size() - once.size()) +
-                    " points repeat another one and were left out");
+    notes.push_back(std::to_string(raw.size() - once.size()) + " duplicate points were left out");
   }
   return points;
 }
@@ -48,11 +47,11 @@ std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::st
 /// A ground would join what stands on it: without one, far sets are not of one block.
 void refuse_separate_sets(const SeparatedPoints& found, const std::string& name) {
   if (found.far_area_ratio <= kFragmentArea) return;
-  throw GeometryError(name + ": separate sets of points, the second with about " +
-                      std::to_string(std::lround(100.0 * found.far_area_ratio)) +
-                      " % of the area of the first, near " + format_point(found.far_position) +
-                      "; save each block to a file of its own, or delete what does not belong "
-                      "to it");
+  throw GeometryError(
+      name + ": separate sets of points, the second with about " +
+      std::to_string(std::lround(100.0 * found.far_area_ratio)) +
+      " % of the area of the first, near " + format_point(found.far_position) +
+      "; save each block to a separate file, or delete the points of other objects");
 }
 
 /// Also notes what the surface leaves out and fills.
@@ -62,7 +61,7 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
     CloudSurface surface = fit_cloud_surface(points, options);
     if (surface.outliers > 0) {
       notes.push_back(std::to_string(surface.outliers) +
-                      " more points left out as outliers off the surface of their neighbours");
+                      " more points left out as outliers from the surface of their neighbours");
     }
     if (surface.gaps > 0) {
       notes.push_back(std::to_string(surface.gaps) + (surface.gaps == 1 ? " gap" : " gaps") +

@@ -125,7 +125,7 @@ std::string left_out(const std::vector<Component>& components) {
   return "another component of the scan that stands close to this block, with " +
          format_significant(100.0 * components[1].area / components[0].area, 3) +
          " % of its area, near " + format_point(components[1].mesh.vertices[0]) +
-         ", was left out; to have both, save each to a file of its own";
+         ", was left out; to make both, save each to a separate file";
 }
 
 std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,

@@ -187,18 +187,18 @@ std::string format_shape_anomaly(
                     near = " near " + format_file_position(anomaly.position);
   switch (anomaly.kind) {
     case ShapeAnomaly::Kind::kShell:
-      return "this looks like a shell " + size + " thick, not like a rock: it fills " + percent +
+      return "this seems to be a shell " + size + " thick, not like a rock: it fills " + percent +
              " of its convex hull," + near +
              "; if a program thickened an open scan, export the scan without thickness";
     case ShapeAnomaly::Kind::kHollow:
       return "this fills only " + percent + " of its convex hull, with a hollow " + size + " deep" +
              near + ": check that it is one whole rock";
     case ShapeAnomaly::Kind::kSlab:
-      return "this looks like a block with the ground around it, " + size + " across: " + percent +
+      return "this seems to be a block with the ground around it, " + size + " across: " + percent +
              " of its plan is level ground around the block" + near +
              "; cut the ground away, or use the scan from before its underside was closed";
     case ShapeAnomaly::Kind::kSeam:
-      return "this looks like two bodies that meet in a seam " + size + " wide" + near +
+      return "this seems to be two bodies that meet in a seam " + size + " wide" + near +
              ", the smaller with " + percent + " of the volume: check that it is one rock";
   }
   return "";

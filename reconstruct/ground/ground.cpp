@@ -210,11 +210,11 @@ void GroundDetectionOptions::check() const {
   if (trials < 1) throw InputError("trials = " + std::to_string(trials) + ": at least 1 is needed");
   if (!(tolerance > 0.0 && tolerance <= 0.1)) {
     throw InputError("tolerance = " + format_significant(tolerance, 4) +
-                     ": a share of the diagonal above 0, up to 0.1, is needed");
+                     ": must be a fraction of the diagonal, above 0 and at most 0.1");
   }
   if (!(least_rise > 0.0 && least_rise < 1.0)) {
     throw InputError("least_rise = " + format_significant(least_rise, 4) +
-                     ": a share of the diagonal between 0 and 1 is needed");
+                     ": must be a fraction of the diagonal, between 0 and 1");
   }
 }
 

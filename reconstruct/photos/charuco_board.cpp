@@ -15,11 +15,11 @@ namespace clast {
 void CharucoBoard::check() const {
   if (columns < 3 || rows < 3 || columns > 100 || rows > 100) {
     throw InputError("ChArUco board: " + std::to_string(columns) + " x " + std::to_string(rows) +
-                     " squares; 3 to 100 each are understood");
+                     " squares; each number must be 3 to 100");
   }
   if (!(square > 0.0 && square < 10.0)) {
     throw InputError("ChArUco board: " + format_significant(square, 6) +
-                     " m is no side of a square; must be above 0 and below 10 m");
+                     " m can't be the side of a square; it must be above 0 and below 10 m");
   }
   if (!(marker > 0.0 && marker < square)) {
     throw InputError("ChArUco board: markers of " + format_significant(marker, 6) +
@@ -36,9 +36,9 @@ void CharucoBoard::check() const {
     throw InputError("ChArUco board: with an even number of rows (" + std::to_string(rows) +
                      ") boards of OpenCV before 4.6 and of later versions differ, and clast was "
                      "built with OpenCV " +
-                     photos_detail::opencv_version() + ", which knows the " +
+                     photos_detail::opencv_version() + ", which supports only the " +
                      (older_pattern ? "later" : "older") +
-                     " ones only; use a board with an odd number of rows, or say older_pattern = " +
+                     " ones; use a board with an odd number of rows, or give older_pattern = " +
                      (older_pattern ? "false" : "true") + " if that is what it is");
   }
 }

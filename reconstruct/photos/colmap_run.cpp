@@ -176,10 +176,10 @@ class ColmapJob {
         run_child_process(words(command, arguments), {{"QT_QPA_PLATFORM", "offscreen"}},
                           work_ / (command + ".log"), options_.time_limit);
     if (end.timed_out) {
-      throw InputError("colmap " + command + " was ended after " +
-                       format_significant(options_.time_limit / 60.0, 3) +
-                       " minutes: use fewer or smaller photos, or give it more time with "
-                       "`seconds`");
+      throw InputError(
+          "colmap " + command + " was stopped after " +
+          format_significant(options_.time_limit / 60.0, 3) +
+          " minutes: use fewer or smaller photos, or raise the time limit with `seconds`");
     }
     return end.exit_code == 0;
   }
@@ -226,7 +226,7 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
                      kAdvice);
   }
   throw InputError(std::to_string(placed) + " of " + all +
-                   " could be placed: the others share too few matching points with them, and a "
+                   " could be placed: the others share too few matching points with them, so a "
                    "side of the block would be missing. Add photos between; " +
                    kAdvice + ", sharp and in even light");
 }
@@ -300,7 +300,7 @@ PhotoModel run_colmap(const fs::path& folder, const ColmapOptions& options,
   if (program.empty()) {
     throw InputError("cameras of photos are found by the program colmap, and " + options.program +
                      " isn't there: install the package colmap (Debian, Ubuntu: apt-get install "
-                     "colmap), or give cameras of another program with `model`");
+                     "colmap), or give camera poses of another program with `model`");
   }
   ColmapJob job(program, fs::absolute(folder), kept, options, stage);
   job.find_features(files);

@@ -209,8 +209,8 @@ DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& opti
   cloud.free_space = photos_detail::carve_free_space(views, agreed, cloud.region, options.tolerance,
                                                      options.threads);
   if (cloud.points.size() < kMinDensePoints) {
-    throw InputError("the photos agree on " + std::to_string(cloud.points.size()) +
-                     " points only, from " + std::to_string(count) +
+    throw InputError("the photos have only " + std::to_string(cloud.points.size()) +
+                     " points in common, from " + std::to_string(count) +
                      " pairs: too few for a surface. They are blurred, without texture, or too "
                      "far apart: take one every 10-15 degrees, in even light");
   }

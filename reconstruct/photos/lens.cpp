@@ -42,7 +42,7 @@ Distorted distorted(const CameraIntrinsics& lens, const Vec2& p) {
 void CameraIntrinsics::check() const {
   const auto refuse = [](const std::string& what, double value) {
     throw InputError("camera: " + what + " = " + format_significant(value, 6) +
-                     " is not of a lens; check the camera model");
+                     " is impossible for a lens; check the camera model");
   };
   if (width < 1 || width > 100000) refuse("width", width);
   if (height < 1 || height > 100000) refuse("height", height);
@@ -103,7 +103,7 @@ CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int heigh
     throw InputError("the photo has " + std::to_string(width) + " x " + std::to_string(height) +
                      " pixels, but its camera " + std::to_string(lens.width) + " x " +
                      std::to_string(lens.height) +
-                     "; give the photos that the model was made of, neither cut nor turned");
+                     "; give the photos from which the model was made, not cropped or rotated");
   }
   const double factor_y = static_cast<double>(height) / lens.height;
   CameraIntrinsics result = lens;

@@ -90,13 +90,14 @@ PhotoModel sorted_by_name(PhotoModel model) {
     new_index[order[i]] = i;
     photos.push_back(std::move(model.photos[order[i]]));
     if (i > 0 && photos[i].name == photos[i - 1].name) {
-      throw InputError("photo " + photos[i].name + " stands twice in the model");
+      throw InputError("photo " + photos[i].name + " is in the model twice");
     }
   }
   model.photos = std::move(photos);
   for (SparsePoint& point : model.points) {
     for (std::uint32_t& photo : point.photos) {
-      if (photo >= new_index.size()) throw InputError("a point names a photo that isn't there");
+      if (photo >= new_index.size())
+        throw InputError("a point refers to a photo that does not exist");
       photo = new_index[photo];
     }
     std::sort(point.photos.begin(), point.photos.end());
@@ -108,7 +109,7 @@ PhotoModel sorted_by_name(PhotoModel model) {
 Quat rotation_from_matrix(const Mat3& matrix, const std::string& what) {
   if (!matrix.allFinite() || (matrix * matrix.transpose() - Mat3::Identity()).norm() > 1e-3 ||
       matrix.determinant() < 0.0) {
-    throw InputError(what + ": its rotation is none");
+    throw InputError(what + ": its rotation is invalid");
   }
   return Quat(matrix).normalized();
 }

@@ -85,7 +85,7 @@ std::optional<LocatedMarker> placed(const PhotoModel& model,
 
 void MarkerOptions::check() const {
   if (dictionary != "auto" && dictionary != "none") photos_detail::opencv_dictionary(dictionary);
-  if (fewest_photos < 2) throw InputError("fewest_photos must be 2 at least");
+  if (fewest_photos < 2) throw InputError("fewest_photos must be at least 2");
   if (!(largest_error > 0.0 && largest_error < 100.0)) {
     throw InputError("largest_error = " + format_significant(largest_error, 4) +
                      " px is out of range");

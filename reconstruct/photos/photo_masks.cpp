@@ -23,7 +23,7 @@ void check_mask(const fs::path& file, const fs::path& photo) {
   if (mask.size() != image.size()) {
     throw InputError("mask " + file.string() + " has " + pixels(mask) + " and its photo " +
                      photo.filename().string() + " " + pixels(image) +
-                     "; masks are drawn on the photos as they are");
+                     "; masks must have the size of their photos");
   }
   double darkest = 0.0, brightest = 0.0;
   cv::minMaxLoc(mask, &darkest, &brightest);
@@ -31,8 +31,8 @@ void check_mask(const fs::path& file, const fs::path& photo) {
   throw InputError("mask " + file.string() + " is all black (its brightest pixel is " +
                    std::to_string(static_cast<int>(brightest)) + ", and " +
                    std::to_string(photos_detail::kMaskThreshold) +
-                   " to 255 counts as white): nothing of its photo would be used. Draw it anew, or "
-                   "take the photo away");
+                   " to 255 count as white), so nothing of its photo would be used. Draw the mask "
+                   "again, or remove the photo");
 }
 
 }  // namespace

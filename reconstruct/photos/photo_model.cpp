@@ -37,18 +37,21 @@ void PhotoModel::check() const {
   for (const CameraIntrinsics& lens : lenses) lens.check();
   for (const Photo& photo : photos) {
     if (photo.lens >= lenses.size()) {
-      throw InputError("photo " + photo.name + " names a camera that the model doesn't hold");
+      throw InputError("photo " + photo.name +
+                       " refers to a camera that the model doesn't contain");
     }
     const Pose& pose = photo.camera_from_world;
     const bool fine = pose.translation.allFinite() && pose.rotation.coeffs().allFinite() &&
                       std::abs(pose.rotation.norm() - 1.0) < 1e-6;
-    if (!fine) throw InputError("photo " + photo.name + ": its pose is no rotation and place");
+    if (!fine)
+      throw InputError("photo " + photo.name + ": its pose is not a rotation and a position");
   }
   for (const SparsePoint& point : points) {
     const bool known = std::all_of(point.photos.begin(), point.photos.end(),
                                    [&](std::uint32_t photo) { return photo < photos.size(); });
     if (!point.position.allFinite() || !known) {
-      throw InputError("a sparse point has no finite place, or names a photo that isn't there");
+      throw InputError(
+          "a sparse point has no finite position, or refers to a photo that does not exist");
     }
   }
 }
@@ -116,7 +119,7 @@ PhotoModel locate_photo_files(PhotoModel model, const fs::path& folder) {
   if (!missing.empty()) {
     throw InputError(folder.string() + ": " + std::to_string(missing.size()) + " of the " +
                      std::to_string(model.photos.size()) +
-                     " photos of the camera model are not there: " + listed(missing));
+                     " photos of the camera model are missing: " + listed(missing));
   }
   return model;
 }

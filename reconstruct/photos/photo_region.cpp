@@ -56,7 +56,7 @@ Vec3 looked_at(const PhotoModel& model) {
     if ((photo.camera_from_world * position).z() > 0.0) return position;
   }
   throw InputError(
-      "the cameras look away from each other and not at one block: take photos all round it");
+      "the cameras look away from each other, not at one block: take photos all round it");
 }
 
 /// The block on the ground among sparse points not farther than `reach` from the middle; none where
@@ -96,7 +96,7 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
 PhotoRegion find_photo_region(const PhotoModel& model) {
   if (model.photos.size() < 2) {
     throw InputError(std::to_string(model.photos.size()) +
-                     " photos with a camera are too few; a block needs 20 at least, all round it");
+                     " photos with a camera are too few; a block needs at least 20, all round it");
   }
   const Vec3 middle = looked_at(model);
   std::vector<double> distances, reaches;

@@ -17,9 +17,10 @@ const LocatedMarker& marker_of(const std::vector<LocatedMarker>& markers, int id
     if (marker.id == id) return marker;
     known += (known.empty() ? "" : ", ") + std::to_string(marker.id);
   }
-  throw InputError("scale bar: marker " + std::to_string(id) + " was not found; found " +
-                   (known.empty() ? "none" : known) +
-                   ". A marker must be seen whole, sharp and with a white margin in 3 photos");
+  throw InputError(
+      "scale bar: marker " + std::to_string(id) + " was not found; found " +
+      (known.empty() ? "none" : known) +
+      ". A marker must be completely visible, sharp and with a white margin in 3 photos");
 }
 
 std::string in_percent(double fraction) { return format_significant(100.0 * fraction, 2) + " %"; }
@@ -69,14 +70,16 @@ BoardLengths known_distances(const std::vector<LocatedMarker>& markers, const Sc
 [[noreturn]] void refuse_without_length(const std::vector<LocatedMarker>& markers,
                                         const ScaleOptions& options) {
   if (options.board) {
-    throw InputError("board: " + std::to_string(markers.size()) +
-                     " markers were found in three photos, and no two of the board; check its "
-                     "dictionary and ids, and that it is whole, flat and sharp in many photos");
+    throw InputError(
+        "board: " + std::to_string(markers.size()) +
+        " markers were found in three photos, but no two of the board; check its dictionary and "
+        "ids, and that it is completely visible, flat and sharp in many photos");
   }
-  throw InputError(options.marker_side
-                       ? "no marker was found in three photos; lay markers beside the block that "
-                         "are sharp and whole in many photos, or give the scale another way"
-                       : "no scale: neither a distance between markers nor their side is given");
+  throw InputError(
+      options.marker_side
+          ? "no marker was found in three photos; place markers beside the block that are sharp "
+            "and completely visible in many photos, or give the scale another way"
+          : "no scale: neither a distance between markers nor their side is given");
 }
 
 /// Of measures that are off their median by more than a share, none is used.
@@ -97,7 +100,7 @@ std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double mo
               format_significant(measure.factor, 6) + " m per unit";
   }
   throw InputError("the sizes contradict each other by more than " + in_percent(most) + " (" +
-                   values + "); measure the markers again, or give the distances you trust");
+                   values + "); measure the markers again, or give only the reliable distances");
 }
 
 /// How far each measure is off the mean of the others, and the spread of those used.
@@ -114,12 +117,12 @@ void compare_measures(PhotoScale& scale, std::size_t used, double most) {
     scale.notes.push_back(measure.name + " disagrees by " +
                           in_percent(std::abs(measure.leave_one_out_error)) + " with the other " +
                           std::to_string(used) + " (limit " + in_percent(most) +
-                          "): wrong size or a bent board? Left out");
+                          "), so it is left out: check its size and that the board is flat");
   }
   if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
   if (used == 1) {
     scale.notes.push_back("the scale rests on " + scale.measures.front().name +
-                          " alone, and nothing checks it");
+                          " alone, without a check");
   }
 }
 
@@ -131,7 +134,7 @@ void check_sides(PhotoScale& scale, const std::vector<LocatedMarker>& markers, d
   scale.side_check =
       scale.metres_per_unit * sides / static_cast<double>(markers.size()) / side - 1.0;
   if (std::abs(*scale.side_check) <= most) return;
-  scale.notes.push_back("by the distances between markers, their sides are " +
+  scale.notes.push_back("according to the distances between markers, their sides are " +
                         in_percent(std::abs(*scale.side_check)) +
                         (*scale.side_check > 0.0 ? " longer" : " shorter") +
                         " than given: check both");
@@ -147,13 +150,13 @@ void ScaleOptions::check() const {
     }
     if (!(bar.length > 0.0 && bar.length < 1e4)) {
       throw InputError("scale bar: " + format_significant(bar.length, 6) +
-                       " m is no distance; must be above 0 and below 10000 m");
+                       " m can't be a distance; it must be above 0 and below 10000 m");
     }
   }
   if (board) board->check();
   if (marker_side && !(*marker_side > 0.0 && *marker_side < 100.0)) {
     throw InputError("marker_side = " + format_significant(*marker_side, 6) +
-                     " m is no side of a marker; must be above 0 and below 100 m");
+                     " m can't be the side of a marker; it must be above 0 and below 100 m");
   }
   if (!(largest_disagreement > 0.0 && largest_disagreement < 1.0)) {
     throw InputError("largest_disagreement = " + format_significant(largest_disagreement, 6) +

@@ -93,8 +93,8 @@ void set_scale_by_markers(PhotoScan& scan, const PhotoScanOptions& options) {
   scan.notes.insert(scan.notes.end(), scan.scale->notes.begin(), scan.scale->notes.end());
   const double factor = scan.scale->metres_per_unit;
   if (scan.model.metric && std::abs(factor - 1.0) > kToldDifference) {
-    scan.notes.push_back("by the markers, lengths are " + format_significant(factor, 4) +
-                         " times what " + scan.model.source + " says; the markers were taken");
+    scan.notes.push_back("according to the markers, lengths are " + format_significant(factor, 4) +
+                         " times those of " + scan.model.source + "; the markers were used");
   }
   scan.metric = true;
 }
@@ -111,8 +111,8 @@ double scale_without_markers(PhotoScan& scan, const PhotoScanOptions& options) {
     throw InputError(
         "no scale: the units of the cameras are arbitrary. Give the distance between two markers "
         "with `bars`, a board with `board`, the side of markers with `marker_side`, or a measured "
-        "length with `metres_per_unit`; `allow_unscaled` goes on without: shapes are usable then, "
-        "masses are not");
+        "length with `metres_per_unit`; `allow_unscaled` continues without a scale: then shapes "
+        "are usable, but masses are unknown");
   }
   scan.scale_source = scan.metric ? scan.model.source : "none";
   return 1.0;

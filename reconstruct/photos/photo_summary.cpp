@@ -8,10 +8,10 @@ namespace {
 
 /// Why the scale does not rest on a marker that was found; empty where it does.
 std::string unused_reason(const PhotoScan& scan, int id) {
-  if (!scan.scale) return "no size is known of it";
+  if (!scan.scale) return "its size is not known";
   const std::vector<int>& misplaced = scan.scale->misplaced;
   if (std::find(misplaced.begin(), misplaced.end(), id) != misplaced.end()) {
-    return "left out: not where the board has it";
+    return "left out: its position differs from that on the board";
   }
   bool measured = false;
   for (const ScaleMeasure& measure : scan.scale->measures) {
@@ -20,7 +20,7 @@ std::string unused_reason(const PhotoScan& scan, int id) {
     if (its && measure.used) return "";
     measured = measured || its;
   }
-  return measured ? "left out: its size disagrees with the others" : "no distance is known to it";
+  return measured ? "left out: its size disagrees with the others" : "no distance to it is known";
 }
 
 }  // namespace
@@ -44,8 +44,9 @@ PhotoSummary summarise_photos(const PhotoScan& scan, const FieldBlock& block,
         {marker.id, marker.photos, marker.error, marker.side(), reason.empty(), reason});
   }
   for (const UnlocatedMarker& marker : scan.markers.missed) {
-    evidence.markers.push_back({marker.id, marker.photos, 0.0, 0.0, false,
-                                "too few photos show it whole and sharp, or they contradict"});
+    evidence.markers.push_back(
+        {marker.id, marker.photos, 0.0, 0.0, false,
+         "too few photos show it completely and sharply, or they contradict each other"});
   }
   std::sort(evidence.markers.begin(), evidence.markers.end(),
             [](const MarkerUsage& a, const MarkerUsage& b) { return a.id < b.id; });

@@ -70,11 +70,11 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
       return {points, notes, misplaced};
     }
     if (points.size() == 3 || 2 * (points.size() - 1) <= all) {
-      throw InputError("the board is not what the photos show: distances on it differ by up to " +
-                       format_significant(now.worst, 3) + " m of " +
-                       format_significant(now.reach, 3) + " m, and " +
-                       std::to_string(points.size()) + " of its " + std::to_string(all) +
-                       " points can't tell which is wrong; measure it again, or check its file");
+      throw InputError(
+          "the board contradicts the photos: distances on it differ by up to " +
+          format_significant(now.worst, 3) + " m of " + format_significant(now.reach, 3) +
+          " m, and " + std::to_string(points.size()) + " of its " + std::to_string(all) +
+          " points are too few to find which is wrong; measure the board again, or check its file");
     }
     std::size_t worst = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -86,10 +86,9 @@ AlikePoints alike(std::vector<BoardPoint> points, double most) {
       }
     }
     notes.push_back(points[worst].name +
-                    " is not where the board has it: without it distances "
-                    "agree to " +
+                    " is not at its position on the board: without it distances agree to " +
                     format_significant(least, 2) + " m instead of " +
-                    format_significant(now.rms, 2) + " m. Left out");
+                    format_significant(now.rms, 2) + " m. It was left out");
     misplaced.push_back(points[worst].id);
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(worst));
   }
@@ -104,18 +103,20 @@ KnownLength between(const std::string& name, const BoardPoint& a, const BoardPoi
 void ScaleBoard::check() const {
   MarkerOptions{.dictionary = dictionary}.check();
   if (dictionary == "auto" || dictionary == "none") {
-    throw InputError("board: the dictionary \"" + dictionary + "\" is none; name the one it has");
+    throw InputError("board: the dictionary \"" + dictionary +
+                     "\" is unknown; name that of the board");
   }
   if (charuco) {
     charuco->check();
     if (!markers.empty()) {
-      throw InputError("board: it has markers of its own and a ChArUco board; give one of them");
+      throw InputError(
+          "board: its file has both single markers and a ChArUco board; give only one of them");
     }
     return;
   }
   if (markers.size() < 2) {
     throw InputError("board: " + std::to_string(markers.size()) +
-                     " markers; two or more have a distance");
+                     " markers; at least two are needed for a distance");
   }
   for (std::size_t i = 0; i < markers.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -123,7 +124,7 @@ void ScaleBoard::check() const {
           std::to_string(markers[j].id) + " and " + std::to_string(markers[i].id);
       if (markers[i].id == markers[j].id) {
         throw InputError("board: marker " + std::to_string(markers[i].id) +
-                         " is there twice; keep one");
+                         " is given twice; keep one");
       }
       const double distance = (markers[i].centre - markers[j].centre).norm();
       if (!(distance > 0.0 && distance < 1e4)) {
@@ -151,8 +152,8 @@ BoardLengths measure_marker_lengths(const ScaleBoard& board,
     }
   }
   if (!missing.empty()) {
-    result.notes.push_back("of the board, no three photos show marker " + missing +
-                           " whole and sharp");
+    result.notes.push_back("no three photos show marker " + missing +
+                           " of the board completely and sharply");
   }
   const AlikePoints kept = alike(std::move(points), largest_disagreement);
   result.notes.insert(result.notes.end(), kept.notes.begin(), kept.notes.end());
@@ -199,7 +200,7 @@ BoardLengths measure_charuco_lengths(const CharucoBoard& board,
   for (int column = 0; column < wide; ++column) add("column", 0, column);
   if (result.lengths.empty()) {
     throw InputError("ChArUco board: " + std::to_string(kept.points.size()) +
-                     " of its corners were found in three photos, and no two in one row; show it "
+                     " of its corners were found in three photos, but no two in one row; show it "
                      "larger and sharp in more photos, and check dictionary, columns and rows in "
                      "its file");
   }

@@ -268,8 +268,9 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool fill_unobserved_side
       fill(work, start, border, hole);
     } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
       throw GeometryError("the hole of " + std::to_string(border.size()) +
-                          " border edges that is " + format_significant(hole.perimeter, 3) +
-                          " m round can't be filled; close it in MeshLab or CloudCompare first");
+                          " border edges and a perimeter of " +
+                          format_significant(hole.perimeter, 3) +
+                          " m can't be filled; close it in MeshLab or CloudCompare first");
     }
     if (hole.area > 0.0) filled.push_back(hole);
   }

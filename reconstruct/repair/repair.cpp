@@ -144,7 +144,7 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   if (!freed) {
     throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
                         " pairs of triangles, the first near " + log.format_position(where) +
-                        ", and can't be freed of that without changing its volume by more than " +
+                        ", and these can't be removed without changing its volume by more than " +
                         format_significant(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" +
                         reconstruct_detail::kRepairAdvice);
   }
@@ -191,11 +191,11 @@ void note_tunnels(const TriangleMesh& mesh, RepairLog& log) {
 void RepairOptions::check() const {
   if (!(weld_tolerance >= 0.0 && weld_tolerance <= 0.01)) {
     throw InputError("weld_tolerance = " + format_significant(weld_tolerance, 6) +
-                     ": a share of the diagonal between 0 and 0.01 is needed");
+                     ": must be a fraction of the diagonal, between 0 and 0.01");
   }
   if (!(largest_hole > 0.0 && largest_hole < 1.0)) {
     throw InputError("largest_hole = " + format_significant(largest_hole, 6) +
-                     ": a share of the surface between 0 and 1 is needed");
+                     ": must be a fraction of the surface, between 0 and 1");
   }
 }
 

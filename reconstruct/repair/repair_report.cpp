@@ -37,9 +37,10 @@ class Sentences {
     for (const DuplicateSurface& copy : report_.duplicates) notes.push_back(of(copy));
     if (report_.wrap_bias) {
       notes.push_back(
-          "the surface could not be freed of its crossings and was wrapped anew: hollows narrower "
+          "the self-intersections of the surface could not be removed, so it was wrapped anew: "
+          "hollows narrower "
           "than a sixtieth of its diagonal are bridged, and the " +
-          in_percent(*report_.wrap_bias) + " of volume that added is scaled away");
+          in_percent(*report_.wrap_bias) + " of volume that this added is removed by scaling");
     }
     return notes;
   }
@@ -64,7 +65,7 @@ class Sentences {
     text += format_significant(100.0 * copy.scale, 4) + " % of its size, " + metres(copy.distance) +
             " away from it and on average " + metres(std::abs(copy.offset)) +
             (copy.offset < 0.0 ? " inside" : " outside") +
-            ", was dropped: not a bubble but the same rock, scanned or stored twice and not "
+            ", was removed: it is not a bubble but the same rock, scanned or stored twice and not "
             "registered. ";
     switch (copy.retention_reason) {
       case RetentionReason::kClosed:
@@ -77,14 +78,14 @@ class Sentences {
         text += "The kept copy has more triangles";
         break;
       case RetentionReason::kSize:
-        text += "Neither is more complete or finer, so the larger one was kept";
+        text += "Neither copy is more complete or finer, so the larger one was kept";
         break;
     }
     const double volume = copy.retained_volume, change = copy.volume_change;
-    text += volume > 0.0 ? "; it has a volume of " + format_significant(volume, 4) +
-                               " m3, with the other one it would be " +
+    text += volume > 0.0 ? "; its volume is " + format_significant(volume, 4) +
+                               " m3, with the other copy it would be " +
                                format_significant(volume + change, 4) + " m3"
-                         : "; with the other one the volume would be " +
+                         : "; with the other copy the volume would be " +
                                format_significant(std::abs(change), 3) + " m3 " +
                                (change < 0.0 ? "smaller" : "larger");
     return text + ". Register the scans again, or delete one";
@@ -97,16 +98,16 @@ class Sentences {
                format_significant(d.size, 4) + " m";
       case DefectKind::kDegenerate:
         return format_count(d.count, "triangle", "triangles") +
-               " without area or stored twice dropped";
+               " without area or stored twice removed";
       case DefectKind::kFoldedPair:
         return format_count(d.count, "triangle", "triangles") +
-               " back to back with another dropped" + worth_of(d);
+               " back to back with another removed" + worth_of(d);
       case DefectKind::kFin:
         return format_count(d.count, "triangle that stands", "triangles that stand") +
-               " on the surface or double it dropped" + worth_of(d) + ", the first" + near(d);
+               " on the surface or double it removed" + worth_of(d) + ", the first" + near(d);
       case DefectKind::kNonManifoldEdge:
         return format_count(d.count, "edge", "edges") +
-               " shared by more than two triangles cut apart, the first" + near(d);
+               " shared by more than two triangles separated, the first" + near(d);
       case DefectKind::kInconsistentOrientation:
         return format_count(d.count, "triangle", "triangles") + " turned to agree with neighbours";
       case DefectKind::kNonManifoldVertex:
@@ -114,7 +115,7 @@ class Sentences {
                " where the surface touches itself split";
       case DefectKind::kDuplicateSheet:
         return format_count(d.count, "sheet that lies", "sheets that lie") +
-               " on the block dropped (a part scanned twice)" + worth_of(d) + ", the largest" +
+               " on the block removed (a part scanned twice)" + worth_of(d) + ", the largest" +
                near(d);
       case DefectKind::kIsland:
         return format_count(d.count, "loose scrap", "loose scraps") + " dropped" + worth_of(d);
@@ -127,14 +128,14 @@ class Sentences {
                " put back into the surface, the highest" + near(d);
       case DefectKind::kSelfIntersection:
         return format_count(d.count, "pair", "pairs") +
-               " of triangles that touched or passed through each other parted or replaced" +
+               " of triangles that touched or passed through each other separated or replaced" +
                near(d) + ", which changed the volume by " + change(report_.crossing_volume_change);
       case DefectKind::kInwardOrientation:
-        return "the surface faced inwards and was turned";
+        return "the surface faced inwards and was reversed";
       case DefectKind::kTunnel:
-        return format_count(d.count, "tunnel goes through the block and stays",
-                            "tunnels go through the block and stay") +
-               " open; if the rock has none, fill in the scan what makes one";
+        return format_count(d.count, "tunnel passes through the block and remains",
+                            "tunnels pass through the block and remain") +
+               " open; if the rock has no tunnel, fill it in the scan";
       case DefectKind::kHole:
       case DefectKind::kDuplicateShell:
         break;
@@ -167,8 +168,9 @@ class Sentences {
     if (largest != nullptr) {
       notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +
                       std::to_string(largest->border_edges) + " border edges, is " +
-                      metres(largest->perimeter) + " round and reaches " + metres(largest->radius) +
-                      " from its middle at " + format_point(largest->centre));
+                      metres(largest->perimeter) + " in perimeter and reaches " +
+                      metres(largest->radius) + " from its centre at " +
+                      format_point(largest->centre));
     }
     if (report_.filled_fraction >= kWorthNoting) {
       std::string open;
@@ -176,15 +178,16 @@ class Sentences {
         open = "; the volume may be up to " + format_significant(report_.volume_below, 2) +
                " m3 smaller or " + format_significant(report_.volume_above, 2) + " m3 larger";
       }
-      notes.push_back(format_significant(100.0 * report_.filled_fraction, 2) + " %" +
-                      " of the surface is invented: no scan saw what fills the holes" + open);
+      notes.push_back(
+          format_significant(100.0 * report_.filled_fraction, 2) + " %" +
+          " of the surface is filling without data: no scan shows the surface at the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
       if (hole.area_fraction <= kLargeHole) continue;
-      notes.push_back("the filling at " + format_point(hole.centre) + " is " +
-                      in_percent(hole.area_fraction) +
-                      " of the surface: a guess that volume and axes depend on; scan that side, "
-                      "or check the volume by weighing (`mass` with `density`)");
+      notes.push_back(
+          "the filling at " + format_point(hole.centre) + " is " + in_percent(hole.area_fraction) +
+          " of the surface; it is an assumption on which volume and axes depend: scan that side, "
+          "or check the volume by weighing (`mass` with `density`)");
     }
     return notes;
   }
@@ -236,23 +239,23 @@ const char* name_of(DefectKind kind) {
     case DefectKind::kNearVertices:
       return "vertices stored more than once, joined";
     case DefectKind::kDegenerate:
-      return "triangles without area or stored twice, dropped";
+      return "triangles without area or stored twice, removed";
     case DefectKind::kFoldedPair:
-      return "triangles back to back with another, dropped";
+      return "triangles back to back with another, removed";
     case DefectKind::kFin:
-      return "triangles that stand on the surface or double it, dropped";
+      return "triangles that stand on the surface or double it, removed";
     case DefectKind::kNonManifoldEdge:
-      return "edges of more than two triangles, cut apart";
+      return "edges of more than two triangles, separated";
     case DefectKind::kInconsistentOrientation:
-      return "triangles that face the other way, turned";
+      return "triangles that face the other way, reversed";
     case DefectKind::kNonManifoldVertex:
       return "vertices where the surface touches itself, split";
     case DefectKind::kDuplicateSheet:
-      return "sheets that lie on the block, dropped";
+      return "sheets that lie on the block, removed";
     case DefectKind::kDuplicateShell:
-      return "second copies of the whole surface, dropped";
+      return "second copies of the whole surface, removed";
     case DefectKind::kIsland:
-      return "loose scraps, dropped";
+      return "loose scraps, removed";
     case DefectKind::kInnerShell:
       return "closed shells inside (bubbles)";
     case DefectKind::kSpike:
@@ -260,9 +263,9 @@ const char* name_of(DefectKind kind) {
     case DefectKind::kHole:
       return "holes, filled";
     case DefectKind::kSelfIntersection:
-      return "pairs of triangles through each other, replaced";
+      return "pairs of intersecting triangles, replaced";
     case DefectKind::kInwardOrientation:
-      return "surface that faced inwards, turned";
+      return "surface that faced inwards, reversed";
     case DefectKind::kTunnel:
       return "tunnels through the block, left open";
   }

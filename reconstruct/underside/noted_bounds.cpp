@@ -56,8 +56,8 @@ std::vector<bool> mark_closures(const ClosedScan& scan) {
 std::string assumption_of(const ClosedScan& scan, const RepairReport& report) {
   if (!report.duplicates.empty()) return "one of the copies of the surface is the rock";
   if (scan.uncertainty != nullptr)
-    return "between the points the surface continues as it does around";
-  return "behind a filled gap the surface continues as it does around it";
+    return "between the points the surface continues like the surrounding surface";
+  return "behind a filled gap the surface continues like the surrounding surface";
 }
 
 }  // namespace

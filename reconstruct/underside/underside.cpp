@@ -146,7 +146,7 @@ class Closing {
         std::to_string(rim.loop.size()) + " edges near " +
         format_point(result_.lower_mesh.vertices[rim.loop[0]]) + " spans " +
         format_significant(100.0 * fraction, 3) +
-        " % of what a closed surface would have; scan the block from all sides");
+        " % of the area of a closed surface; scan the block from all sides");
   }
 
   void note_filled(std::size_t small) {
@@ -214,7 +214,7 @@ class Closing {
       bottom = options_.ground->distance - sunk_depth(highest);
     }
     reconstruct_detail::UnobservedParts parts{closures(), {}, faces_ground(), options_.uncertainty};
-    result_.assumption = "the unseen part lies within the planes of the flanks that were seen";
+    result_.assumption = "the unobserved part lies within the planes of the observed flanks";
     if (bottom) {
       parts.floor = Plane{options_.ground->normal, *bottom};
       const double depth = (options_.ground->distance - *bottom) / (highest - *bottom);
@@ -283,10 +283,10 @@ class Closing {
     const double fraction = base_fraction(below);
     const double hull = closure_volume_ + below.volume + below.base_area * sunk_depth(highest);
     if (hull >= *result_.upper_volume) return;
-    result_.notes.push_back("photos show " + format_significant(100.0 * (1.0 - fraction), 3) +
-                            " % of its plan to be clear of the ground: that takes " +
-                            format_significant(100.0 * (1.0 - hull / *result_.upper_volume), 3) +
-                            " % off the largest volume");
+    result_.notes.push_back(
+        "photos show " + format_significant(100.0 * (1.0 - fraction), 3) +
+        " % of its plan to be above the ground, which reduces the largest volume by " +
+        format_significant(100.0 * (1.0 - hull / *result_.upper_volume), 3) + " %");
     result_.upper_volume = hull;
   }
 
@@ -372,7 +372,7 @@ class Closing {
       }
     }
     if (fraction < 1.0) {
-      result_.notes.push_back("the filling was drawn back to " +
+      result_.notes.push_back("the filling was reduced to " +
                               format_significant(100.0 * fraction, 3) +
                               " % of its depth, where it does not meet the walls");
     }
@@ -399,12 +399,12 @@ void UndersideOptions::check() const {
   }
   if (!(max_depth_fraction > 0.0 && max_depth_fraction <= 10.0)) {
     throw InputError("deepest = " + format_significant(max_depth_fraction, 3) +
-                     ": the share of the seen height that may be buried must be above 0, up to 10");
+                     ": the buried fraction of the observed height must be above 0, up to 10");
   }
   if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {
     throw InputError("smallest_share = " + format_significant(smallest_share, 3) +
                      " and largest_share = " + format_significant(largest_share, 3) +
-                     ": shares between 0 and 1 in that order are needed");
+                     ": must be fractions between 0 and 1, the smaller first");
   }
 }
 

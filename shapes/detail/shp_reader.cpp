@@ -36,7 +36,7 @@ class ShpReader {
       }
       found.push_back(read_shape());
       if (!names.insert(found.back().name).second) {
-        fail("the name was used before in this file; give each shape its own");
+        fail("this file has another shape of the same name; give each shape a name of its own");
       }
       shape_.clear();
     }
@@ -100,8 +100,8 @@ class ShpReader {
   std::size_t count(const std::string& what, std::size_t bytes) {
     const std::int64_t value = integer("the number of " + what);
     if (value < 0 || static_cast<std::uint64_t>(value) > bytes_ / bytes) {
-      fail(std::to_string(value) + " " + what + " can't be in a file of " + std::to_string(bytes_) +
-           " bytes; correct the count");
+      fail(std::to_string(value) + " " + what + " do not fit in a file of " +
+           std::to_string(bytes_) + " bytes; correct the count");
     }
     return static_cast<std::size_t>(value);
   }

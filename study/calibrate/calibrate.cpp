@@ -43,10 +43,9 @@ void check_moments(const fs::path& from, const CalibrationBackend& simulator,
     const bool done = std::count(stored.done[site].begin(), stored.done[site].end(), false) == 0;
     if (asked == had || (done && std::includes(had.begin(), had.end(), asked.begin(), asked.end())))
       continue;
-    throw InputError(
-        from.string() + ": the members of site " + simulator.sites[site].name +
-        " were simulated to be observed at other impacts or times; delete the file, or "
-        "give another output");
+    throw InputError(from.string() + ": the members of site " + simulator.sites[site].name +
+                     " were simulated for observations at other impacts or times; delete the file, "
+                     "or give another output");
   }
 }
 
@@ -86,9 +85,10 @@ StoredCalibration joined(const CalibrationStudy& study, const CalibrationBackend
   for (const std::vector<bool>& site : all.done) {
     const auto missing = std::find(site.begin(), site.end(), false);
     if (missing == site.end()) continue;
-    throw InputError("member " + std::to_string(missing - site.begin() + 1) + " of " +
-                     std::to_string(study.design.members) +
-                     " is in none of the parts; give the files of all shards, each finished");
+    throw InputError(
+        "member " + std::to_string(missing - site.begin() + 1) + " of " +
+        std::to_string(study.design.members) +
+        " is in none of the parts; give the files of all shards, all of them finished");
   }
   return all;
 }
@@ -129,8 +129,8 @@ void check_partial(const fs::path& target, const CalibrateOptions& options) {
   const fs::path partial = calibration_journal_path(target);
   if (options.resume || !fs::exists(partial)) return;
   throw InputError(partial.string() +
-                   ": holds the members of an interrupted calibration; `resume` goes on with it, "
-                   "or delete the file to start afresh");
+                   ": holds the members of an interrupted calibration; `resume` continues it, or "
+                   "delete the file to start again");
 }
 
 OverwritePolicy rules_of(const CalibrateOptions& options) {

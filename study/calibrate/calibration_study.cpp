@@ -26,21 +26,22 @@ Kernel kernel_named(const std::string& word) {
 const MemberTable<CalibrationDesign>& design_keys() {
   using Design = CalibrationDesign;
   static const MemberTable<Design> keys(
-      {.name = "design", .meaning = "How the parameters are sought"},
-      {{"members", "", "sets of parameters that are simulated", count(8, 4096), &Design::members},
-       {"releases", "", "runs of each member at each site", count(kMinSelectedOutcomes, 100'000),
-        &Design::releases},
-       {"seed", "", "of all that is drawn", seed(), &Design::seed},
-       {"draws", "", "from the posterior", count(100, 100'000), &Design::draws},
-       {"kernel", "", "correlation of the surrogates", words({"matern-5/2", "squared-exponential"}),
-        &kernel_named, &Design::kernel}});
+      {.name = "design", .meaning = "Settings of the calibration"},
+      {{"members", "", "number of simulated parameter sets", count(8, 4096), &Design::members},
+       {"releases", "", "number of runs of each member at each site",
+        count(kMinSelectedOutcomes, 100'000), &Design::releases},
+       {"seed", "", "seed of all random draws", seed(), &Design::seed},
+       {"draws", "", "number of draws from the posterior", count(100, 100'000), &Design::draws},
+       {"kernel", "", "correlation function of the surrogates",
+        words({"matern-5/2", "squared-exponential"}), &kernel_named, &Design::kernel}});
   return keys;
 }
 
 const MemberTable<CalibrationSite>& site_keys() {
   static const MemberTable<CalibrationSite> keys(
-      {"site", "A place where blocks were released", KeyTable::Repeat::kEither, {}, true},
-      {{"name", "", "of the site", required("a text in quotes", text()), &CalibrationSite::name},
+      {"site", "A site at which blocks were released", KeyTable::Repeat::kEither, {}, true},
+      {{"name", "", "name of the site", required("a text in quotes", text()),
+        &CalibrationSite::name},
        {"campaign", "", "campaign file, with [run] downslope",
         required("a campaign file", text())}});
   return keys;
@@ -76,17 +77,19 @@ bool is_logarithmic(const std::string& scale) { return scale == "log"; }
 const MemberTable<Unknown>& unknown_keys() {
   static const MemberTable<Unknown> keys(
       {"unknown",
-       "A parameter that is sought, the same at all sites that have it",
+       "An unknown parameter, with one value for all sites that have it",
        KeyTable::Repeat::kEither,
        {},
        true},
-      {{"parameter", "", "such as ground.ZONE.friction, release.height_m or blocks.mass_median_kg",
+      {{"parameter", "",
+        "name of the parameter, such as ground.ZONE.friction, release.height_m or "
+        "blocks.mass_median_kg",
         required("such as \"ground.ZONE.friction\"", fitting(parameter_pattern())),
         &Unknown::parameter},
-       {"range", "", "[low, high]",
+       {"range", "", "range of the parameter, [low, high]",
         required("two numbers, [low, high]", list(number(any_parameter()), 2, 2))},
-       {"scale", "", "every value is as likely beforehand, or every logarithm",
-        words({"linear", "log"}), &is_logarithmic, &Unknown::logarithmic}});
+       {"scale", "", "prior: uniform in the value or in its logarithm", words({"linear", "log"}),
+        &is_logarithmic, &Unknown::logarithmic}});
   return keys;
 }
 
@@ -102,13 +105,13 @@ CalibrationDesign read_design(const TomlTable& top) {
 void check_site(const TomlTable& table, const Campaign& campaign) {
   const auto refuse = [&](const std::string& why) { table.refuse("campaign", why); };
   if (campaign.stay) {
-    refuse("its blocks stay where they stop; a calibration needs single releases");
+    refuse("its blocks are persistent; a calibration needs single releases");
   }
   if (!campaign.downslope) {
-    refuse("has no [run] downslope, along which places of stops are counted; add it");
+    refuse("has no [run] downslope, along which positions of stops are measured; add it");
   }
   if (!campaign.groups.empty()) {
-    refuse("has block groups with ground of their own; leave [[block_group]] out");
+    refuse("has block groups with their own ground; leave [[block_group]] out");
   }
 }
 
@@ -126,7 +129,7 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   }
   if (sites.empty()) {
     throw InputError(top.file() +
-                     ": no site: write a table [[site]] with name and campaign of each place");
+                     ": no site: write a table [[site]] with name and campaign for each site");
   }
   return sites;
 }
@@ -145,7 +148,7 @@ Unknown read_unknown(const DeclaredTable& table) {
     table.refuse("range", range, "the lower end must come first");
   }
   if (unknown.logarithmic && !(unknown.low > 0.0)) {
-    table.refuse("scale", "a logarithm needs a range above 0");
+    table.refuse("scale", "a logarithmic scale needs a range above 0");
   }
   return unknown;
 }
@@ -170,12 +173,12 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
   }
   if (unknowns.empty()) {
     throw InputError(top.file() +
-                     ": no unknown: write a table [[unknown]] with parameter and range of each");
+                     ": no unknown: write a table [[unknown]] with parameter and range for each");
   }
   if (unknowns.size() > kMaxSobolDimensions) {
     throw InputError(top.file() + ": has " + std::to_string(unknowns.size()) +
                      " unknowns; at most " + std::to_string(kMaxSobolDimensions) +
-                     " can be found at once");
+                     " can be calibrated at once");
   }
   return unknowns;
 }
@@ -193,7 +196,7 @@ void check_certain(const CalibrationStudy& study) {
         const std::optional<Distribution>& asked = table.*field.asked;
         if (!asked || asked->fixed()) continue;
         throw InputError(study.file.string() + ": ground." + zone + "." + field.name +
-                         " is uncertain in the campaign of site " + site.name +
+                         " has a distribution in the campaign of site " + site.name +
                          "; make it an [[unknown]], or give it a value there");
       }
     }
@@ -213,12 +216,12 @@ void check_unknown_shares(const CalibrationStudy& study) {
     }
     if (classes.empty()) continue;
     if (classes.size() == site.campaign.blocks.draw->shares.size()) {
-      throw InputError(study.file.string() + ": every share of site " + site.name +
-                       " is an unknown, and they add up to 1; leave one class out, which gets "
-                       "what the others leave");
+      throw InputError(
+          study.file.string() + ": every fraction of site " + site.name +
+          " is an unknown, but their sum is 1; leave out one class, which gets the remainder");
     }
     if (most > 1.0) {
-      throw InputError(study.file.string() + ": the unknown shares of site " + site.name +
+      throw InputError(study.file.string() + ": the unknown fractions of site " + site.name +
                        " add up to " + format_significant(most, 6) +
                        " at the upper ends of their ranges; lower these until it is 1 at most");
     }

@@ -33,7 +33,7 @@ std::size_t place_of_moment(const Observation& observation, const SiteDescriptio
   if (moment == site.moments.end()) {
     throw InputError("observation " + observation.name + ": site " + site.name +
                      " was simulated without " + observation.moment->name() +
-                     "; simulate its members anew");
+                     "; simulate its members again");
   }
   return static_cast<std::size_t>(moment - site.moments.begin());
 }
@@ -147,7 +147,7 @@ std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
 void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen) {
   if (seen.size() >= kMinSelectedOutcomes) return;
   throw InputError("observation " + observation.name + ": a member has only " +
-                   std::to_string(seen.size()) + " releases of these blocks, and " +
+                   std::to_string(seen.size()) + " releases of these blocks, but " +
                    std::to_string(kMinSelectedOutcomes) + " are needed; raise [design] releases");
 }
 

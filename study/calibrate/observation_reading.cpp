@@ -52,7 +52,8 @@ std::string source_of(const DeclaredTable& table) {
   }
   if (source.empty()) {
     table.refuse(
-        "needs stops or trajectories, a table of them, barrier, a name, or impact, a number");
+        "needs one of stops (a file), trajectories (a file), barrier (a name) or impact (a "
+        "number)");
   }
   for (const TableKey& key : observation_keys().keys) {
     const TomlNode* node = table.find(key.name);
@@ -62,7 +63,7 @@ std::string source_of(const DeclaredTable& table) {
     }
     table.refuse(
         key.name, *node,
-        "belongs to an observation with " + comma_separated(key.with) + "; leave it out here");
+        "applies only to an observation with " + comma_separated(key.with) + "; leave it out here");
   }
   return source;
 }
@@ -94,7 +95,7 @@ std::vector<SummaryStatistic> stop_figures(const DeclaredTable& table) {
                {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
   }
   if (table.find("beyond_m")) {
-    for (const double place : numbers_of(table, "beyond_m", "a list of places, [m, m, ...]")) {
+    for (const double place : numbers_of(table, "beyond_m", "a list of distances, [m, m, ...]")) {
       figures.push_back({SummaryStatistic::Kind::kBeyond,
                          place,
                          "beyond_" + format_significant(place, 6) + "_m",
@@ -182,7 +183,7 @@ void read_impact(const DeclaredTable& table, Observation& observation) {
   for (SummaryStatistic& figure : observation.figures)
     figure.measuring_error = *std::exchange(figure.error, {});
   if (observation.figures.empty()) {
-    table.refuse("names nothing that was observed: speed_m_s, spin_rad_s, energy_j or depth_m");
+    table.refuse("has no observed value: add speed_m_s, spin_rad_s, energy_j or depth_m");
   }
 }
 
@@ -271,10 +272,10 @@ void read_passages(const DeclaredTable& table, const SiteDescription& site,
   const std::optional<std::uint64_t> releases = table.value<std::uint64_t>("releases");
   const std::optional<std::uint64_t> passed = table.value<std::uint64_t>("passed");
   if (passed && !releases) {
-    table.refuse("passed", "needs releases, how many blocks were released");
+    table.refuse("passed", "needs releases, the number of released blocks");
   }
   if (passed && *passed > *releases) {
-    table.refuse("passed", "is more than the " + std::to_string(*releases) + " releases");
+    table.refuse("passed", "exceeds the " + std::to_string(*releases) + " releases");
   }
   observation.releases = releases.value_or(0);
   if (passed) {
@@ -287,8 +288,7 @@ void read_passages(const DeclaredTable& table, const SiteDescription& site,
   const std::vector<SummaryStatistic> stated = stated_figures(table);
   observation.figures.insert(observation.figures.end(), stated.begin(), stated.end());
   if (observation.figures.empty()) {
-    table.refuse(
-        "names nothing that was observed: passed, speed_m_s, spin_rad_s, height_m or energy_j");
+    table.refuse("has no observed value: add passed, speed_m_s, spin_rad_s, height_m or energy_j");
   }
 }
 
@@ -353,43 +353,51 @@ const MemberTable<Observation>& observation_keys() {
               moving = {"barrier", "impact"}, impact = {"impact"}, followed = {"trajectories"};
   static const MemberTable<Observation> keys(
       {"observation",
-       "What was observed of blocks of a site",
+       "Observations of blocks at a site",
        KeyTable::Repeat::kEither,
        {},
        true,
        {"stops", "barrier", "impact", "trajectories"}},
-      {{"name", "", "of the observation", required("a text in quotes", text()), &Observation::name},
-       {"site", "", "name of a site, where there are several", text()},
-       {"use", "", "fitted, or kept to judge the prediction by",
-        required("\"fit\", or \"keep\" to judge the prediction by", words({"fit", "keep"})),
-        &is_fitted, &Observation::fitted},
-       {"shape", "", "of these blocks only", words({"compact", "elongated"}), &Observation::shape},
-       {"block", "", "id of the only block that it is of", text(), &Observation::block},
-       {"stops", "", "a table of stops", text()},
+      {{"name", "", "name of the observation", required("a text in quotes", text()),
+        &Observation::name},
+       {"site", "", "name of the site, required if there are several", text()},
+       {"use", "", "fitted, or kept for validation",
+        required("\"fit\", or \"keep\" for validation", words({"fit", "keep"})), &is_fitted,
+        &Observation::fitted},
+       {"shape", "", "only blocks of this shape", words({"compact", "elongated"}),
+        &Observation::shape},
+       {"block", "", "only the block with this id", text(), &Observation::block},
+       {"stops", "", "file with a table of stops", text()},
        TableKey{"figures", "",
-                "of places: mean, std, aside, p1 to p99; of trajectories also speed and spin",
+                "statistics of the stops: mean, std, aside, p1 to p99; of trajectories also speed "
+                "and spin",
                 one_or_more(figure), places},
-       TableKey{"beyond_m", "m", "places along downslope: the share of the stops beyond each",
+       TableKey{"beyond_m", "m",
+                "distances along downslope: the fraction of stops beyond each is used",
                 list(number(kMapCoordinate), 1, 20), stops},
        {"barrier", "", "name of a barrier of the campaign", text()},
        TableKey{"releases", "",
-                "blocks that were released, or impacts that the values are the mean of",
+                "number of released blocks, or of the impacts over which the values are averaged",
                 count(1, kMaxPerSet), moving},
-       TableKey{"passed", "", "of the releases, how many passed", count(0, kMaxPerSet), barrier},
-       TableKey{"speed_m_s", "m/s", "[value, standard error]", measured({0.0, kMaxSpeed, "m/s"}),
-                moving},
-       TableKey{"spin_rad_s", "rad/s", "[value, standard error]",
+       TableKey{"passed", "", "number of released blocks that passed", count(0, kMaxPerSet),
+                barrier},
+       TableKey{"speed_m_s", "m/s", "mean speed, [value, standard error]",
+                measured({0.0, kMaxSpeed, "m/s"}), moving},
+       TableKey{"spin_rad_s", "rad/s", "mean spin, [value, standard error]",
                 measured({0.0, kMaxSpin, "rad/s"}), moving},
-       TableKey{"height_m", "m", "of the centre above the ground, [value, standard error]",
+       TableKey{"height_m", "m",
+                "mean height of the centre above the ground, [value, standard error]",
                 measured({-1e4, 1e4, "m"}), barrier},
-       TableKey{"energy_j", "J", "translational and rotational, [value, standard error]",
+       TableKey{"energy_j", "J",
+                "mean translational plus rotational energy, [value, standard error]",
                 measured({0.0, 1e15, "J"}), moving},
-       {"release", "", "name of the only [[release]] that it is of", text(), &Observation::release},
+       {"release", "", "only runs of the [[release]] of this name", text(), &Observation::release},
        {"impact", "", "number of an impact of each run, from 1", count(1, 1000)},
-       TableKey{"depth_m", "m", "of the scar, [value, standard error]", measured({0.0, 1e3, "m"}),
-                impact},
-       {"trajectories", "", "a table of trajectories", text()},
-       TableKey{"times_s", "s", "since the release", list(number(kRunTime), 1, 100), followed}});
+       TableKey{"depth_m", "m", "mean depth of the impact scar, [value, standard error]",
+                measured({0.0, 1e3, "m"}), impact},
+       {"trajectories", "", "file with a table of trajectories", text()},
+       TableKey{"times_s", "s", "times since the release at which trajectories are compared",
+                list(number(kRunTime), 1, 100), followed}});
   return keys;
 }
 
@@ -421,9 +429,9 @@ std::vector<Observation> read_observations(const TomlTable& top,
       check_new_name(table, observation.name, observations, "observation");
       for (const Observation& other : observations) {
         if (other.fitted != observation.fitted && share_blocks(other, observation)) {
-          table.refuse("use",
-                       "observation " + other.name +
-                           " is of the same blocks; what is fitted can't be kept to judge by");
+          table.refuse("use", "observation " + other.name +
+                                  " is of the same blocks; observations of fitted blocks can't be "
+                                  "kept for validation");
         }
       }
       observations.push_back(std::move(observation));

@@ -210,7 +210,8 @@ StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
   stored.inputs = root.read<std::string>("inputs");
   const auto members = root.read_attribute<std::int64_t>("members");
   const CheckedGroup top{path.string(), "", root};
-  if (members < 1 || members > 1'000'000) top.throw_damaged("members", "is no number of members");
+  if (members < 1 || members > 1'000'000)
+    top.throw_damaged("members", "is not a number of members");
   const Hdf5Group sites = root.open_group("sites");
   for (std::size_t i = 0; sites.contains(std::to_string(i)); ++i) {
     const std::string name = "/sites/" + std::to_string(i);

@@ -275,7 +275,7 @@ std::vector<ReleaseOutcome> SiteMemberSimulator::simulate(std::uint32_t member,
   const double failed = static_cast<double>(outcomes.size() - good.size());
   if (failed > kMaxFailed * static_cast<double>(outcomes.size())) {
     throw SimulationError(who + std::to_string(outcomes.size() - good.size()) + " of " +
-                          std::to_string(outcomes.size()) + " runs failed, the last: " + failure);
+                          std::to_string(outcomes.size()) + " runs failed, last error: " + failure);
   }
   return good;
 }

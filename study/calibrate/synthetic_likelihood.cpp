@@ -153,11 +153,11 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
   for (std::size_t k = 0; k < count; ++k) {
     if (surrogates_[k] || !fitted_[k]) continue;
     const auto with_value = figures.values.row(static_cast<Index>(k)).array().isFinite().count();
-    throw InputError(study.file.string() + ": " + full_statistic_name(study, k) + ": only " +
-                     format_count(static_cast<std::size_t>(with_value), "member") + " of " +
-                     std::to_string(study.design.members) + " have it, and " +
-                     std::to_string(fewest) +
-                     " are needed; widen the ranges, simulate more releases, or keep it");
+    throw InputError(
+        study.file.string() + ": " + full_statistic_name(study, k) + ": only " +
+        format_count(static_cast<std::size_t>(with_value), "member") + " of " +
+        std::to_string(study.design.members) + " have it, but " + std::to_string(fewest) +
+        " are needed; widen the ranges, simulate more releases, or set use = \"keep\"");
   }
   estimate_scatter(figures);
 }

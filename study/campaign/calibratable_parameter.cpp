@@ -156,10 +156,11 @@ NumberRange parameter_range(const std::string& parameter) {
       const std::vector<std::string>& of_scheme = class_names(scheme);
       names.insert(names.end(), of_scheme.begin(), of_scheme.end());
     }
-    throw InputError("is the share of no class; classes are " + comma_separated(names));
+    throw InputError("is not the fraction of a class; classes are " + comma_separated(names));
   }
   for (const auto& [name, range] : calibratable_parameters()) names.push_back(name);
-  throw InputError("is no parameter that can be calibrated; these are " + comma_separated(names));
+  throw InputError("is not a parameter that can be calibrated; these are " +
+                   comma_separated(names));
 }
 
 bool has_parameter(const Campaign& campaign, const std::string& parameter) {

@@ -42,7 +42,7 @@ const MemberTable<Campaign>& terrain_keys() {
   using Options = TerrainOptions;
   constexpr auto kTerrain = &Campaign::terrain;
   static const MemberTable<Campaign> keys(
-      {.name = "terrain", .meaning = "The surface that blocks move on", .required = true},
+      {.name = "terrain", .meaning = "The ground surface", .required = true},
       {{"surface", "", "TIN, raster, cloud or terrain file; or a list of files",
         required("a file or a list of files", texts()), kTerrain, &Options::surface},
        {"zones", "", "a name per mesh, one zone file, or rules by slope and height", texts(),
@@ -51,24 +51,27 @@ const MemberTable<Campaign>& terrain_keys() {
         words({"z", "y", "auto"}), kTerrain, &Options::up},
        {"columns", "", "names or numbers of the columns x, y, z of a cloud in text", texts(),
         kTerrain, &Options::columns},
-       {"radius_m", "m", "raises the surface of the ground", number(kGroundRadius),
-        &Campaign::terrain_radius},
+       {"radius_m", "m", "Minkowski radius by which the ground surface is raised",
+        number(kGroundRadius), &Campaign::terrain_radius},
        {"resolution_m", "m", "cell size of clouds and resampled rasters", number(kCellSize),
         kTerrain, &Options::resolution},
        {"percentile", "", "height of a cloud's cell: percentile of its points", number(kPercentile),
         kTerrain, &Options::percentile},
-       {"outliers_m", "m", "points of a cloud farther from the ground around are left out",
+       {"outliers_m", "m",
+        "points of a cloud at a larger distance from the surrounding ground are left out",
         number(kOutlierDistance), kTerrain, &Options::outliers},
        {"fill_m", "m", "holes up to this width are filled", number(kHoleWidth), kTerrain,
         &Options::fill},
        {"crack_m", "m", "cracks between tiles up to this width are closed", number(kCrackWidth),
         kTerrain, &Options::crack},
        {"spike_steepness", "",
-        "vertices that protrude by more, over the distance to their neighbours, are levelled",
+        "single vertices are levelled if they protrude by more than this many times the distance "
+        "to their neighbours",
         number(kSpikeSteepness), kTerrain, &Options::spike_steepness},
-       {"smoothing", "", "rounds of smoothing", count(0, kMaxSmoothing), kTerrain,
+       {"smoothing", "", "number of smoothing rounds", count(0, kMaxSmoothing), kTerrain,
         &Options::smoothing},
-       {"tolerance_m", "m", "vertices are removed where the surface stays within this height",
+       {"tolerance_m", "m",
+        "vertices are removed if the surface moves up or down by no more than this",
         number(kSurfaceTolerance), kTerrain, &Options::tolerance},
        {"breaklines", "", "files with lines that become edges of the surface", texts(), kTerrain,
         &Options::breaklines},
@@ -83,12 +86,12 @@ const MemberTable<Campaign>& contact_keys() {
   using Options = StiffnessOptions;
   constexpr auto kStiffnesses = &Campaign::stiffness;
   static const MemberTable<Campaign> keys(
-      {.name = "contact", .meaning = "Law of contacts, their stiffness, and the time step"},
-      {{"law", "", "of the normal force", words(contact_law_names()), &parse_contact_law,
+      {.name = "contact", .meaning = "Contact law, stiffness and time step"},
+      {{"law", "", "law of the normal force", words(contact_law_names()), &parse_contact_law,
         kStiffnesses, &Options::law},
-       {"weights", "", "how contact points share the stiffness",
+       {"weights", "", "weights by which contact points share the stiffness",
         words({"patch", "overlap", "count", "none"}), &parse_contact_weighting, &Campaign::weights},
-       {"stiffness", "", "what each block, ground and start require", words({"auto"})},
+       {"stiffness", "", "chosen for each block, ground and start", words({"auto"})},
        {"stiffness_n_m", "N/m", "normal stiffness k_n", number(kStiffness), kStiffnesses,
         &Options::normal},
        {"tangential_stiffness_n_m", "N/m", "tangential stiffness k_t", number(kStiffness),
@@ -98,7 +101,7 @@ const MemberTable<Campaign>& contact_keys() {
         kStiffnesses, &Options::rolling},
        {"time_step_s", "s", "time step, kept throughout", number({1e-9, 1.0}), kStiffnesses,
         &Options::time_step},
-       {"blocks", "", "what two blocks do to each other, where they stay",
+       {"blocks", "", "contacts between two blocks, if blocks are persistent",
         table(between_blocks_keys().keys)}});
   return keys;
 }
@@ -107,10 +110,10 @@ const MemberTable<Barrier>& barrier_keys() {
   static const ValueFormat plan = list(number(kMapCoordinate), 2, 2);
   static const MemberTable<Barrier> keys(
       {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
-      {{"name", "", "of the barrier", required("a text in quotes", text()), &Barrier::name},
+      {{"name", "", "name of the barrier", required("a text in quotes", text()), &Barrier::name},
        {"from", "m", "first end, [x, y]", plan},
        {"to", "m", "second end, [x, y]", plan},
-       {"through", "m", "instead of from and to: all points of a line or ring", list(plan, 2)},
+       {"through", "m", "all points of a line or ring; replaces from and to", list(plan, 2)},
        {"direction", "", "which crossings count", words({"either", "forward"})}});
   return keys;
 }
@@ -119,14 +122,17 @@ const MemberTable<Campaign>& run_keys() {
   static const MemberTable<Campaign> keys(
       {.name = "run", .meaning = "When a run ends, and what is stored"},
       {{"max_time_s", "s", "longest time of a run", number(kRunTime), &Campaign::max_time},
-       {"rest_energy_j_kg", "J/kg", "a block rests below this kinetic energy per mass ...",
+       {"rest_energy_j_kg", "J/kg",
+        "a block is at rest if its kinetic energy per mass stays below this for rest_duration_s",
         number({1e-12, 1e3}), &Campaign::rest_energy},
-       {"rest_duration_s", "s", "... for this time", number({1e-6, 1e4}), &Campaign::rest_duration},
+       {"rest_duration_s", "s",
+        "time for which a block must stay below rest_energy_j_kg to be at rest",
+        number({1e-6, 1e4}), &Campaign::rest_duration},
        {"gravity_m_s2", "m/s^2", "gravity, downwards", number({1e-2, 1e3}), &Campaign::gravity},
-       {"downslope", "", "direction [dx, dy] of runout", list(number({-1e6, 1e6}), 2, 2),
-        &Campaign::downslope},
+       {"downslope", "", "downslope direction [dx, dy], along which runout is measured",
+        list(number({-1e6, 1e6}), 2, 2), &Campaign::downslope},
        // As short as a time step, so that no more can be seen, while storage goes with its inverse.
-       {"trajectory_interval_s", "s", "between stored states",
+       {"trajectory_interval_s", "s", "interval between stored states of trajectories",
         number({1e-4, 1e5, "s", "none is stored"}), &Campaign::trajectory_interval}});
   return keys;
 }
@@ -158,13 +164,14 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
     table.require_key("to", "two numbers, [x, y]");
     const std::vector<Vec2> ends = {*table.value<Vec2>("from"), *table.value<Vec2>("to")};
     if (!((ends[1] - ends[0]).norm() > 0.0)) {
-      table.refuse("to", "must differ from from");
+      table.refuse("to", "must differ from the point in from");
     }
     return ends;
   }
   for (const char* end : {"from", "to"}) {
     if (table.find(end)) {
-      table.refuse(end, "contradicts through, which has all points of the line");
+      table.refuse(end,
+                   "contradicts through, which already gives all points of the line; leave it out");
     }
   }
   if (line->kind != TomlNode::Kind::kList || line->list.size() < 2) {
@@ -176,7 +183,7 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
         table.numbers("through", point, 2, 2, "points [x, y]", kMapCoordinate);
     points.emplace_back(xy[0], xy[1]);
     if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
-      table.refuse("through", point, "two points after each other must differ");
+      table.refuse("through", point, "consecutive points must differ");
     }
   }
   table.checked(
@@ -207,8 +214,7 @@ void read_run(const TomlTable& top, Campaign& campaign) {
   for (const DeclaredTable& table : find_tables(top, run_keys())) {
     run_keys().read(table, campaign);
     if (campaign.downslope && !kDirectionLength.contains(campaign.downslope->norm())) {
-      table.refuse("downslope",
-                   "must point somewhere, with a length " + kDirectionLength.describe());
+      table.refuse("downslope", "must be a direction with a length " + kDirectionLength.describe());
     }
   }
 }

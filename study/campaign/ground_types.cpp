@@ -121,7 +121,7 @@ const GroundType& ground_type(const std::string& name) {
     if (type.name == name) return type;
     names.push_back(type.name);
   }
-  throw InputError("\"" + name + "\" is no ground type; there are " + comma_separated(names));
+  throw InputError("\"" + name + "\" is not a ground type; there are " + comma_separated(names));
 }
 
 const GroundType* find_ground_type(const std::string& zone) {

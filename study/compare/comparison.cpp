@@ -32,7 +32,7 @@ bool finite(const Vec3& vector) { return vector.allFinite(); }
 void check_run(const std::string& file, const CampaignResults& results, const RunRecord& run) {
   const std::string item = file + ": run " + std::to_string(run.run);
   if (run.block >= results.blocks.size()) {
-    throw InputError(item + " names block number " + std::to_string(run.block) + " of " +
+    throw InputError(item + " refers to block number " + std::to_string(run.block) + " of " +
                      std::to_string(results.blocks.size()) +
                      "; the file is damaged, run the campaign again");
   }
@@ -83,13 +83,14 @@ void check_results(const std::vector<CampaignResults>& results) {
            << (one.frame.crs.empty() ? ", no CRS" : ", " + reference_system_name(one.frame.crs))
            << ") is not that of " << label(results, 0) << " (origin " << first.origin.transpose()
            << (first.crs.empty() ? ", no CRS" : ", " + reference_system_name(first.crs))
-           << "); compare campaigns on the same terrain, or each site on its own";
+           << "); compare campaigns on the same terrain, or each site separately";
       throw InputError(text.str());
     }
   }
   if (runs == 0) {
-    throw InputError((results.empty() ? std::string("no results file") : label(results, 0)) +
-                     ": there are no runs to compare; run clast simulate first");
+    throw InputError(
+        (results.empty() ? std::string("no results file is given") : label(results, 0)) +
+        ": there are no runs to compare; run clast simulate first");
   }
 }
 
@@ -106,7 +107,7 @@ std::optional<Vec2> asked_downslope(const std::vector<CampaignResults>& results)
     }
     const Vec2 unit = direction.normalized();
     if (asked && (unit - *asked).norm() > 1e-9) {
-      throw InputError(label(results, file) + ": asks for another downslope direction than " +
+      throw InputError(label(results, file) + ": has another downslope direction than " +
                        label(results, asked_by) +
                        ", so their runouts can't be compared; compare the files one by one");
     }

@@ -64,7 +64,7 @@ void warn_of_lost_runs(Comparison& comparison) {
         static_cast<double>(count) >= kTurningFraction * static_cast<double>(all.started);
     warn(comparison, happened + advice, turning ? happened + "." : "");
   };
-  const std::string in_none = "; they are in no deposit statistics";
+  const std::string in_none = "; they are excluded from deposit statistics";
   const std::string too_short = ", so runout may be too short";
   count_of(all.stops.error, "ended with an error", in_none);
   count_of(all.stops.max_time, "were still moving at max_time" + too_short,
@@ -81,7 +81,7 @@ void warn_of_lost_runs(Comparison& comparison) {
       ++unbalanced;
     }
   }
-  count_of(below, "ended below ground", "; their stops can't be trusted");
+  count_of(below, "ended below ground", "; their stops are unreliable");
   count_of(unbalanced, "miss more than 1 % of the dissipated energy in their balance",
            "; try a smaller [contact] time_step_s");
 }
@@ -100,18 +100,19 @@ void warn_of_reassigned(Comparison& comparison) {
   if (count == 0) return;
   const std::string happened =
       of(count, comparison.rows.size()) +
-      " runs lose or gain more than 10 % of the energy they dissipate where contacts begin, end or "
-      "share their stiffness anew";
+      " runs lose or gain more than 10 % of the energy they dissipate when contacts begin or end "
+      "or when their stiffness is redistributed";
   const bool turning = static_cast<double>(count) >=
                        kReassignedFraction * static_cast<double>(comparison.rows.size());
   warn(comparison,
        happened + " (at most " + format_significant(100.0 * largest, 3) + " %, run " +
            std::to_string(worst->record->run) + ", block " + worst->block->id +
-           "); it acts like that much more or less friction. Run some of them with half the "
+           "); the effect is like that of stronger or weaker friction. Run some of them with half "
+           "the "
            "[contact] time_step_s to see whether the results depend on it",
        turning ? of(count, comparison.rows.size()) +
-                     " runs lose or gain more than 10 % of their energy by the way contacts are "
-                     "computed, as if friction were that much off."
+                     " runs lose or gain more than 10 % of their energy through the numerics of "
+                     "contacts, as if friction were wrong by as much."
                : "");
 }
 
@@ -127,12 +128,12 @@ void warn_of_speeds(Comparison& comparison) {
   const double p95 = summarise(speeds).p95;
   if (!(p95 > kSeldomSpeed)) return;
   const std::string fast = "5 % of the runs are faster than " + format_significant(p95, 3) +
-                           " m/s; blocks on slopes are seldom seen faster than " +
+                           " m/s; blocks on slopes are seldom faster than " +
                            format_significant(kSeldomSpeed, 3) + " m/s";
   warn(comparison,
        fast +
            ". Check units and heights of the terrain, drop heights and velocities of the "
-           "release, and ground parameters (energy_restitution is a share of energy); air "
+           "release, and ground parameters (energy_restitution is a fraction of energy); air "
            "resistance is not modelled",
        fast + ".");
 }
@@ -166,10 +167,10 @@ void warn_of_masses(Comparison& comparison) {
   if (means.size() > 1 && high > low * (1.0 + kNotableMassDifference)) {
     warn(comparison,
          "mass differs between classes (mean block: " + list +
-             "); differences between classes are of shape and mass together. Run with [blocks] "
+             "); differences between classes are effects of both shape and mass. Run with [blocks] "
              "scale = \"equal-mass\" to compare shapes alone",
          "The classes differ in mass (" + in_short +
-             "): differences are of shape and mass together.");
+             "): differences are effects of both shape and mass.");
   }
 }
 
@@ -242,21 +243,21 @@ void warn_of_slopes(Comparison& comparison) {
           "zone " + results.zone_names[zone] + " slopes " + degrees(*slopes[zone]) +
           " on average, ";
       if (*slopes[zone] > sliding && are_many(stops[zone], results.runs.size())) {
-        comparison.warnings.push_back(
-            where + "above atan mu = " + degrees(sliding) + ", but " +
-            of(stops[zone], results.runs.size()) +
-            " runs stopped where it is flatter, so the zone's mean slope says little");
+        comparison.warnings.push_back(where + "above atan mu = " + degrees(sliding) + ", but " +
+                                      of(stops[zone], results.runs.size()) +
+                                      " runs stopped on its flatter parts, so the mean slope of "
+                                      "the zone is not representative");
       } else if (*slopes[zone] > sliding) {
         sliding_zones.insert(results.zone_names[zone]);
-        sliding_texts.push_back(where + "above atan mu = " + degrees(sliding) +
-                                ": friction stops nothing there, so "
-                                "an effect of shape can vanish");
+        sliding_texts.push_back(
+            where + "above atan mu = " + degrees(sliding) +
+            ": friction stops no block there, so an effect of shape can vanish");
       } else if (*slopes[zone] > rolling) {
         rolling_zones.insert(results.zone_names[zone]);
         rolling_texts.push_back(where + "between atan mu_R = " + degrees(rolling) +
                                 " and atan mu = " + degrees(sliding) +
-                                ": rolling blocks keep moving and sliding blocks stop, so "
-                                "an effect of shape looks larger than on other slopes");
+                                ": rolling blocks keep moving and sliding blocks stop, so an "
+                                "effect of shape is larger than on other slopes");
       }
     }
   }
@@ -273,7 +274,7 @@ void warn_of_slopes(Comparison& comparison) {
       "the slope is too steep for friction to stop a block: shape may make little difference "
       "there.");
   add(rolling_texts, rolling_zones,
-      "blocks that roll keep moving and those that slide stop: shape counts for more there.");
+      "rolling blocks keep moving and sliding blocks stop: the effect of shape is larger there.");
 }
 
 void warn_of_changed_blocks(Comparison& comparison) {
@@ -286,7 +287,8 @@ void warn_of_changed_blocks(Comparison& comparison) {
                       known.axes.I == block.axes.I && known.axes.S == block.axes.S;
     if (!same && changed.insert(block.id).second) {
       const std::string mixed =
-          "block " + block.id + " has another mass or size in another file; its groups mix both";
+          "block " + block.id +
+          " has another mass or size in another file; its groups contain both";
       warn(comparison, mixed, changed.size() == 1 ? "B" + mixed.substr(1) + "." : "");
     }
   }

@@ -117,8 +117,8 @@ std::string gap_of(const std::vector<FactorLevels>& factors, std::size_t runs) {
     text += (text.empty() ? "" : ", ") + factor.name + " " + std::to_string(factor.count);
     combinations *= factor.count;
   }
-  return format_count(runs, "run") + " are not every combination once (" + text + ": " +
-         std::to_string(combinations) + " combinations)";
+  return format_count(runs, "run") + " do not contain every combination exactly once (" + text +
+         ": " + std::to_string(combinations) + " combinations)";
 }
 
 /// Shares of the outcomes that differ, by what a function makes of all of them.
@@ -170,7 +170,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
   effects.file = file;
   const CampaignResults& results = comparison.results[file];
   if (results.stay) {
-    effects.refusal = "its blocks stay among others, so that runs depend on each other";
+    effects.refusal = "its blocks are persistent, so runs depend on each other";
     return effects;
   }
   const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
@@ -180,9 +180,9 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     std::erase_if(factors, [](const FactorLevels& factor) { return factor.name == "orientation"; });
   }
   if (factors.empty()) {
-    effects.refusal = fresh ? "its orientations are drawn anew for each block and point, so that "
-                              "none is met twice, and nothing else differs from run to run"
-                            : "there is nothing in it that differs from run to run";
+    effects.refusal = fresh ? "its orientations are drawn for each block and point, so none occurs "
+                              "twice, and nothing else differs between runs"
+                            : "nothing differs between its runs";
     return effects;
   }
   for (const FactorLevels& factor : factors) effects.factors.push_back({factor.name, factor.count});
@@ -190,7 +190,7 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<std::size_t> places = places_in(factors, rows.size());
   if (fresh) {
     effects.estimated =
-        "orientations are drawn anew for each block and point, and count among the interactions";
+        "orientations are drawn for each block and point, and count as interactions";
   } else if (places.empty()) {
     effects.estimated = gap_of(factors, rows.size());
   }

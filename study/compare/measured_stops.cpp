@@ -35,7 +35,7 @@ Columns columns_of(const Record& header, const std::string& file) {
   };
   const auto add = [&](const std::string& name, std::size_t column) {
     if (!columns.emplace(name, column).second) {
-      refuse("has two columns \"" + name + "\"; keep one of them");
+      refuse("has two columns \"" + name + "\"; keep only one of them");
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
     if (heading.length && heading.length->factor != 1.0) {
@@ -212,7 +212,7 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
     if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
       throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
-                       "\" sums up the other rows; remove that row");
+                       "\" is a sum of other rows; remove that row");
     }
     MeasuredStop stop;
     stop.place = {coordinate(record, columns, "x", table, file),

@@ -31,11 +31,10 @@ StopReasonCounts count_stop_reasons(const CampaignResults& results) {
 std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
   std::vector<std::string> warnings;
   if (outcome.reassigned > 0) {
-    warnings.push_back(
-        format_count(outcome.reassigned, "run loses or gains", "runs lose or gain") +
-        " more than 10 % of the dissipated energy where contacts change, the largest share being " +
-        format_significant(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
-        " %; clast compare names the worst run and says what to try");
+    warnings.push_back(format_count(outcome.reassigned, "run loses or gains", "runs lose or gain") +
+                       " more than 10 % of the dissipated energy when contacts change, at most " +
+                       format_significant(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
+                       " %; clast compare names the worst run and what to try");
   }
   return warnings;
 }
@@ -47,11 +46,10 @@ void check_outcome(const CampaignResults& results, const std::filesystem::path& 
   const std::string advice = outcome.first_error.find(": [mass]") != std::string::npos
                                  ? ""
                                  : ". Try a smaller [contact] time_step_s, or stiffness = "
-                                   "\"auto\", and look at the ground "
-                                   "at the place named";
+                                   "\"auto\", and check the ground at the position given";
   throw SimulationError(std::to_string(outcome.errors()) + " of " +
                         format_count(results.runs.size(), "run") +
-                        " ended with an error, the first: " + outcome.first_error +
+                        " ended with an error, first error: " + outcome.first_error +
                         ". All runs are in " + file.string() +
                         "; clast compare lists the failed ones and leaves them out of its "
                         "statistics" +

@@ -43,7 +43,7 @@ SceneCampaign read_scene_campaign(const EngineResultsOptions& options) {
   std::string line;
   std::getline(lines, line);
   if (!line.starts_with(mark + options.engine + ",")) {
-    throw InputError(file.string() + ": is not of scenes for " + options.engine +
+    throw InputError(file.string() + ": does not describe scenes for " + options.engine +
                      ", which clast export writes");
   }
   SceneCampaign campaign;
@@ -64,21 +64,21 @@ CampaignPlan prepare(const EngineResultsOptions& options) {
   const std::string text = read_text_file(text_file);
   if (sha256(text) != scene.sha256) {
     throw InputError(text_file.string() +
-                     ": is not the campaign that the scenes were written of, or was changed since");
+                     ": is not the campaign of the scenes, or was changed since");
   }
   const fs::path file = options.campaign.value_or(scene.file);
   if (!options.campaign && !fs::is_directory(fs::absolute(file).parent_path())) {
     throw InputError(file.string() +
-                     ": the campaign of the scenes was there, and its folder is not; name the file "
-                     "with `campaign`");
+                     ": the campaign of the scenes was in this folder, which does not exist; name "
+                     "the file with `campaign`");
   }
   CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
   std::vector<std::string> inputs;
   for (const std::string& input : prepared.header.inputs) inputs.push_back(last_word(input));
   if (inputs != scene.inputs) {
     throw InputError(file.string() +
-                     ": its library, terrain or release files are not those that the scenes were "
-                     "written of; export the scenes again, and run them");
+                     ": its library, terrain or release files are not those of the scenes; export "
+                     "the scenes again, and run them");
   }
   return prepared;
 }
@@ -130,7 +130,7 @@ class RockableReader {
   void check_scene(const Scene& scene, const RockableConf& conf, const fs::path& file) const {
     const auto refuse = [&](const std::string& what) {
       throw InputError(file.string() + ": " + what +
-                       "; it is of another scene than clast export wrote of the campaign");
+                       "; it belongs to another scene than clast export wrote for the campaign");
     };
     if (conf.driven != driven_ || conf.bodies.size() != driven_ + scene.bodies.size()) {
       refuse("has " + std::to_string(conf.driven) + " grounds and " +
@@ -149,7 +149,7 @@ class RockableReader {
       const double away = (body.state.position - planned.start.position).norm();
       if (conf.time == 0.0 && !(away < kSameStart)) {
         refuse("block " + name + " starts " + format_significant(away, 4) +
-               " m from where it should");
+               " m from its planned position");
       }
     }
   }
@@ -159,7 +159,8 @@ class RockableReader {
     for (std::size_t i = 1; i < confs.size(); ++i) {
       if (confs[i].time > confs[i - 1].time) continue;
       throw InputError(files[i].string() + ": is at t = " + format_significant(confs[i].time, 6) +
-                       " s, and the file before it at " + format_significant(confs[i - 1].time, 6) +
+                       " s, but the file before it is at " +
+                       format_significant(confs[i - 1].time, 6) +
                        " s; the folder has files of two runs, so delete those of the older");
     }
   }
@@ -182,7 +183,7 @@ class RockableReader {
           continue;
         }
         changed = scene.name + " was run with " + name + pair + " = " +
-                  format_significant(found->second, 6) + ", and the campaign says " +
+                  format_significant(found->second, 6) + ", but the campaign has " +
                   format_significant(planned, 6);
       }
     }
@@ -242,7 +243,7 @@ class RockableReader {
       return {StopReason::kLeftTerrain};
     }
     if (lost) {
-      return {StopReason::kError, "the state of the block is no number from t = " +
+      return {StopReason::kError, "the state of the block is not a number from t = " +
                                       format_significant(*lost, 6) + " s on"};
     }
     const RigidState& last = series.states.back();
@@ -277,9 +278,8 @@ class RockableReader {
 
 std::vector<std::string> notes_of(const RockableReader& reader, std::size_t without) {
   std::vector<std::string> notes = {
-      "The runs were computed by Rockable. Its conf files hold states and no contacts: "
-      "penetration, "
-      "impacts, contact points and what energy was dissipated by are not known.",
+      "The runs were computed by Rockable. Its conf files hold states but no contacts: "
+      "penetration, impacts, contact points and the kinds of dissipation are unknown.",
       "Largest speeds, spins and energies are those of the stored states, and passages between two "
       "states are interpolated unless the block flew from one to the other."};
   if (!reader.changed.empty())
@@ -301,7 +301,7 @@ const std::vector<std::string>& importable_engines() {
 void EngineResultsOptions::check() const {
   const std::vector<std::string>& known = importable_engines();
   if (std::find(known.begin(), known.end(), engine) == known.end()) {
-    throw InputError("engine \"" + engine + "\" is not known; results are read of " +
+    throw InputError("engine \"" + engine + "\" is unknown; results can be read from " +
                      known.front());
   }
 }

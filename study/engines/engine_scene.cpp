@@ -44,24 +44,25 @@ void check_campaign_fits(const CampaignPlan& prepared, const EngineSceneOptions&
   const std::string file = prepared.campaign.file.string();
   if (prepared.header.stay && !prepared.header.stay->at_once) {
     throw InputError(file +
-                     ": its blocks are released one after the other, each when those before "
-                     "it have stopped, which a scene can't say; export a [[mass]], or the "
+                     ": its blocks are released one after the other, each after the previous ones "
+                     "have stopped, which a scene can't express; export a [[mass]], or the "
                      "campaign without sequence = \"stay\"");
   }
   if (prepared.header.stay && prepared.campaign.stay->settling_time() > 0.0) {
-    throw InputError(file +
-                     ": its masses settle behind faces first, which a scene can't say; leave "
-                     "settle out");
+    throw InputError(
+        file +
+        ": its masses settle behind confining walls first, which a scene can't express; leave "
+        "settle out");
   }
   if (prepared.header.stay && prepared.campaign.stay->last_release_time() > 0.0) {
     throw InputError(file +
-                     ": its masses are released at different times, which a scene can't say; "
+                     ": its masses are released at different times, which a scene can't express; "
                      "leave release_time_s out, or export a campaign for each");
   }
   if (is_rockable(options) &&
       !std::holds_alternative<EnergyRestitutionLaw>(prepared.campaign.stiffness.law)) {
     throw InputError(file + ": the contact law " + name_of(prepared.campaign.stiffness.law) +
-                     " is not among those of Rockable that clast knows; take energy-restitution");
+                     " is not supported for Rockable; use energy-restitution");
   }
 }
 
@@ -100,7 +101,7 @@ const std::vector<std::string>& exportable_engines() {
 void EngineSceneOptions::check() const {
   const std::vector<std::string>& known = exportable_engines();
   if (std::find(known.begin(), known.end(), engine) != known.end()) return;
-  throw InputError("`engine` \"" + engine + "\" is not known; take rockable or exadem");
+  throw InputError("`engine` \"" + engine + "\" is unknown; use rockable or exadem");
 }
 
 FolderKind scene_folder_kind() {

@@ -143,10 +143,10 @@ std::vector<std::string> assumptions(const CampaignProposal& proposal) {
                     [](const ProposedGround& zone) { return !zone.by_name; }));
   if (guessed > 0) {
     doubts.push_back(format_count(guessed, "ground zone is", "ground zones are") + " taken for " +
-                     default_ground_type().name + ", since the name says no kind of ground");
+                     default_ground_type().name + ", since the name gives no ground type");
   }
   if (proposal.blocks.mass) {
-    doubts.push_back("the blocks have no size of their own; " +
+    doubts.push_back("the blocks have no known size; " +
                      format_significant(*proposal.blocks.mass, 6) + " kg each is an assumption");
   }
   if (const std::vector<std::string>& out = proposal.blocks.left_out; !out.empty()) {

@@ -182,8 +182,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader
   std::error_code code;
   if (!fs::is_regular_file(path, code)) {
     throw InputError(path.string() +
-                     ": no such file; there is no interrupted campaign to go on "
-                     "with");
+                     ": no such file; there is no interrupted campaign to continue");
   }
   ResultsJournal journal(path, opened(path));
   const std::uint64_t size = fs::file_size(path);
@@ -221,8 +220,9 @@ void ResultsJournal::add(const StoredRun& run) {
   file_.write(record.data(), static_cast<std::streamsize>(record.size()));
   file_.flush();
   if (!file_) {
-    throw InputError(path_.string() +
-                     ": writing failed; is the disk full? Free some space and go on with `resume`");
+    throw InputError(
+        path_.string() +
+        ": writing failed; is the disk full? Free some space and continue with `resume`");
   }
   runs_.push_back(run.record.run);
   begins_.push_back(end_);
@@ -232,9 +232,9 @@ void ResultsJournal::add(const StoredRun& run) {
 StoredRun ResultsJournal::read(std::size_t index) {
   const std::optional<std::string> content = read_record(file_, begins_[index], end_);
   if (!content) {
-    throw InputError(path_.string() +
-                     ": was changed by another program; go on with `resume`, which repeats the "
-                     "runs that were lost");
+    throw InputError(
+        path_.string() +
+        ": was changed by another program; continue with `resume`, which repeats the lost runs");
   }
   return unpack_record(*content);
 }

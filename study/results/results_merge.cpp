@@ -30,7 +30,7 @@ struct RunPlace {
 void check_parts_of_one_campaign(const CampaignHeader& first, const CampaignHeader& other) {
   std::string difference;
   if (other.campaign_sha256 != first.campaign_sha256) {
-    difference = "is of another campaign than ";
+    difference = "belongs to another campaign than ";
   } else if (other.inputs != first.inputs) {
     difference = "was made from other input files than ";
   } else if (other.program_version != first.program_version) {
@@ -107,7 +107,7 @@ void check_complete(const std::vector<Part>& parts, const std::vector<RunPlace>&
   std::uint32_t missing = 0;
   while (missing < places.size() && places[missing].run == missing) ++missing;
   throw InputError(std::to_string(first.planned_runs - places.size()) + " of " +
-                   std::to_string(first.planned_runs) + " runs are in no part, run " +
+                   std::to_string(first.planned_runs) + " runs are in none of the parts, run " +
                    std::to_string(missing) + " first; of n shards it belongs to number (" +
                    std::to_string(missing / first.runs_per_realisation()) +
                    " mod n) + 1. Run the missing shard, then join");

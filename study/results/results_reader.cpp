@@ -290,8 +290,8 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
 CampaignResults read_results(const fs::path& path) {
   if (path.extension() == ".part" && fs::is_regular_file(path)) {
     throw InputError(path.string() +
-                     ": holds the runs of a campaign that is not finished; go on with it first, "
-                     "by clast simulate with `resume`");
+                     ": holds the runs of an unfinished campaign; continue it first, by clast "
+                     "simulate with `resume`");
   }
   const Hdf5File file = Hdf5File::open(path, kResultsFormat, kResultsSchema);
   const CheckedGroup root{path.string(), "", file.root()};

@@ -58,7 +58,7 @@ void vary(const Campaign& campaign, const BlockLibrary& library,
     if (!failed.empty()) {
       throw GeometryError(
           std::to_string(failed.size()) + " of " + format_count(series.wanted, "body", "bodies") +
-          " can't be made; leave out what asks for them. The first: " + failed.front());
+          " can't be made; leave out the keys that request them. First reason: " + failed.front());
     }
     return series;
   });

@@ -75,7 +75,7 @@ void tell_of_steps(const CampaignPlan& prepared, std::vector<std::string>& warni
                            format_significant(prepared.campaign.max_time, 4) + " s";
   if (!(steps < kEndlessSteps)) {
     throw InputError(prepared.campaign.file.string() + ": " + cost +
-                     ", which would not end; give a softer [contact] stiffness_n_m, a longer "
+                     ", which would take too long; give a softer [contact] stiffness_n_m, a longer "
                      "time_step_s or a shorter [run] max_time_s, or leave both to \"auto\"");
   }
   warnings.push_back(cost + "; runs will take long");
@@ -96,7 +96,7 @@ void tell_of_friction(const CampaignPlan& prepared, std::vector<std::string>& wa
       if (value <= kSteepest) continue;
       const std::string number = format_significant(value, 4);
       warnings.push_back("[ground." + prepared.header.zone_names[zone] + "] " + key + " = " +
-                         number + " is a coefficient; the one of an angle of " + number +
+                         number + " is a coefficient; that of an angle of " + number +
                          " degrees is its tangent");
     }
   }
@@ -110,12 +110,12 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
   }
   const auto question = [&](const std::string& table, double value) {
     if (!(value > usual) || value > kElastic) return;
-    warnings.push_back("[" + table + "] energy_restitution = " + format_significant(value, 4) +
-                       " is the share of energy that an impact gives back, e_n^2; usual ground "
-                       "gives back up to " +
-                       format_significant(usual, 2) +
-                       ". If it is a coefficient of restitution of velocity, R_n, give its " +
-                       "square, " + format_significant(value * value, 2));
+    warnings.push_back(
+        "[" + table + "] energy_restitution = " + format_significant(value, 4) +
+        " is the fraction of energy that an impact returns, e_n^2; usual ground returns up to " +
+        format_significant(usual, 2) +
+        ". If it is a coefficient of restitution of velocity, R_n, give its " + "square, " +
+        format_significant(value * value, 2));
   };
   const CampaignHeader& header = prepared.header;
   std::pair<double, std::string> largest{0.0, ""};
@@ -131,8 +131,8 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
   if (header.stay && largest.first > kMaxUnbalanced) {
     throw InputError(prepared.campaign.file.string() + ": [" + largest.second +
                      "] energy_restitution = " + format_significant(largest.first, 4) +
-                     " returns more than half of the energy of an impact; with blocks that stay or "
-                     "a rock mass, blocks could gain energy then (docs/theory.md, Weights and "
+                     " returns more than half of the energy of an impact; persistent blocks or "
+                     "those of a rock mass could then gain energy (docs/theory.md, Weights and "
                      "energy). Give at most " +
                      format_significant(kMaxUnbalanced, 2) +
                      ", or release the blocks one at a time");
@@ -144,10 +144,10 @@ void tell_of_releases(const CampaignPlan& prepared, std::vector<std::string>& wa
   for (const ReleaseSet& release : prepared.campaign.releases) {
     const std::size_t repeated = repeated_points(release.points, release.drop_height.has_value());
     if (repeated > 0 && !release.fresh_orientations) {
-      warnings.push_back(format_release_set_name(release) + std::to_string(repeated) + " of " +
-                         std::to_string(release.points.size()) +
-                         " release points repeat another; all are run, so they count more than "
-                         "once");
+      warnings.push_back(
+          format_release_set_name(release) + std::to_string(repeated) + " of " +
+          std::to_string(release.points.size()) +
+          " release points repeat another; all are run, so the point counts more than once");
     }
     // Random sets have no duplicates.
     if (release.orientation_source == "random") continue;

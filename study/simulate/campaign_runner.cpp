@@ -107,7 +107,7 @@ std::vector<std::uint32_t> open_runs(const CampaignPlan& prepared, const Shard& 
     if (shard.has(run / together)) continue;
     throw InputError(journal_path(target).string() + ": was begun with other runs than shard " +
                      std::to_string(shard.index) + " of " + std::to_string(shard.count) +
-                     " has; give the shard it was begun with, or delete it");
+                     " has; give the shard with which it was begun, or delete it");
   }
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < prepared.runs.size(); first += together) {

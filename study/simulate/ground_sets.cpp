@@ -79,11 +79,11 @@ std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
 void check_soil_memory(const Campaign& campaign) {
   const bool stays = campaign.stay.has_value();
   if (stays && std::holds_alternative<ElastoplasticLaw>(campaign.stiffness.law)) return;
-  throw InputError(stays
-                       ? "soil_memory_m needs [contact] law = \"elastoplastic\", which leaves dents"
-                       : "soil_memory_m is for blocks that follow each other; add [release] "
-                         "sequence = \"stay\", where remove = { zone = ... } takes away those "
-                         "that would be in the way");
+  throw InputError(
+      stays ? "soil_memory_m needs [contact] law = \"elastoplastic\", which leaves residual "
+              "indentations"
+            : "soil_memory_m applies to blocks that follow each other; add [release] sequence = "
+              "\"stay\", where remove = { zone = ... } removes stopped blocks");
 }
 
 /// @throws InputError  values that do not go together, such as a friction below the smallest

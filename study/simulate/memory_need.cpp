@@ -45,7 +45,7 @@ void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
                              format_count(prepared.header.stay->blocks_each, "block") +
                              (at_a_time > 1 ? " at a time need about " : " needs about ");
   throw InputError(
-      prepared.campaign.file.string() + ": " + blocks + format_memory(all) + " of memory, and " +
+      prepared.campaign.file.string() + ": " + blocks + format_memory(all) + " of memory, but " +
       format_memory(*available) + " is free; use " +
       (each <= *available ? "fewer threads" : "fewer blocks, or blocks with fewer vertices") +
       (prepared.campaign.trajectory_interval > 0.0 ? ", or a longer trajectory_interval_s" : ""));

@@ -167,9 +167,11 @@ std::string not_settled(const CampaignPlan& prepared, std::span<const RunRecord>
   return "[mass]" + (name.empty() ? "" : " " + name) + ": " + format_count(error.count, "block") +
          ", " + prepared.header.blocks[first.block].id + " the first, " +
          (error.left_wall
-              ? "left the faces that they settle behind; widen the polygon, or give thickness_m"
+              ? "left the confining walls behind which they settle; widen the polygon, or give "
+                "thickness_m"
               : "still moved after settle_time_s = " + format_significant(settle_time, 6) +
-                    "; raise it, or give rolling_friction or friction that lets them rest");
+                    "; raise it, or give a rolling_friction or friction with which they come to "
+                    "rest");
 }
 
 /// The shapes of the blocks of some runs, each once.
@@ -299,10 +301,11 @@ void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
   }
   if (overlapping == 0) return;
   const auto id = [&](std::size_t i) { return prepared.header.blocks[runs[i].block].id; };
-  throw SimulationError(
-      prepared.campaign.file.string() + ": [mass] in_place: " + format_count(overlapping, "pair") +
-      " of blocks overlap, the most " + id(worst.first) + " and " + id(worst.second) + ", by " +
-      format_significant(deepest, 3) + " m; select blocks that do not, or cut the mass anew");
+  throw SimulationError(prepared.campaign.file.string() +
+                        ": [mass] in_place: " + format_count(overlapping, "pair") +
+                        " of blocks overlap, the largest overlap is that of " + id(worst.first) +
+                        " and " + id(worst.second) + ", by " + format_significant(deepest, 3) +
+                        " m; select blocks that do not overlap, or cut the mass again");
 }
 
 std::vector<StoredRun> simulate_realisation(const CampaignPlan& prepared, std::uint32_t first,

@@ -19,8 +19,8 @@ void refuse_interrupted(const std::filesystem::path& target) {
     const FileLock lock(target, {.timeout = {}});  // refused while that campaign runs
   }
   throw InputError(part.string() +
-                   ": holds the runs of an interrupted campaign; add `resume` to go on with it, "
-                   "or delete the file to start afresh");
+                   ": holds the runs of an interrupted campaign; add `resume` to continue it, or "
+                   "delete the file to start again");
 }
 
 }  // namespace clast

@@ -74,8 +74,8 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
   std::array<double, 6> transform{};
   if (dataset.GetGeoTransform(transform.data()) != CE_None) {
     throw InputError(path.string() +
-                     ": has no georeference, so that its place and cell size are not known; give "
-                     "it one (gdal_translate -a_ullr WEST NORTH EAST SOUTH -a_srs EPSG:CODE)");
+                     ": has no georeference, so its position and cell size are unknown; give it "
+                     "one (gdal_translate -a_ullr WEST NORTH EAST SOUTH -a_srs EPSG:CODE)");
   }
   const double largest = std::max(std::abs(transform[1]), std::abs(transform[5]));
   if (std::abs(transform[2]) > 1e-9 * largest || std::abs(transform[4]) > 1e-9 * largest) {
@@ -90,7 +90,7 @@ std::array<double, 6> north_up_transform(GDALDataset& dataset, const std::filesy
   if (!(transform[1] > 0.0) || transform[5] == 0.0) {
     throw InputError(path.string() + ": cell size " + format_significant(transform[1], 6) + " x " +
                      format_significant(transform[5], 6) +
-                     "; columns must run east, cells have a size (gdalwarp turns it)");
+                     "; columns must run east and cells need a size (gdalwarp turns it)");
   }
   return transform;
 }
@@ -209,14 +209,13 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
     throw InputError(path.string() + ": its heights are in " +
                      (factor > 0.3 && factor < 0.31 ? "feet" : word) + " (unit \"" +
                      escape_nonprintable(unit) +
-                     "\"); bring them to metres first (gdal_calc.py -A " + file + " --calc=A*" +
+                     "\"); convert them to metres first (gdal_calc.py -A " + file + " --calc=A*" +
                      format_significant(factor, 10) + " --outfile=metres.tif)");
   }
-  throw InputError(
-      path.string() + ": its heights are in the unit \"" + escape_nonprintable(unit) +
-      "\", which is not known here; bring them to metres, or where they are in metres say "
-      "so (gdal_edit.py -units m " +
-      file + ")");
+  throw InputError(path.string() + ": its heights are in the unit \"" + escape_nonprintable(unit) +
+                   "\", which is unknown; convert them to metres, or if they are in metres, set "
+                   "the unit (gdal_edit.py -units m " +
+                   file + ")");
 }
 
 std::string crs_name(const OGRSpatialReference* system) {

@@ -14,7 +14,7 @@ void write_geotiff(const std::filesystem::path& path, const GeoTiffBand& band,
   const GdalSession session;
   OutputFile output(path, rules);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-  check_written(driver != nullptr, path, "a GeoTIFF: this GDAL has no driver for it");
+  check_written(driver != nullptr, path, "a GeoTIFF: this GDAL has no driver for this format");
   const char* options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", nullptr};
   const int columns = static_cast<int>(band.columns), rows = static_cast<int>(band.rows);
   DatasetPointer dataset(driver->Create(output.temporary_path().string().c_str(), columns, rows, 1,

@@ -33,10 +33,10 @@ void check_one_height(const TriangleMesh& mesh, double cell, const std::filesyst
   if (count == 0) return;
   throw GeometryError(path.string() + ": " + std::to_string(count) + " of " +
                       std::to_string(mesh.triangles.size()) +
-                      " triangles stand upright or overhang, the first at " +
+                      " triangles are vertical or overhang, the first at " +
                       format_map_point(first) +
-                      "; a grid has one height over every place, so that it can't hold them. Leave "
-                      "out resolution, or simplify the mesh with a tolerance, which keeps them");
+                      "; a grid holds only one height at each point. Leave out resolution, or "
+                      "simplify the mesh with a tolerance, which keeps them");
 }
 
 /// Numbers of the columns or rows whose centres lie from `low` to `high`.

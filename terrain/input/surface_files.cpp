@@ -31,9 +31,9 @@ SurfaceKind kind_of(const fs::path& path) {
   const std::vector<std::string>& meshes = readable_mesh_extensions();
   if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return SurfaceKind::kMesh;
   throw InputError(path.string() +
-                   ": a ground is a mesh (stl, ply, obj, ...), a raster (tif, asc, "
+                   ": a ground must be a mesh (stl, ply, obj, ...), a raster (tif, asc, "
                    "...), a cloud (las, xyz, txt, csv, pts, pcd) or a terrain file (h5), not \"" +
-                   extension + "\"; other rasters become one by gdal_translate " +
+                   extension + "\"; convert other rasters with gdal_translate " +
                    path.filename().string() + " ground.tif");
 }
 
@@ -75,7 +75,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
   std::vector<std::string> notes =
       check_fill_values(raster.grid, path,
                         {.declared = raster.no_data,
-                         .advice = "say so first: gdal_translate -a_nodata NUMBER " +
+                         .advice = "declare it first: gdal_translate -a_nodata NUMBER " +
                                    path.filename().string() + " ground.tif"});
   for (const std::string& note : raster.notes) notes.push_back(path.string() + ": " + note);
   if (options.resolution) {
@@ -97,7 +97,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
                        ": holds no heights, only nodata; check which value stands for no data");
     }
     raster.grid = bin_points(points, *options.resolution, path);
-    notes.push_back(path.string() + ": made coarser, means over " + cells_of(*options.resolution));
+    notes.push_back(path.string() + ": resampled to means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
     throw InputError(path.string() +
@@ -144,7 +144,8 @@ SurfaceKind detect_surface_kind(const std::vector<fs::path>& files) {
         ": a ground is one raster; join the tiles first (gdalbuildvrt ground.vrt ...)");
   }
   if (files.size() > 1 && kind == SurfaceKind::kTerrain) {
-    throw InputError(files[1].string() + ": a ground is one terrain file; make one of all surveys");
+    throw InputError(files[1].string() +
+                     ": a ground is one terrain file; make one terrain file from all surveys");
   }
   return kind;
 }

@@ -61,7 +61,7 @@ class Segments {
         throw InputError(lines_[segments_[s].line].name + ": breaklines meet at " +
                          format_map_point(foot.point) + " and at z " +
                          format_significant(other.point.z(), 9) +
-                         "; give them one height there, or move one of them");
+                         "; give them the same height there, or move one of them");
       }
     }
   }
@@ -123,7 +123,7 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
   }
   if (on_lines == 0) {
     throw InputError(lines.front().name +
-                     ": no breakline lies over the ground; bring both into one map system");
+                     ": no breakline lies over the ground; convert both to one map system");
   }
   surface.source.resize(mesh.triangles.size(), 0);
   report.notes.push_back(std::to_string(lines.size()) + " breaklines run along edges, over " +

@@ -289,7 +289,7 @@ void close_cracks(RawSurface& surface, double width, TerrainReport& report) {
   if (report.closed_cracks == 0) return;
   report.notes.push_back("cracks were closed: " + std::to_string(closed.joined) +
                          " border vertices joined to others, " + std::to_string(closed.divided) +
-                         " made corners of the triangle beside them; the widest, " +
+                         " made corners of the neighbouring triangle; the widest crack, " +
                          format_significant(closed.widest, 3) + " m, at " +
                          format_map_point(closed.at));
 }
@@ -331,11 +331,10 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
   report.notes.push_back(
       "the ground is in " + std::to_string(report.components) +
       " components with gaps or steps between them: " + std::to_string(apart) +
-      " border vertices are near another component but apart from it, the nearest "
-      "by " +
+      " border vertices are near another component without touching it, the smallest gap is " +
       format_significant(narrowest, 3) + " m, at " + format_map_point(at) +
-      "; a block that gets there leaves the terrain. Join the tiles, or give a "
-      "crack as wide as the gap");
+      "; a block that reaches a gap leaves the terrain. Join the tiles, or give a crack width as "
+      "large as the gap");
 }
 
 }  // namespace clast::terrain_detail

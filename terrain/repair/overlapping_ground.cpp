@@ -99,10 +99,11 @@ struct PlanArea {
 /// Ground over ground that stays is refused, or noted where it is little.
 void check_folded(const PlanArea& folded, double whole, TerrainReport& report) {
   if (folded.m2 > kFoldedFraction * whole) {
-    throw GeometryError("the ground lies double over " + format_significant(folded.m2, 4) +
-                        " m2, the first at " + format_map_point(folded.first) +
-                        ": two surfaces face up over each other with no overhang between, or lie "
-                        "on each other; remove one of the tiles, or the part of it that overlaps");
+    throw GeometryError(
+        "the ground has two surfaces over " + format_significant(folded.m2, 4) +
+        " m2, the first at " + format_map_point(folded.first) +
+        ": two upward-facing surfaces lie above each other without an overhang between them, or "
+        "coincide; remove one of the tiles, or the part of it that overlaps");
   }
   if (folded.m2 > 0.0) {
     report.notes.push_back("the ground folds over itself on " + format_significant(folded.m2, 3) +
@@ -145,7 +146,7 @@ void remove_overlapping_ground(RawSurface& surface, double width, TerrainReport&
   report.components -= count;
   report.notes.push_back(std::to_string(count) + " small components of " +
                          format_significant(dropped.m2, 3) +
-                         " m2 in plan that lie over other ground were dropped, the first at " +
+                         " m2 in plan that lie over other ground were removed, the first at " +
                          format_map_point(dropped.first));
 }
 

@@ -301,7 +301,7 @@ void grow_from(Growing& growing, const std::vector<EdgeKey>& constraints,
     growing.grow(vertices);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     throw GeometryError(
-        "the border of the ground crosses itself in plan, so that it can't be simplified; leave "
+        "the border of the ground crosses itself in plan, so it can't be simplified; leave "
         "out tolerance, or cut the ground there");
   }
 }
@@ -357,8 +357,9 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
   remove_unused_vertices(result.mesh);
   std::string note = "simplified within " + format_significant(tolerance, 4) +
                      " m: " + std::to_string(result.mesh.triangles.size()) + " of " +
-                     std::to_string(mesh.triangles.size()) + " triangles; nowhere more than " +
-                     format_significant(growing.largest(), 4) + " m above or below what was there";
+                     std::to_string(mesh.triangles.size()) +
+                     " triangles; the surface is nowhere more than " +
+                     format_significant(growing.largest(), 4) + " m above or below the original";
   if (growing.largest() > 0.0) note += ", as at " + format_map_point(growing.largest_at());
   report.notes.push_back(note);
   surface = std::move(result);

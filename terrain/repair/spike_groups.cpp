@@ -285,7 +285,7 @@ void level_spike_groups(TriangleMesh& mesh, double steepness, double width, Terr
   if (levelled.count == 0) return;
   report.notes.push_back(std::to_string(levelled.count) +
                          " vertices far above or below the ground, in groups or on a border, were "
-                         "brought to the plane of the ground around, the farthest, by " +
+                         "moved to the plane of the surrounding ground, the farthest by " +
                          format_significant(levelled.farthest, 3) + " m, at " +
                          format_map_point(levelled.at));
 }

@@ -168,14 +168,14 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   if (spikes.left > 0) {
     report.notes.push_back(std::to_string(spikes.left) +
                            (spikes.left == 1 ? " vertex stands" : " vertices stand") +
-                           " far above or below the ground around, but not alone, as on crests and "
-                           "walls, kept as measured; the first at " +
+                           " far above or below the surrounding ground together with their "
+                           "neighbours, as on crests and walls, kept as measured; the first at " +
                            format_map_point(spikes.left_at));
   }
   if (spikes.levelled == 0) return;
   report.notes.push_back(std::to_string(spikes.levelled) +
-                         " single vertices far above or below all their neighbours were brought "
-                         "to the plane through these, the farthest, by " +
+                         " single vertices far above or below all their neighbours were moved to "
+                         "the plane through these, the farthest by " +
                          format_significant(spikes.farthest, 3) + " m, at " +
                          format_map_point(spikes.farthest_at));
 }

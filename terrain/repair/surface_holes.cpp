@@ -202,10 +202,10 @@ void fill_surface_holes(RawSurface& surface, double widest, double slit, Terrain
         format_significant(widest_filled, 3) + " m, around " + format_map_point(filled_at));
   }
   if (report.open_holes > 0) {
-    report.notes.push_back(std::to_string(report.open_holes) + " holes stay open, the widest, " +
+    report.notes.push_back(std::to_string(report.open_holes) + " holes remain open, the widest, " +
                            format_significant(widest_open, 3) + " m, around " +
                            format_map_point(open_at) +
-                           "; a block that gets there leaves the terrain; fill = " +
+                           "; a block that reaches a hole leaves the terrain; fill = " +
                            format_significant(widest_open * 1.01, 3) + " m fills them");
   }
 }

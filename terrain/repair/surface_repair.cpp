@@ -89,11 +89,11 @@ void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string
   }
   retain_triangles(surface, keep);
   if (mesh.triangles.empty()) {
-    throw GeometryError(files[0] + ": no triangle has an area; there is no ground");
+    throw GeometryError(files[0] + ": no triangle has an area, so there is no ground");
   }
   const auto note = [&](std::size_t dropped, const std::string& what, const Vec3& at) {
     if (dropped == 0) return;
-    report.notes.push_back(std::to_string(dropped) + what + " were dropped, the first at " +
+    report.notes.push_back(std::to_string(dropped) + what + " were removed, the first at " +
                            format_map_point(at));
   };
   note(report.removed_degenerate, " triangles without an area", degenerate_at);
@@ -118,18 +118,17 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
   if (facing.conflict_vertex) {
     throw GeometryError("the ground at " +
                         format_map_point(mesh.vertices[*facing.conflict_vertex]) +
-                        " is twisted into itself and has no upper side; cut it there");
+                        " is a twisted surface without an upper side; cut it there");
   }
   report.components += facing.components.size();
   std::vector<bool> turn = facing.is_flipped;
   for (const std::vector<std::uint32_t>& component : facing.components) {
     const std::optional<bool> up = faces_up(mesh, component, facing.is_flipped);
     if (!up) {
-      report.notes.push_back("a component of " + std::to_string(component.size()) +
-                             " triangles at " +
-                             format_map_point(centroid(mesh, mesh.triangles[component.front()])) +
-                             " stands upright and touches no other ground; which side is rock was "
-                             "taken as in the file");
+      report.notes.push_back(
+          "a component of " + std::to_string(component.size()) + " triangles at " +
+          format_map_point(centroid(mesh, mesh.triangles[component.front()])) +
+          " is vertical and touches no other ground; its rock side was taken from the file");
     } else if (!*up) {
       for (const std::uint32_t t : component) turn[t] = !turn[t];
     }
@@ -142,7 +141,7 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
   }
   if (report.flipped_triangles > 0) {
     report.notes.push_back(std::to_string(report.flipped_triangles) +
-                           " triangles faced into the ground and were turned, the first at " +
+                           " triangles faced into the ground and were reversed, the first at " +
                            format_map_point(first_turned));
   }
 }

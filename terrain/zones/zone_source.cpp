@@ -265,7 +265,7 @@ void check_extent(const ZoneMap& map, const Terrain& terrain, const ZoneFile& so
   throw InputError(source.path.string() + ": the zones lie at " +
                    span(map.extent.low, map.extent.high) + ", the ground at " +
                    span(low.head<2>(), high.head<2>()) +
-                   "; bring both into one map system (zones in z-up map coordinates)");
+                   "; convert both to one map system (zones in z-up map coordinates)");
 }
 
 }  // namespace
@@ -275,7 +275,7 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
                                                    : raster_zones(source, terrain.frame.crs);
   if (map.labels.size() > kMaxZones) {
     throw InputError(source.path.string() + ": " + std::to_string(map.labels.size()) +
-                     " zones are more than can be; is it a raster of heights? Give one of classes");
+                     " zones are too many; give a raster of classes, not of heights");
   }
   check_extent(map, terrain, source);
   if (cut) cut_borders(terrain, map);
@@ -312,11 +312,11 @@ void assign_zones(Terrain& terrain, const ZoneFile& source, bool cut) {
       bare.partial += std::max(0.0, plan - covered);
     }
   }
-  refuse_bare(bare, terrain, source.path.string(), "extend the zones or cut the ground");
+  refuse_bare(bare, terrain, source.path.string(), "extend the zones or reduce the ground");
   if (bare.partial > 1e-6) {
-    terrain.report.notes.push_back(source.path.string() + ": " +
-                                   format_significant(bare.partial, 3) +
-                                   " m2 beside the zones took the zone of the triangle's rest");
+    terrain.report.notes.push_back(
+        source.path.string() + ": " + format_significant(bare.partial, 3) +
+        " m2 outside the zones were given the zone of the rest of their triangle");
   }
   number_zones(terrain, map.labels, label, source.path.string());
 }

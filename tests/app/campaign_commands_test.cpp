@@ -137,7 +137,7 @@ TEST_F(Campaigns, FinishedResultsAreKeptAndNotRunAgain) {
                  "r.h5: already exists; --replace replaces it");
   const ProgramRun again = simulate({"--resume"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_TRUE(contains(again.out, "r.h5: nothing to do, has all runs already")) << again.out;
+  EXPECT_TRUE(contains(again.out, "r.h5: nothing to do, all runs are stored already")) << again.out;
   EXPECT_EQ(read_text_file(folder / "r.h5"), first);
   EXPECT_EQ(simulate({"--replace"}).exit_code, 0);
   write_text_file(folder / "campaign.toml", slope_campaign() + "# another one\n");
@@ -163,7 +163,7 @@ TEST_F(Campaigns, RunsThatEndedWithAnErrorMakeTheCommandFail) {
     for (RunRecord run : results.runs) {
       if (run.run >= results.runs.size() - failed) {
         run.result.stop_reason = StopReason::kError;
-        run.result.message = "the motion is not finite any more at 1.5 s";
+        run.result.message = "the motion is no longer finite at 1.5 s";
       }
       StoredRun stored;
       stored.record = run;
@@ -176,8 +176,8 @@ TEST_F(Campaigns, RunsThatEndedWithAnErrorMakeTheCommandFail) {
       run_clast({"simulate", "--merge", "bad.h5", "-o", "all.h5"}, folder.path());
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_TRUE(contains(bad.err,
-                       "2 of 6 runs ended with an error, the first: run 4: the motion is not "
-                       "finite any more at 1.5 s"))
+                       "2 of 6 runs ended with an error, first error: run 4: the motion is no "
+                       "longer finite at 1.5 s"))
       << bad.err;
   EXPECT_TRUE(contains(bad.err, "all.h5") && contains(bad.err, "time_step_s")) << bad.err;
   EXPECT_TRUE(fs::exists(folder / "all.h5")) << "what was run is kept";

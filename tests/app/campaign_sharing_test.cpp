@@ -78,7 +78,7 @@ TEST_F(SharedCampaign, IsTheSameInFourShardsJoined) {
   }
   EXPECT_FALSE(fs::exists(folder / "all.h5"));
   expect_refused(folder, {"simulate", "--merge", "all.1of4.h5", "all.3of4.h5", "-o", "all.h5"}, 1,
-                 "80 of 160 runs are in no part, run 1 first");
+                 "80 of 160 runs are in none of the parts, run 1 first");
   expect_refused(
       folder, {"simulate", "--merge", "all.1of4.h5", "all.2of4.h5", "all.1of4.h5", "-o", "all.h5"},
       1, "run 0 is in");
@@ -198,11 +198,13 @@ TEST_F(SharedCampaign, WhoseBlocksStayGoesOnWithinARealisationAfterCtrlC) {
     program.signal(signal);
     const ProgramRun stopped = program.wait();
     EXPECT_EQ(stopped.exit_code, 1) << signal;
-    EXPECT_TRUE(contains(stopped.err, signal == SIGHUP ? "clast: interrupted; "
-                                                       : "0 of 10 runs and the checkpoints of "
-                                                         "unfinished realisations are kept. Go on "
-                                                         "with: clast simulate campaign.toml -o "
-                                                         "cut.h5 --resume"))
+    EXPECT_TRUE(contains(
+        stopped.err,
+        signal == SIGHUP
+            ? "clast: interrupted; "
+            : "0 of 10 runs and the checkpoints of "
+              "unfinished realisations are kept. Continue with: clast simulate campaign.toml -o "
+              "cut.h5 --resume"))
         << stopped.err;
     EXPECT_TRUE(fs::exists(folder / "cut.h5.part.1"));
     words.push_back("--resume");
@@ -229,7 +231,7 @@ TEST_F(SharedCampaign, IsTheSameAfterCtrlC) {
   const ProgramRun stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_TRUE(contains(stopped.err,
-                       "of 1600 runs are kept. Go on with: clast simulate "
+                       "of 1600 runs are kept. Continue with: clast simulate "
                        "campaign.toml -o cut.h5 --resume"))
       << stopped.err;
   EXPECT_TRUE(fs::exists(partial_file("cut.h5")));

@@ -67,7 +67,7 @@ TEST(CommandLine, OutputThatCantBeWrittenIsAFailure) {
 TEST(CommandLine, MisuseExitsWithTwoAndNamesTheMistake) {
   const ScratchFolder folder;
   EXPECT_EQ(run_clast({}).exit_code, 2);
-  expect_refused(folder, {"launch"}, 2, "\"launch\" is no command");
+  expect_refused(folder, {"launch"}, 2, "\"launch\" is not a command");
   expect_refused(folder, {"reconstruct", "a.obj", "--units", "parsec"}, 2, "--units: \"parsec\"");
 }
 

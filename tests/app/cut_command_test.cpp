@@ -72,7 +72,8 @@ TEST_F(CutCommand, TurnsTheMassAndSaysWhatIsLost) {
 TEST_F(CutCommand, RefusesWithItemAndNextStep) {
   const auto refused = [&](const std::vector<std::string>& words, int code,
                            const std::string& item) { expect_refused(folder, words, code, item); };
-  refused({"cut", "scar.ply", "-j", "70/95"}, 2, "is no joint set; give DIP/DIP_DIRECTION/SPACING");
+  refused({"cut", "scar.ply", "-j", "70/95"}, 2,
+          "is not a joint set; give DIP/DIP_DIRECTION/SPACING");
   refused({"cut", "scar.ply", "-j", "95/95/1"}, 2, "dip = 95; must be from 0 to 90");
   refused({"cut", "scar.ply"}, 2, "--joints is required");
   refused({"cut", "-j", "70/95/1"}, 2, "give a closed mesh of the mass, or --before and --after");
@@ -170,15 +171,15 @@ TEST_F(CutBetweenTerrains, RefusesWithItemAndNextStep) {
   refused(with({"-j", "70/95/1", "scar.ply"}), 2, "mass");
   refused({"cut", "--before", "before.asc", "-j", "70/95/1"}, 2, "--before requires --after");
   refused({"cut", "scar.ply", "--scar", "a.ply", "-j", "70/95/1"}, 2, "--scar requires --before");
-  refused(with({"--scar", "after.asc"}), 2, "after.asc: is read, and would be written over");
+  refused(with({"--scar", "after.asc"}), 2, "after.asc: is an input and would be overwritten");
   refused(with({"--scar", "scar.tif"}), 2, "its name must end in .glb, .obj, .ply, .stl, .vtp");
   refused(with({"-j", "70/95/1", "--bodies", "none"}), 2, "--bodies = \"none\": must be largest");
   refused(with({"-j", "70/95/1", "--bodies", "2"}), 1, "--bodies = 2: there is 1 body");
   refused(with({"-j", "70/95/1", "--min-thickness", "4"}), 1, "give a smaller --min-thickness");
   refused({"cut", "--before", "after.asc", "--after", "before.asc", "-j", "70/95/1"}, 1,
-          "are the two swapped?");
+          "check that the two are not swapped");
   refused({"cut", "--before", "before.asc", "--after", "elsewhere.asc", "-j", "70/95/1"}, 1,
-          "--before and --after have no place in common");
+          "--before and --after do not overlap");
   refused({"cut", "--before", "before.asc", "--after", "none.asc", "-j", "70/95/1"}, 1, "none.asc");
   std::string empty = read_text_file(folder / "after.asc");
   empty.resize(empty.find("-9999") + 6);

@@ -58,8 +58,8 @@ void expect_misuse(const Words& words, const std::string& item) {
 using Misuse = WorkingFolder;
 
 TEST_F(Misuse, IsRefusedWithTheMistake) {
-  expect_misuse({"launch"}, "\"launch\" is no command");
-  expect_misuse({"library", "join"}, "\"join\" is no command");
+  expect_misuse({"launch"}, "\"launch\" is not a command");
+  expect_misuse({"library", "join"}, "\"join\" is not a command");
   expect_misuse({"show"}, "library is required");
   expect_misuse({"show", "a.h5", "--yaml"}, "--yaml");
   expect_misuse({"library", "set", "a.h5", "B1"}, "--site");
@@ -76,8 +76,8 @@ TEST_F(Misuse, OfReconstruct) {
   refuse({"--units", "-1"}, "-1");
   refuse({"--up", "x"}, "--up");
   refuse({"--ground", "flat"}, "--ground");
-  refuse({"--split", "--mass", "5"}, "--mass is the mass of one block, but --split");
-  refuse({"b.obj", "--mass", "5"}, "--mass is the mass of one block, but 2 scans are given");
+  refuse({"--split", "--mass", "5"}, "--mass is the mass of a single block, but --split");
+  refuse({"b.obj", "--mass", "5"}, "--mass is the mass of a single block, but 2 scans are given");
   refuse({"--core"}, "--radius");
   refuse({"--radius", "-0.1"}, "-0.1");
   refuse({"--radius", "0.1", "--radius-share", "0.1"}, "--radius-share");
@@ -125,8 +125,8 @@ TEST_F(Misuse, OfTerrain) {
   refuse({"--percentile", "105"}, "--percentile");
   refuse({"--barriers", "nets.geojson"}, "--picture");
   refuse({"-o", "t.h5", "--export", "ground.obj"},
-         "ground.obj: is read, and would be written over");
-  refuse({"-o", "t.h5", "--export", "./ground.obj"}, "is read, and would be written over");
+         "ground.obj: is an input and would be overwritten");
+  refuse({"-o", "t.h5", "--export", "./ground.obj"}, "is an input and would be overwritten");
   refuse({"-o", "ground.obj"}, "--output ground.obj: its name must end in .h5, .hdf5");
   refuse({"-o", "t.txt"}, "its name must end in .h5");
   refuse({"-o", "t.h5", "--export", "t.xyz"}, "--export t.xyz: its name must end in .stl, .ply");

@@ -71,7 +71,7 @@ TEST_F(PhotoPage, TheRockHasItsRingItsCoverageAndTheScaleOfItsBoard) {
   EXPECT_EQ(unbalanced(html), "");
   expect_self_contained(html);
   EXPECT_EQ(count_of(html, "<h2>Photographs</h2>"), 1u);
-  EXPECT_EQ(count_of(html, "left out: not where the board has it"), 1u);
+  EXPECT_EQ(count_of(html, "left out: its position differs from that on the board"), 1u);
   EXPECT_EQ(count_of(html, "class=\"seat"), 36u);
   const Json shown = probed(page, kScanPageProbe, folder);
   ASSERT_FALSE(shown.is_null()) << "the page can't be drawn";

@@ -24,7 +24,7 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
   const ProgramRun run = run_clast(
       {"reconstruct", "open.obj", "--vertices", "80", "--density", "2500"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "of the surface is not seen but filled in; volume between"));
+  EXPECT_TRUE(contains(run.out, "of the surface was not scanned but filled in; volume between"));
   const ProgramRun shown = run_clast({"show", "blocks.h5", "--json"}, folder.path());
   const Json block = Json::parse(shown.out)[0];
   const Json& unseen = block["unseen"];
@@ -41,7 +41,7 @@ TEST_F(Scans, AnOpenScanGivesABlockThatSaysWhatIsNotKnown) {
     EXPECT_LE(unseen["axes_lower_m"][axis], block["box_m"][axis]);
     EXPECT_GE(unseen["axes_upper_m"][axis], block["box_m"][axis]);
   }
-  EXPECT_TRUE(contains(unseen["assumption"].get<std::string>(), "planes of the flanks"));
+  EXPECT_TRUE(contains(unseen["assumption"].get<std::string>(), "planes of the observed flanks"));
   const ProgramRun full = run_clast({"show", "blocks.h5", "open"}, folder.path());
   EXPECT_TRUE(contains(full.out, "surface filled in %")) << full.out;
   EXPECT_TRUE(contains(full.out, "mass kg")) << full.out;
@@ -65,7 +65,7 @@ TEST_F(Scans, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   write_obj(folder / "mm.obj", cuboid(620, 500, 400));
   expect_refused(folder, {"reconstruct", "mm.obj"}, 1,
                  "block mm would be 620 m long, read with --units m; it is probably in mm: try "
-                 "--units mm, which makes it 0.620 m; --any-size takes it as it is");
+                 "--units mm, which makes it 0.620 m; --any-size accepts it");
   const ProgramRun run =
       run_clast({"reconstruct", "mm.obj", "--units", "mm", "--json"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -88,11 +88,12 @@ TEST_F(Scans, AnOpenScanIsABlockThatSaysWhatWasInventedButNoCore) {
   write_obj(folder / "open.obj", open);
   const std::vector<std::string> core = {"reconstruct", "open.obj", "--core", "--radius", "0.01"};
   expect_refused(folder, core, 1, "open.obj: the surface is not closed: ");
-  expect_refused(folder, core, 1, " m round near (");
+  expect_refused(folder, core, 1, " m in perimeter near (");
   const ProgramRun run = run_clast({"reconstruct", "open.obj"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "the scan was open: "));
-  EXPECT_TRUE(contains(run.out, " % of the surface is not seen but filled in; volume between "));
+  EXPECT_TRUE(
+      contains(run.out, " % of the surface was not scanned but filled in; volume between "));
   const ProgramRun shown = run_clast({"show", "blocks.h5", "open", "--json"}, folder.path());
   const double share = Json::parse(shown.out)[0]["unseen"]["invented_share"];
   EXPECT_TRUE(0.01 < share && share < 0.2) << share;
@@ -113,10 +114,10 @@ TEST_F(Scans, ALengthThatWasMeasuredSetsTheScale) {
   EXPECT_NEAR(volume({"--units", "cm", "--scale-factor", "3"}) / expected, 1.0, 2e-4);
   const ProgramRun shown = run_clast({"show", "blocks.h5", "box"}, folder.path());
   EXPECT_TRUE(contains(shown.out, "units=cm scale_factor=3 "));
-  expect_refused(
-      folder, {"reconstruct", "box.obj", "-o", "n.h5", "--scale-length", "0,0,0;0,10,0;100"}, 1,
-      "block box would be 200 m long, scaled by --scale-length: check its two points and "
-      "its metres; --any-size takes it as it is");
+  expect_refused(folder,
+                 {"reconstruct", "box.obj", "-o", "n.h5", "--scale-length", "0,0,0;0,10,0;100"}, 1,
+                 "block box would be 200 m long, scaled by --scale-length: check its two points "
+                 "and its length; --any-size accepts it");
 }
 
 TEST_F(Scans, BlocksBeyondTheUsualSizesAreTakenOnRequestOnly) {
@@ -125,7 +126,7 @@ TEST_F(Scans, BlocksBeyondTheUsualSizesAreTakenOnRequestOnly) {
   expect_refused(folder, {"reconstruct", "long.obj", "-o", "n.h5"}, 1,
                  "block long would be 21.0 m long, read with --units m");
   expect_refused(folder, {"reconstruct", "heavy.obj", "-o", "n.h5", "--density", "2500"}, 1,
-                 "t heavy; usually blocks are no heavier than 10000 t");
+                 "t heavy, but blocks are rarely heavier than 10000 t");
   EXPECT_EQ(
       run_clast({"reconstruct", "long.obj", "heavy.obj", "-o", "n.h5", "--any-size"}, folder.path())
           .exit_code,

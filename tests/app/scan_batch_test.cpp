@@ -46,8 +46,9 @@ TEST_F(ScanBatch, ResumeSaysWhatItSkipped) {
   std::vector<std::string> command = {"reconstruct", "a.obj", "b.obj", "--resume"};
   const ProgramRun second = run_clast(command, folder.path());
   EXPECT_EQ(second.exit_code, 0) << second.err;
-  EXPECT_TRUE(contains(second.out,
-                       "1 scan skipped, in the library already with the same file and options"));
+  EXPECT_TRUE(contains(
+      second.out,
+      "1 scan skipped: already in the library, made from the same file with the same options"));
   EXPECT_TRUE(contains(second.out, "1 block written, 2 in all"));
   const ProgramRun third = run_clast(command, folder.path());
   EXPECT_TRUE(contains(third.out, "2 scans skipped"));
@@ -76,11 +77,11 @@ TEST_F(ScanBatch, CtrlCKeepsWhatIsFinished) {
       contains(stopped.err, "clast: interrupted; waiting for the current step of each scan"))
       << "at once, before the step ends";
   EXPECT_TRUE(contains(stopped.err,
-                       "clast: interrupted; what was finished is in blocks.h5. Give the same "
-                       "command with --resume to go on"));
+                       "clast: interrupted; finished blocks are in blocks.h5. To continue, repeat "
+                       "the command with --resume"));
   const ProgramRun rest = run_clast(command, folder.path());
   EXPECT_EQ(rest.exit_code, 0) << rest.err;
-  EXPECT_TRUE(contains(rest.out, "skipped, in the library already"));
+  EXPECT_TRUE(contains(rest.out, "skipped: already in the library"));
   EXPECT_TRUE(contains(rest.out, "written, 12 in all"));
 }
 

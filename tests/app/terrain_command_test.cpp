@@ -74,7 +74,7 @@ TEST_F(TerrainCommand, RefusesWithoutLeavingFiles) {
   expect_refused(folder, {"terrain", "ground.obj", "--zones", "cliff=slope>50", "-o", "t.h5"}, 1,
                  "without a zone");
   expect_refused(folder, {"terrain", "ground.obj", "--percentile", "5", "-o", "t.h5"}, 1,
-                 "percentile and outliers are for clouds");
+                 "percentile and outliers apply only to clouds");
 }
 
 TEST_F(TerrainCommand, ATerrainFileMayBeWrittenAnew) {

@@ -81,7 +81,7 @@ TEST_F(UnscaledBlock, HasNoMetricKeysInJson) {
 TEST_F(UnscaledBlock, IsClassifiedByItsShapeAlone) {
   const ProgramRun text = run({"classify", "blocks.h5"});
   EXPECT_TRUE(contains(text.out, "1.240 u"));
-  EXPECT_TRUE(contains(text.err, "in no sizes and masses: model")) << text.err;
+  EXPECT_TRUE(contains(text.err, "not in sizes and masses: model")) << text.err;
   const Json json = Json::parse(run({"classify", "blocks.h5", "--json"}).out);
   EXPECT_EQ(json["size"]["by_number"]["blocks"], 1);
   EXPECT_FALSE(json["blocks"][1].contains("mass_kg"));
@@ -122,7 +122,8 @@ TEST_F(UnscaledBlock, FieldNotesSayWhatTheUnitIs) {
   const std::string said =
       run({"library", "set", "blocks.h5", "model", "--taped", "0.62,0.22,0.22", "--weighed", "90"})
           .out;
-  EXPECT_TRUE(contains(said, "0.5000 m (L) 0.5000 m (I) 0.5000 m (S); give one as --scale-factor"))
+  EXPECT_TRUE(
+      contains(said, "0.5000 m (L) 0.5000 m (I) 0.5000 m (S); to make the block again in metres"))
       << said;
   EXPECT_TRUE(contains(said, "no mass to compare with"));
   const Json block = Json::parse(run({"show", "blocks.h5", "model", "--json"}).out)[0];

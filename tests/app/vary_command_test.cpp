@@ -93,7 +93,7 @@ TEST_F(VaryCommand, DrawsBodiesFromATableTheSameOnAnyNumberOfThreads) {
   ASSERT_EQ(vary(two).exit_code, 0);
   EXPECT_EQ(read_text_file(folder / "one.h5"), read_text_file(folder / "two.h5"));
   // Two blocks are no population.
-  refused({"--draw", "6", "-o", "none.h5"}, 1, "ten blocks, and there are 2");
+  refused({"--draw", "6", "-o", "none.h5"}, 1, "ten blocks, but there are 2");
 }
 
 TEST_F(VaryCommand, ShowsSeriesAsTablesOfPictures) {
@@ -113,12 +113,12 @@ TEST_F(VaryCommand, ShowsSeriesAsTablesOfPictures) {
 }
 
 TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
-  refused({}, 2, "nothing is asked for");
+  refused({}, 2, "no variation is requested");
   refused({"R3", "--roundness", "1.5"}, 2, "--roundness");
   refused({"R3", "--roundness", "0.99"}, 1, "a roundness of 0.99 can't be reached");
   refused({"--to", "0.5"}, 2, "--to 0.5: give I/L,S/L");
   refused({"--to", "0.5,0.8"}, 2, "S/L at most I/L");
-  refused({"--grid", "folk:3"}, 2, "take sneed-folk or zingg");
+  refused({"--grid", "folk:3"}, 2, "use sneed-folk or zingg");
   refused({"--grid", "zingg"}, 2, "sneed-folk:STEPS or zingg:STEPS");
   refused({"--to", "0.5,0.5", "--draw", "100000"}, 1, "the most is 100000");
   refused({"--reference", "cone"}, 2, "cone");
@@ -127,7 +127,7 @@ TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
   refused({"--draw", "3", "--prefix", "a/b"}, 2, "a/b");
   refused({"R9", "--to", "0.5,0.5"}, 1, "R9");
   refused({"--like", "R9"}, 1, "R9");
-  refused({"R3", "--to", "0.5,0.5", "--to", "0.5,0.5"}, 1, "asked for twice");
+  refused({"R3", "--to", "0.5,0.5", "--to", "0.5,0.5"}, 1, "requested twice");
   refused({"--draw", "3", "--from", "none.csv"}, 1, "none.csv");
   refused({"--draw", "3", "--units", "furlong"}, 2, "furlong");
   write_text_file(folder / "huge.csv", "L,I,S\n100000,3,1\n");

@@ -138,7 +138,7 @@ TEST_F(Tables, RowsThatSumUpTheOthersAreSkippedAndNoted) {
       EXPECT_EQ(table.blocks.size(), 3u) << label << second;
       EXPECT_EQ(table.skipped, *second ? 2u : 1u) << label << second;
       EXPECT_TRUE(contains(table.notes.at(1),
-                           "row 6 skipped: \"" + std::string(label) + "\" sums up the other rows"));
+                           "row 6 skipped: \"" + std::string(label) + "\" is a sum of other rows"));
     }
   }
   const DimensionTable nameless =

@@ -36,7 +36,7 @@ TEST(PopulationNotes, UnscaledBlocksAreNamed) {
   }
   const auto notes = population_notes(blocks);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_TRUE(contains(notes[0], "no sizes and masses: B1, B2, B3, B4, B5 and 2 more;"));
+  EXPECT_TRUE(contains(notes[0], "not in sizes and masses: B1, B2, B3, B4, B5 and 2 more;"));
 }
 
 // Pebbles of 20 mm with the error of a tape.

@@ -257,10 +257,11 @@ TEST_F(SettledSequence, RefusesWhatDoesNotSettle) {
   EXPECT_TRUE(contains(refusal([&] { release(); }), "settle_time = 0; must be above 0"));
   settings_.settle_time = 60.0;
   blocks_.back().start.position.x() = 2.0;
-  EXPECT_TRUE(contains(refusal<SimulationError>([&] { release(); }),
-                       "1 of 12 blocks that settle, body 11 the first, left their form"));
+  EXPECT_TRUE(
+      contains(refusal<SimulationError>([&] { release(); }),
+               "1 of 12 blocks that settle, body 11 the first, left their confining walls"));
   settings_.at_once = false;
-  EXPECT_TRUE(contains(refusal([&] { release(); }), "give at_once too"));
+  EXPECT_TRUE(contains(refusal([&] { release(); }), "also give at_once"));
 }
 
 }  // namespace

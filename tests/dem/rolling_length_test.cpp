@@ -102,7 +102,7 @@ TEST(RollingLength, NegativeOnesAreRefused) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "ground scree: rolling_length = -0.1; must be 0 m (none stated) or more");
+              "ground scree: rolling_length = -0.1; must be 0 m (no value) or more");
   }
 }
 

@@ -241,7 +241,7 @@ TEST(GroundParameters, ThatDoNotGoTogetherAreRefused) {
   EXPECT_EQ(refused(dragging(1.5, 1800.0)), "");
   EXPECT_EQ(refused(growing(0.9, 0.8, 2.0)),
             "ground scree: friction_min = 0.9; must be at most friction, 0.8");
-  EXPECT_TRUE(contains(refused(growing(0.3, 0.8, 0.0)), "slip_growth = 0; must be above 0 where"));
+  EXPECT_TRUE(contains(refused(growing(0.3, 0.8, 0.0)), "slip_growth = 0; must be above 0 if"));
   EXPECT_TRUE(contains(refused(growing(0.0, 0.8, 0.0, 1.0)), "slip_growth = 0"));
   EXPECT_TRUE(contains(refused(growing(-0.1, 0.8, 1.0)), "friction_min = -0.1; must be 0 ("));
   EXPECT_TRUE(contains(refused(dragging(1.5, 0.0)), "soil_density = 0; must be above 0"));

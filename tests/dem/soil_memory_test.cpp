@@ -145,15 +145,15 @@ TEST(SoilMemory, LawsWithoutDentsAndSingleReleasesAreRefused) {
   WorldSettings settings = Range::settings(body, 1);
   settings.law = {};
   EXPECT_EQ(refusal<InputError>([&] { World({body}, settings, terrain, {remembering(0.2)}); }),
-            "soil_memory of a ground zone needs the law elastoplastic, which leaves dents");
+            "soil_memory of a ground zone needs the law elastoplastic, which leaves residual "
+            "indentations");
   ReleaseSettings release = stiff_settings(body, kSoilStiffness);
   release.law = ElastoplasticLaw();
   EXPECT_EQ(
       refusal<InputError>([&] {
         simulate_release(terrain, std::vector{remembering(0.2)}, body, at({0, 0, 1}), release);
       }),
-      "soil_memory = 0.2: a single release has no later ones that could find its dents; 0 "
-      "here");
+      "soil_memory = 0.2: residual indentations of a single release meet no later blocks; give 0");
 }
 
 TEST(SoilMemory, KeepsTheDeepestOfEachCell) {

@@ -98,21 +98,23 @@ TEST(BlockBracket, WithoutUpperVolumeNothingIsBoundFromAbove) {
 
 TEST(BlockBracket, SaysThatNoUpperBoundCanBeGiven) {
   EXPECT_EQ(describe_volume_bracket(hardly_seen()),
-            "the scan was open: 17 % of the surface is not seen but filled in; too much of the "
+            "the scan was open: 17 % of the surface was not scanned but filled in; too much of the "
             "block for an upper bound: volume at least 0.9 m3 (best 1), mass at least 2250 "
             "kg; no upper bound can be given: scan more of the block");
 }
 
 TEST(BlockBracket, IsToldInWords) {
   const Block block = half_seen();
-  EXPECT_EQ(describe_volume_bracket(block),
-            "the scan was open: 17 % of the surface is not seen but filled in; volume between 0.9 "
-            "and 1.2 m3 (best 1), mass between 2250 and 3000 kg");
+  EXPECT_EQ(
+      describe_volume_bracket(block),
+      "the scan was open: 17 % of the surface was not scanned but filled in; volume between 0.9 "
+      "and 1.2 m3 (best 1), mass between 2250 and 3000 kg");
   Block unscaled = block;
   unscaled.source.unscaled = true;
-  EXPECT_EQ(describe_volume_bracket(unscaled),
-            "the scan was open: 17 % of the surface is not seen but filled in; volume between 0.9 "
-            "and 1.2 cubic model units (best 1)");
+  EXPECT_EQ(
+      describe_volume_bracket(unscaled),
+      "the scan was open: 17 % of the surface was not scanned but filled in; volume between 0.9 "
+      "and 1.2 cubic model units (best 1)");
 }
 
 TEST(BlockBracket, OfAScanThatWasNotOpenSaysSo) {
@@ -131,7 +133,7 @@ TEST(BlockBracket, ThatMattersToNobodyIsToldAsSuch) {
   block.volume_bracket->lower_volume = block.volume_bracket->estimated_volume;
   block.volume_bracket->upper_volume = block.volume_bracket->estimated_volume;
   EXPECT_EQ(describe_volume_bracket(block),
-            "the scan was only slightly open: 0.05 % of the surface is not seen but filled in, "
+            "the scan was only slightly open: 0.05 % of the surface was not scanned but filled in, "
             "which leaves volume and mass uncertain by less than 0.1 %");
 }
 

@@ -69,7 +69,7 @@ TEST_F(BlockExport, WhatMakesNoSenseIsRefused) {
   const auto refused = [&](const BlockExportOptions& options) {
     return refusal<Error>([&] { exported(options); });
   };
-  EXPECT_TRUE(contains(refused({.formats = {}}), "names no format"));
+  EXPECT_TRUE(contains(refused({.formats = {}}), "is empty"));
   EXPECT_TRUE(contains(refused({.formats = {"dae"}}), "\"dae\" is not known"));
   EXPECT_TRUE(contains(refused({.formats = {"ply"}, .segments = 65}), "from 1 to 64"));
   EXPECT_TRUE(contains(refused({.up = "x"}), "up = \"x\""));

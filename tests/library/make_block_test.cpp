@@ -154,11 +154,11 @@ TEST(MakeBlock, ADensityNoRockHasIsToldOfWithTheLikelyUnit) {
     const Block block = make_block("box", cuboid(3, 2, 1), cuboid(3, 2, 1), source(), options);
     return block.warnings.empty() ? std::string() : block.warnings.front();
   };
+  EXPECT_TRUE(contains(warned(2.65),
+                       "the density 2.65 kg/m3 is outside the range of rocks, 500 to 8000 kg/m3; "
+                       "if this is in g/cm3 or t/m3, give `density` 2650"));
   EXPECT_TRUE(
-      contains(warned(2.65),
-               "the density 2.65 kg/m3 is not that of a rock, 500 to 8000 kg/m3; if that is "
-               "in g/cm3 or t/m3, give `density` 2650"));
-  EXPECT_TRUE(contains(warned(20000.0), "is not that of a rock, 500 to 8000 kg/m3; check mass"));
+      contains(warned(20000.0), "is outside the range of rocks, 500 to 8000 kg/m3; check mass"));
   EXPECT_EQ(warned(2650.0), "");
 }
 
@@ -215,7 +215,8 @@ TEST(MakeBlock, OptionsThatMakeNoSenseAreRefusedByName) {
   };
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.core = true; }), "radius"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.radius = -1.0; }), "radius"));
-  EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.radius_share = 0.5; }), "radius share"));
+  EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.radius_share = 0.5; }),
+                       "radius as a fraction of S"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.density = 0.0; }), "density"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.density = std::nan(""); }), "density"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.mass = -5.0; }), "mass"));

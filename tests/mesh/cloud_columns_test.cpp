@@ -179,7 +179,7 @@ TEST_F(Clouds, ColumnsThatAreAskedForAreTaken) {
   EXPECT_TRUE(contains(refusal([&] {
                          stream_cloud(folder / "a.pcd", [](const PointBatch&) {}, {"1", "2", "3"});
                        }),
-                       "a.pcd: `columns` are of clouds in text"));
+                       "a.pcd: `columns` applies only to clouds in text"));
 }
 
 TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
@@ -208,7 +208,7 @@ TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
 TEST_F(Clouds, RowsThatSumUpTheOthersAreRefused) {
   for (const char* name : {"Mean", "Std. dev.", "Mittelwert", "\xC3\x98", "75%"}) {
     EXPECT_TRUE(contains(refused("a.csv", std::string("Nr,X,Y,Z\nP1,1,2,3\n") + name + ",1,2,3\n"),
-                         "line 3: \"" + std::string(name) + "\" sums up the other rows"));
+                         "line 3: \"" + std::string(name) + "\" is a sum of other rows"));
   }
 }
 
@@ -218,7 +218,7 @@ TEST_F(Clouds, UnitsThatAreNotUnderstoodAreNoted) {
       stream_cloud(folder / "a.csv", [](const PointBatch&) {}, {"1", "2", "3"});
   const std::vector<std::string> notes = check_length_units("a.csv", els.lengths, {});
   ASSERT_EQ(notes.size(), 3u);
-  EXPECT_TRUE(contains(notes[0], "its heading \"X (el)\" names no unit or reference system"));
+  EXPECT_TRUE(contains(notes[0], "its heading \"X (el)\" names no known unit or reference system"));
 }
 
 TEST_F(Clouds, TheSeparatorDecidesTheColumns) {
@@ -238,7 +238,7 @@ TEST_F(Clouds, ANumberOfThePointIsNotTakenForX) {
   std::string text;
   for (int i = 0; i < 200; ++i) text += std::to_string(i + 1) + " 0.5 0.25 0.125\n";
   EXPECT_TRUE(contains(refused("a.xyz", text),
-                       "column 1, which was taken for x, holds point numbers; name the columns in "
+                       "column 1, which was read as x, holds point numbers; name the columns in "
                        "a first line, such as \"id x y z\""));
   EXPECT_EQ(read("b.xyz", "id x y z\n" + text).size(), 200u);
   EXPECT_EQ(read("c.xyz", text + "7 0.5 0.25 0.125\n").size(), 201u) << "a profile may count";
@@ -259,8 +259,7 @@ TEST_F(Clouds, WholeNumbersBeforeThreeOthersAreAskedAbout) {
     }
     return text;
   };
-  const char* asked =
-      "column 1 holds whole numbers only, and three or more columns after it do not";
+  const char* asked = "column 1 holds only whole numbers, unlike three or more columns after it";
   const auto shuffled = [](int k) { return std::to_string(k * 7919 % 1000); };
   EXPECT_TRUE(contains(refused("a.xyz", lines(shuffled, "")), asked));
   EXPECT_TRUE(contains(refused("b.xyz", lines(shuffled, " 12 250 3")), asked));

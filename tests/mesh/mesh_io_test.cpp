@@ -332,7 +332,8 @@ TEST_F(MeshFiles, CoordinatesThatAreNotFiniteNameTheFirstVertex) {
 }
 
 TEST_F(MeshFiles, VertexNumbersOutOfRangeAreRefusedWithTheirLine) {
-  EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4: a face names vertex 4");
+  EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+                 "line 4: a face refers to vertex 4");
   EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "line 4");
   EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "start at 1");
   EXPECT_REFUSED("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "at least 3");
@@ -364,12 +365,13 @@ TEST_F(MeshFiles, PointsOfACloudThatHaveNoPlaceAreLeftOut) {
 }
 
 TEST_F(MeshFiles, DecimalCommasAreToldOf) {
-  EXPECT_TRUE(contains(refused("a.stl", "solid a\nfacet normal 0 0 0\nvertex 0,5 0 0\n"),
-                       "found \"0,5\"; this format has decimal points, export it with these"));
+  EXPECT_TRUE(contains(
+      refused("a.stl", "solid a\nfacet normal 0 0 0\nvertex 0,5 0 0\n"),
+      "found \"0,5\"; this format requires decimal points, export it with decimal points"));
   EXPECT_TRUE(contains(refused("a.ply",
                                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                                "property float y\nproperty float z\nend_header\n0,5 1 2\n"),
-                       "PLY has decimal points, export it with these"));
+                       "PLY requires decimal points, export it with decimal points"));
 }
 
 TEST_F(MeshFiles, CountsThatTheFileCannotHoldAreRefusedWithoutTheMemory) {
@@ -396,7 +398,7 @@ TEST_F(MeshFiles, CountsThatTheFileCannotHoldAreRefusedWithoutTheMemory) {
                  "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                  "property float z\nelement face 1\nproperty list uint int vertex_indices\n"
                  "end_header\n4000000000 1 2\n",
-                 "list claims more");
+                 "list announces more");
   EXPECT_REFUSED("big.off", "OFF\n4000000000 1 0\n0 0 0\n", "more than the file can hold");
 }
 

@@ -246,7 +246,7 @@ TEST_F(DeclaredLengths, DegreesAndGeocentricCoordinatesAreRefused) {
   EXPECT_TRUE(contains(refused({.keys = {{1024, 2}, {2048, 4326}, {4099, 9001}}}), degrees));
   EXPECT_TRUE(contains(refused({.keys = {{3072, 4326}}}), degrees));
   EXPECT_TRUE(contains(refused({.keys = {{1024, 2}, {3072, 26913}}}),
-                       "are lengths by its GeoTIFF key 3072 = 26913"));
+                       "are lengths according to its GeoTIFF key 3072 = 26913"));
   EXPECT_TRUE(contains(refused({.wkt = "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS "
                                        "84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT["
                                        "\"degree\",0.0174532925199433]]"}),
@@ -267,16 +267,15 @@ TEST_F(DeclaredLengths, AGivenUnitDecides) {
                          {.unit = 0.001, .unit_given = true});
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(contains(notes[0], "its map unit is the metre (GeoTIFF key 3072 = 26913"));
-  EXPECT_TRUE(contains(notes[0], "lengths were read as 0.001 m per unit, as asked"));
+  EXPECT_TRUE(contains(notes[0], "lengths were read as 0.001 m per unit, as requested"));
 }
 
 TEST_F(DeclaredLengths, ThatNobodyUnderstandsAreNoted) {
   const std::vector<std::string> notes = check_length_units(
       "a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
   ASSERT_EQ(notes.size(), 2u);
-  EXPECT_TRUE(
-      contains(notes[0], "GeoTIFF key 3072 = 1 names no unit or reference system that is known"));
-  EXPECT_TRUE(contains(notes[1], "WKT names no unit or reference system that is known"));
+  EXPECT_TRUE(contains(notes[0], "GeoTIFF key 3072 = 1 names no known unit or reference system"));
+  EXPECT_TRUE(contains(notes[1], "WKT names no known unit or reference system"));
 }
 
 // Mercator on a sphere has the scale 1 / cos(latitude); on the ellipsoid of WGS 84 both scales are

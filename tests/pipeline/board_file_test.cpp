@@ -25,7 +25,7 @@ TEST(BoardFile, WhatIsNoBoardIsRefusedWithItsPlace) {
   EXPECT_FALSE(read_scale_board(folder / "good.toml").charuco);
   EXPECT_TRUE(contains(refused(head), "board.toml: board: 0 markers"));
   EXPECT_TRUE(contains(refused(markers), "dictionary"));
-  EXPECT_TRUE(contains(refused(head + markers + charuco), "give one of them"));
+  EXPECT_TRUE(contains(refused(head + markers + charuco), "give only one of them"));
   EXPECT_TRUE(contains(refused(head + "side_m = 0.1\n" + markers), "board.toml:2"));
   EXPECT_TRUE(contains(refused(head + "[[marker]]\nid = 0\ncentre_m = [0]\n"), "board.toml:4"));
   EXPECT_TRUE(contains(refused(head + "[marker]\nid = 0\n"), "[[marker]]"));

@@ -104,7 +104,7 @@ TEST_F(Batches, ResumeSkipsWhatIsThereOfTheSameFileAndOptions) {
   options.scan.block.density = BlockOptions().density;
   scan("b.obj", cuboid(1, 0.7, 0.5));
   EXPECT_EQ(run(both).failed_scans, 1u);
-  EXPECT_TRUE(contains(log.said[1], "already, made of another file"));
+  EXPECT_TRUE(contains(log.said[1], "already, made from another file"));
   options.replace = true;
   const BatchResult fourth = run(both);
   EXPECT_EQ(fourth.skipped, 1u);
@@ -160,7 +160,7 @@ TEST_F(Batches, AMassIsThatOfOneBlock) {
   const fs::path path = scan("a.obj", cuboid(1, 0.9, 0.8));
   options.scan.block.mass = 1500.0;
   const std::string text = refusal([&] { run({{path, "a", {}}, {path, "b", {}}}); });
-  EXPECT_TRUE(contains(text, "`mass` is the mass of one block, but 2 scans are given"));
+  EXPECT_TRUE(contains(text, "`mass` is the mass of a single block, but 2 scans are given"));
   EXPECT_EQ(run({{path, "a", {}}}).added, 1u);
 }
 

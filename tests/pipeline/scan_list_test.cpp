@@ -36,7 +36,7 @@ using Ids = std::vector<std::string>;
 TEST_F(ScanList, AFolderWithoutMeshesIsRefused) {
   write_text_file(folder / "west" / "notes.txt", "no mesh");
   const std::string text = refusal([&] { ids({"west"}); });
-  EXPECT_TRUE(contains(text, (folder / "west").string() + ": no mesh"));
+  EXPECT_TRUE(contains(text, (folder / "west").string() + ": this folder holds neither"));
 }
 
 TEST_F(ScanList, AFolderGivesEveryMeshInItOnce) {

@@ -103,7 +103,7 @@ TEST_F(ScanToBlock, WhatIsNoClosedMeshIsRefusedByName) {
 TEST_F(ScanToBlock, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   EXPECT_TRUE(contains(refused(cuboid(620, 500, 400)),
                        "block scan would be 620 m long, read with `units` m; it is probably in mm: "
-                       "try `units` mm, which makes it 0.620 m; `any_size` takes it as it is"));
+                       "try `units` mm, which makes it 0.620 m; `any_size` accepts it"));
   options.allow_any_size = true;
   EXPECT_NEAR(block_of(cuboid(620, 500, 400)).mass.volume / 1.24e8, 1.0, 1e-3);
   options.allow_any_size = false;
@@ -118,7 +118,7 @@ TEST_F(ScanToBlock, ASizeNoBlockHasIsRefusedWithTheLikelyUnit) {
   options.scan.unit = 10.0;
   EXPECT_TRUE(contains(refused(cuboid(20, 10, 10)),
                        "block scan would be 200 m long, scaled by `scale_points`: check its two "
-                       "points and its metres; `any_size` takes it as it is"));
+                       "points and its length; `any_size` accepts it"));
 }
 
 TEST_F(ScanToBlock, ACoreKeepsItsVerticesAndTheFormulaHolds) {
@@ -206,11 +206,11 @@ TEST_F(ScanToBlock, AToleranceThatLetsHalfABlockPassIsQuestioned) {
     options.block.tolerance = tolerance;
     const std::string said = notes(block_of(rock));
     EXPECT_TRUE(
-        contains(said, "`tolerance` " + format_significant(tolerance, 4) + " is a share of L"));
-    EXPECT_TRUE(contains(said, "was a length or a percentage meant? 0.01 is 1 %"));
+        contains(said, "`tolerance` " + format_significant(tolerance, 4) + " is a fraction of L"));
+    EXPECT_TRUE(contains(said, "it is not a length or a percentage: 0.01 means 1 %"));
   }
   options.block.tolerance = 0.05;
-  EXPECT_EQ(notes(block_of(rock)).find("is a share of L"), std::string::npos);
+  EXPECT_EQ(notes(block_of(rock)).find("is a fraction of L"), std::string::npos);
 }
 
 TEST_F(ScanToBlock, ConvexTakesTheHullOnPurpose) {

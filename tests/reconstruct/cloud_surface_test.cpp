@@ -319,9 +319,10 @@ TEST(CloudSurface, PointsThatBoundNoBodyAreRefusedAsSuch) {
   const auto message = [](const std::vector<Vec3>& points) {
     return refusal<GeometryError>([&] { fit_cloud_surface(points); });
   };
-  EXPECT_TRUE(contains(message(plane), "all 2000 points lie in a plane and bound no block; scan"));
+  EXPECT_TRUE(
+      contains(message(plane), "all 2000 points lie in a plane and do not enclose a block; scan"));
   EXPECT_TRUE(contains(message(line), "all 2000 points lie on a line"));
-  EXPECT_TRUE(contains(message(std::vector<Vec3>(2000, Vec3(1, 2, 3))), "lie at one place"));
+  EXPECT_TRUE(contains(message(std::vector<Vec3>(2000, Vec3(1, 2, 3))), "lie at one point"));
 }
 
 TEST(CloudSurface, TooFewPointsAndOptionsOutOfRangeAreRefused) {

@@ -51,7 +51,7 @@ TEST(DuplicateSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
       EXPECT_LT(report.duplicates[0].offset, 0.0);
       EXPECT_TRUE(contains(block_notes(block), "a second copy of the block's whole surface"));
       EXPECT_TRUE(contains(block_notes(block), "not a bubble"));
-      EXPECT_TRUE(contains(block_notes(block), "with the other one it would be"));
+      EXPECT_TRUE(contains(block_notes(block), "with the other copy it would be"));
     }
   }
 }

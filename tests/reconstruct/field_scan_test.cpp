@@ -127,8 +127,8 @@ TEST(FieldScan, BareGroundIsRefusedAsSuch) {
   const std::string message =
       refusal<GeometryError>([&] { extract_field_blocks(scene.points, "slope.las"); });
   EXPECT_TRUE(contains(message,
-                       "slope.las: the largest component is the ground (100 % of the scan) and "
-                       "nothing that rises from it is a block"));
+                       "slope.las: the largest component is the ground (100 % of the scan) and no "
+                       "object on it is a block"));
   const std::string of_mesh = refusal<GeometryError>(
       [&] { extract_field_blocks(ground_mesh(gravel, 1.0, 50), "slope.ply"); });
   EXPECT_TRUE(contains(of_mesh, "slope.ply: the largest component is the ground"));
@@ -137,8 +137,8 @@ TEST(FieldScan, BareGroundIsRefusedAsSuch) {
 TEST(FieldScan, FewPointsAreNoBlock) {
   const std::vector<Vec3> points(100, Vec3(660000.0, 5600000.0, 10.0));
   EXPECT_EQ(refusal([&] { extract_field_blocks(points, "points.xyz"); }),
-            "points.xyz: no block: 100 points are too few for one; a scan of a block has 500 at "
-            "least");
+            "points.xyz: no block: 100 points are too few for a block; at least 500 are "
+            "needed");
 }
 
 /// Points on a rock that floats in the air, moved.
@@ -163,7 +163,7 @@ TEST(FieldScan, TwoBlocksFarApartAreNotTakenForOne) {
       refusal<GeometryError>([&] { extract_field_blocks(both, "two.xyz"); });
   EXPECT_TRUE(contains(message, "two.xyz: separate sets of points, the second with about "))
       << message;
-  EXPECT_TRUE(contains(message, "save each block to a file of its own")) << message;
+  EXPECT_TRUE(contains(message, "save each block to a separate file")) << message;
 }
 
 TEST(FieldScan, PointsFarFromTheBlockAreLeftOutAndCounted) {

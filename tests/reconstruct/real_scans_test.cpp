@@ -108,7 +108,7 @@ TEST(RealScans, GroundAndCloudsAreNoBlocks) {
     ADD_FAILURE() << "a piece of ground was not refused";
   } catch (const GeometryError& error) {
     const std::string text = error.what();
-    for (const char* words : {"ibois_landscape.ply: the surface is an open sheet and no block",
+    for (const char* words : {"ibois_landscape.ply: the surface is an open sheet, not a block",
                               "274 open edges in 2 holes", "clast terrain"}) {
       EXPECT_NE(text.find(words), std::string::npos) << text;
     }

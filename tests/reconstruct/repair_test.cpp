@@ -113,9 +113,10 @@ TEST(Repair, AHoleOfMoreThanATenthIsToldOfByItself) {
     return text;
   };
   EXPECT_TRUE(contains(notes(small), "1 hole filled; the largest has "));
-  EXPECT_TRUE(contains(notes(small), " % of the surface is invented: no scan saw"));
+  EXPECT_TRUE(contains(notes(small), " % of the surface is filling without data: no scan shows"));
   EXPECT_FALSE(contains(notes(small), "a guess"));
-  EXPECT_TRUE(contains(notes(large), " % of the surface: a guess that volume and axes depend on"));
+  EXPECT_TRUE(contains(notes(large),
+                       " % of the surface; it is an assumption on which volume and axes depend"));
   EXPECT_GT(large.report.holes[0].area_fraction, kLargeHole);
 }
 
@@ -129,7 +130,7 @@ TEST(Repair, AnOpenSheetIsRefusedAsGround) {
   for (Vec3& v : sheet.vertices) v.z() += 0.1 * random.uniform();
   const std::string message = refusal<GeometryError>([&] { repair_mesh(sheet); });
   EXPECT_TRUE(
-      contains(message, "is an open sheet and no block: 32 open edges in 1 hole: 32 edges"));
+      contains(message, "is an open sheet, not a block: 32 open edges in 1 hole: 32 edges"));
   EXPECT_TRUE(contains(message, "clast terrain"));
 }
 
@@ -303,7 +304,7 @@ TEST(Repair, SheetsThatTouchAlongAnEdgeArePartedOnTheRocksSide) {
   const TriangleMesh two = merged(box_mesh({1, 1, 1}), at(box_mesh({1, 1, 1}), {1, 1, 0}));
   const std::string message = refusal<GeometryError>([&] { repair_mesh(two); });
   EXPECT_TRUE(contains(message, "2 separate components, the second with 100 % of the area"));
-  EXPECT_TRUE(contains(message, "save each block to a file of its own"));
+  EXPECT_TRUE(contains(message, "save each block to a separate file"));
   // The smaller of two that touch is a scrap of the larger.
   const TriangleMesh scrap = at(scaled(box_mesh({1, 1, 1}), 0.1), {1, 1, 0});
   TriangleMesh column = box_mesh({1, 1, 0.1});

@@ -122,9 +122,9 @@ TEST(Scan, ACoreWithLargerHolesIsRefusedWithTheirCountSizeAndPlace) {
   box.triangles.erase(box.triangles.begin());
   const std::string message = scan_refusal(box, {.repair = {.fill_missing = false}});
   EXPECT_HAS(message,
-             "B017: the surface is not closed: 9 open edges in 2 holes: 6 edges and 2 m round near "
-             "(1, ");
-  EXPECT_HAS(message, ", 3 edges and 1.14 m round near (0, ");
+             "B017: the surface is not closed: 9 open edges in 2 holes: 6 edges and 2 m in "
+             "perimeter near (1, ");
+  EXPECT_HAS(message, ", 3 edges and 1.14 m in perimeter near (0, ");
   EXPECT_HAS(message, "MeshLab");
   EXPECT_HAS(message, "CloudCompare");
 }
@@ -140,7 +140,7 @@ TEST(Scan, PlacesInMessagesAreInTheFilesOwnCoordinates) {
   TriangleMesh open = moved_to(box_mesh({1000, 1000, 1000}, 2), {888600000, 0, 0});
   open.triangles.resize(open.triangles.size() - 8);
   EXPECT_HAS(scan_refusal(open, {.unit = 0.001, .up = "y", .repair = {.fill_missing = false}}),
-             "8 edges and 4 m round near (88860");
+             "8 edges and 4 m in perimeter near (88860");
 }
 
 TEST(Scan, InnerShellsAreDroppedAndTheirVolumeTold) {
@@ -295,7 +295,7 @@ TEST(Scan, TunnelsAreCounted) {
   }
   const Scan scan = clean_scan(box, "B017");
   EXPECT_NEAR(enclosed_volume(scan.mesh), 8.0 / 9.0, 1e-14);
-  EXPECT_HAS(all_notes(scan), "1 tunnel goes through");
+  EXPECT_HAS(all_notes(scan), "1 tunnel passes through");
 }
 
 TEST(Scan, TwoSidedExportAndFoldedSliversAreMended) {
@@ -370,14 +370,14 @@ TEST(Scan, DigitsLostInTheFileAreToldOfOrRefused) {
     const std::string message = error.what();
     EXPECT_HAS(message,
                "far.stl: precision was lost in the file itself: its coordinates reach 66713");
-    EXPECT_HAS(message, " and are kept in steps of 0.5 m, ");
+    EXPECT_HAS(message, " and are stored in steps of 0.5 m, ");
     EXPECT_HAS(message,
-               ", so that its shape is lost; export it again with a local origin "
+               ", so its shape is lost; export it again with a local origin "
                "(CloudCompare: accept the global shift when loading) or as PLY with doubles");
   }
   write_as_floats(folder / "some.stl", moved_to(rock, {0, 88860, 0}));
   const Scan some = read_scan(folder / "some.stl");
-  EXPECT_HAS(all_notes(some), "are kept in steps of 0.00781 m, 0.");
+  EXPECT_HAS(all_notes(some), "are stored in steps of 0.00781 m, 0.");
   EXPECT_EQ(all_notes(some).find("shape is lost"), std::string::npos);
   write_as_floats(folder / "near.stl", moved_to(rock, {0, 600, 0}));
   EXPECT_EQ(all_notes(read_scan(folder / "near.stl")).find("precision"), std::string::npos);

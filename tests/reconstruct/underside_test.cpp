@@ -157,9 +157,9 @@ TEST(Underside, ATunnelWhoseWallWasNotSeenLeavesTheLowerBound) {
       if (side->upper_volume) {
         EXPECT_GE(*side->upper_volume, 0.99 * whole);
       }
-      EXPECT_TRUE(
-          std::any_of(side->notes.begin(), side->notes.end(),
-                      [](const std::string& note) { return contains(note, "a tunnel may join"); }))
+      EXPECT_TRUE(std::any_of(
+          side->notes.begin(), side->notes.end(),
+          [](const std::string& note) { return contains(note, "a tunnel may connect"); }))
           << thick << ", " << unobserved;
     }
   }

@@ -253,8 +253,9 @@ TEST_F(SvgMap, AMarkInAnotherPlaceIsRefused) {
   const Terrain terrain = ground();
   const std::vector<Vec2> release = {Vec2(3, 8)};
   EXPECT_EQ(refusal<Error>([&] { make_site_map(terrain, release, {}); }),
-            "the release point at x 3.000, y 8.000, z 0.000 is far off the ground, which begins at "
-            "x 652000.000, y 5203000.000, z 0.000; bring both into one map system");
+            "the release point at x 3.000, y 8.000, z 0.000 is far off the ground, whose lowest x "
+            "and y are at "
+            "x 652000.000, y 5203000.000, z 0.000; convert both to one map system");
   EXPECT_TRUE(
       contains(refusal<Error>([&] {
                  make_site_map(terrain, {}, {line_[0], {line_[0][0], Vec2(652041, 5203001)}});

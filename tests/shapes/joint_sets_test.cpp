@@ -30,7 +30,7 @@ TEST(JointSet, IsWrittenAsGeologistsDo) {
   EXPECT_LT((normal - Vec3(0.5, 0.0, std::sqrt(0.75))).norm(), 1e-12);
   EXPECT_LT((parse_joint_set("90/0/1").normal() - Vec3::UnitY()).norm(), 1e-12);
   for (const char* wrong : {"", "65", "65/95", "65/95/1/1/1", "a/95/1", "65//1", "65/95/1x"}) {
-    EXPECT_TRUE(contains(refusal([&] { parse_joint_set(wrong); }), "is no joint set")) << wrong;
+    EXPECT_TRUE(contains(refusal([&] { parse_joint_set(wrong); }), "is not a joint set")) << wrong;
   }
   EXPECT_TRUE(
       contains(refusal([] { parse_joint_set("95/0/1"); }), "dip = 95; must be from 0 to 90"));

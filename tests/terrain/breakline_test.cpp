@@ -94,7 +94,7 @@ TEST_F(Breaklines, ThatDoNotFitAreRefused) {
   write_mesh(folder_ / "tin.ply", squares(3, 1.0, [](double, double) { return 0.0; }));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "tin.ply"},
                                               .breaklines = {lines(line_feature(one))}}),
-                       "breaklines are for rasters and clouds"));
+                       "breaklines apply only to rasters and clouds"));
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ TEST_F(CloudGround, OptionsOfCloudsAreRefusedWhenTheyAreNoneOrElsewhere) {
                        "fill = -1: must be 0 (none is filled), or from 1e-06 to 1e+06 m"));
   write_mesh(folder_ / "tin.ply", squares(3, 1.0, [](double, double) { return 0.0; }));
   EXPECT_TRUE(contains(refused_with({.surface = {folder_ / "tin.ply"}, .percentile = 0.0}),
-                       "tin.ply: percentile and outliers are for clouds; leave them out"));
+                       "tin.ply: percentile and outliers apply only to clouds; leave them out"));
 }
 
 TEST_F(CloudGround, TextInManyLayoutsIsRead) {
@@ -243,7 +243,7 @@ TEST_F(CloudGround, SeveralCloudsMakeOneGround) {
   EXPECT_EQ(terrain.sources.size(), 2u);
   EXPECT_TRUE(contains(
       refusal(TerrainOptions{.surface = {one, two}, .zones = {"a", "b"}, .resolution = 1.0}),
-      "several clouds make one grid"));
+      "several clouds form one grid"));
 }
 
 // 400 points on 10 x 10 m: four per square metre.
@@ -368,7 +368,7 @@ TEST_F(CloudGround, ClassifiedLidarWithoutGroundSaysSoAndLeavesOutWhatStandsOnIt
                                    std::to_string(std::min(ground, tree)) + ", "));
     EXPECT_TRUE(contains(note,
                          "none is ground (2); 120 points of vegetation, buildings, wires and "
-                         "bridges were left out and all others taken as ground"));
+                         "bridges were left out and all other points were used as ground"));
   }
 }
 

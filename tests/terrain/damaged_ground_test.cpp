@@ -65,7 +65,7 @@ TEST_P(DamagedGround, IsMendedAndLosesNoBlock) {
   EXPECT_EQ(report.components, 1u);
   if (seed > kHarsh && report.open_holes > 0) {
     EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const std::string& note) {
-      return contains(note, " holes stay open, the widest, ") && contains(note, " m, around x ");
+      return contains(note, " holes remain open, the widest, ") && contains(note, " m, around x ");
     }));
     std::cout << "seed " << seed << " keeps a hole that is named\n";
     return;

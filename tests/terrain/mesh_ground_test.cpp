@@ -174,7 +174,7 @@ TEST_F(MeshGround, MoebiusBandIsRefused) {
     mesh.triangles.push_back({a, b, c});
     mesh.triangles.push_back({b, d, c});
   }
-  EXPECT_TRUE(contains(refused(mesh), "has no upper side"));
+  EXPECT_TRUE(contains(refused(mesh), "without an upper side"));
 }
 
 TEST_F(MeshGround, WhatIsNoGroundIsRefused) {
@@ -208,9 +208,10 @@ TEST_F(MeshGround, VerticesThatAreNotNumbersAreRefused) {
 
 TEST_F(MeshGround, GroundInOtherUnitsOrOnItsSideIsNoted) {
   TriangleMesh mesh = squares(2, 0.1, wavy);
-  EXPECT_TRUE(contains(read(mesh).report.notes.front(), "are its coordinates in metres?"));
+  EXPECT_TRUE(
+      contains(read(mesh).report.notes.front(), "check that its coordinates are in metres"));
   mesh = squares(4, 1.0, [](double x, double) { return 20.0 * x; });
-  EXPECT_TRUE(contains(read(mesh).report.notes.front(), "is z its upward axis?"));
+  EXPECT_TRUE(contains(read(mesh).report.notes.front(), "check that z is its upward axis"));
 }
 
 }  // namespace

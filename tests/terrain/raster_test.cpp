@@ -108,7 +108,7 @@ TEST_F(RasterGround, WithoutGeoreferenceItIsRefusedWithAWayOut) {
   const std::filesystem::path file = vrt("", {3, 4, 5, 0, 1, 2}, 3);
   EXPECT_EQ(refusal(TerrainOptions{.surface = {file}}),
             file.string() +
-                ": has no georeference, so that its place and cell size are not known; give it one "
+                ": has no georeference, so its position and cell size are unknown; give it one "
                 "(gdal_translate -a_ullr WEST NORTH EAST SOUTH -a_srs EPSG:CODE)");
 }
 
@@ -207,10 +207,10 @@ TEST_F(RasterGround, UnitsOfTheBandAreMetresOrRefused) {
       {"decimeter", "A*0.1 "},
       {"inch", "A*0.0254 "},
       {"yards", "A*0.9144 "},
-      {"furlong", "the unit \"furlong\", which is not known here"},
+      {"furlong", "the unit \"furlong\", which is unknown"},
       {"degree",
-       "\"degree\", which is not known here; bring them to metres, or where they are in metres say "
-       "so "
+       "\"degree\", which is unknown; convert them to metres, or if they are in metres, set the "
+       "unit "
        "(gdal_edit.py -units m dem.vrt)"}};
   for (const auto& [unit, part] : others) {
     const std::string message = refused_unit(unit);
@@ -328,7 +328,7 @@ TEST_F(RasterGround, FillValuesThatStandOutAreRefusedOrCounted) {
         grid(fill, filled, cell, 1500.0, false);
         const std::string message = refused(folder_ / "dem.asc");
         EXPECT_TRUE(
-            contains(message, "stands for no data, say so first: gdal_translate -a_nodata "));
+            contains(message, "stands for no data, declare it first: gdal_translate -a_nodata "));
         const std::size_t count = grid(fill, filled, cell, 1500.0, true);
         const bool impossible = std::abs(fill) > 12000.0 || fill == -9999.0;
         if (impossible || fill == -32768.0) continue;
@@ -397,7 +397,7 @@ TEST_F(RasterGround, EsriGridsMayBeginWithWordsForNoHeight) {
                     head + "1 2 3 4 5\n1 2 " + word + " 4 5\n1 2 3 4 5\n1 2 3 4 5\n");
     EXPECT_TRUE(contains(
         refused(folder_ / "dem.asc"),
-        "dem.asc: line 7: \"" + std::string(word) + "\" is no height; write the NODATA_value"));
+        "dem.asc: line 7: \"" + std::string(word) + "\" is not a height; write the NODATA_value"));
   }
 }
 

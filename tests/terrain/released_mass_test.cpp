@@ -225,10 +225,10 @@ TEST_F(Released, RefusesWithTheNextStep) {
     const std::string said = refusal<Error>([&] { find_released_mass(one, two, options); });
     EXPECT_TRUE(contains(said, part)) << said;
   };
-  refused(after, before, {}, "are the two swapped?");
+  refused(after, before, {}, "check that the two are not swapped");
   refused(before, after, {.min_thickness = 5.0}, "give a smaller `min_thickness`");
   refused(before, before, {}, "`before` is nowhere more than 0.1 m above `after`");
-  refused(before, slope_after({1000, 0, 0}), {}, "no place in common: one has x 0.0 to 32.0");
+  refused(before, slope_after({1000, 0, 0}), {}, "do not overlap: one has x 0.0 to 32.0");
   refused(before, after, {.min_thickness = std::nan("")}, "`min_thickness` = nan: must be");
   refused(before, after, {.min_thickness = -1.0}, "`min_thickness` = -1: must be");
   refused(before, after, {.resolution = 0.0}, "`resolution` = 0: must be");
@@ -241,7 +241,7 @@ TEST_F(Released, RefusesWithTheNextStep) {
   refused(first, other, {},
           "in the map system ETRS89 / UTM zone 32N (EPSG:25832), `after` in RGF93 v1 / Lambert-93 "
           "(EPSG:2154)");
-  EXPECT_TRUE(contains(find_released_mass(before, other).notes.at(0), "names no map system"));
+  EXPECT_TRUE(contains(find_released_mass(before, other).notes.at(0), "has no map system"));
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(Resampling, WallsAndOverhangsAreRefusedWithTheirPlace) {
   const std::string message =
       refusal(TerrainOptions{.surface = {folder_ / "cliff.ply"}, .resolution = 0.5});
   EXPECT_TRUE(
-      contains(message, "cliff.ply: 12 of 72 triangles stand upright or overhang, the first"))
+      contains(message, "cliff.ply: 12 of 72 triangles are vertical or overhang, the first"))
       << message;
   EXPECT_TRUE(contains(message, " at x ") &&
               contains(message, "simplify the mesh with a tolerance"));
@@ -124,7 +124,7 @@ TEST_F(Resampling, ImpossibleSizesAreRefused) {
   EXPECT_TRUE(contains(refused(50.0), "no 2 x 2 neighbouring cells have heights"));
   write_terrain(folder_ / "ground.h5", read_terrain({.surface = {folder_ / "ground.ply"}}));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "ground.h5"}, .resolution = 2}),
-                       "checked and repaired already; leave out resolution"));
+                       "already checked and repaired; leave out resolution"));
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ TEST_F(Simplification, OptionsThatMakeNoSenseAreRefused) {
   write_terrain(folder_ / "ground.h5", read(squares(4, 1.0, hills)));
   EXPECT_TRUE(
       contains(refusal(TerrainOptions{.surface = {folder_ / "ground.h5"}, .tolerance = 0.1}),
-               "ground.h5: a terrain file is checked and repaired already"));
+               "ground.h5: a terrain file is already checked and repaired"));
 }
 
 }  // namespace

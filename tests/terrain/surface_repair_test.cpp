@@ -74,10 +74,10 @@ TEST_F(Mending, GapsAndStepsBetweenTilesAreTold) {
     const Terrain terrain = read(merged(left, right));
     EXPECT_EQ(terrain.report.components, 2u);
     const std::string text = notes(terrain);
-    EXPECT_TRUE(contains(text,
-                         "border vertices are near another component but apart from it, the "
-                         "nearest by " +
-                             std::string(shift.z() > 0.0 ? "3" : "0.4") + " m, at x 10."))
+    EXPECT_TRUE(contains(
+        text,
+        "border vertices are near another component without touching it, the smallest gap is " +
+            std::string(shift.z() > 0.0 ? "3" : "0.4") + " m, at x 10."))
         << text;
   }
   // Ground that is far away is meant to be.
@@ -95,7 +95,7 @@ TEST_F(Mending, TJunctionsBecomeCorners) {
     expect_sound(terrain, 10);
     EXPECT_EQ(terrain.surface.vertices.size(), 121u + 10u);
     EXPECT_EQ(terrain.surface.triangles.size(), 200u + 20u);
-    EXPECT_TRUE(contains(notes(terrain), "10 made corners of the triangle beside them"));
+    EXPECT_TRUE(contains(notes(terrain), "10 made corners of the neighbouring triangle"));
   }
 }
 
@@ -135,7 +135,8 @@ TEST_F(Mending, WideHolesStayOpenWithTheirPlace) {
   const Terrain open = read(holed);
   EXPECT_EQ(open.report.open_holes, 1u);
   EXPECT_EQ(open.report.boundary_edges, 64u + 24u);
-  EXPECT_TRUE(contains(notes(open), "1 holes stay open, the widest, 6 m, around x 7.000, y 8.000"));
+  EXPECT_TRUE(
+      contains(notes(open), "1 holes remain open, the widest, 6 m, around x 7.000, y 8.000"));
   const Terrain filled = read(holed, {.fill = 6.0});
   expect_sound(filled, 16);
   EXPECT_EQ(filled.surface.triangles.size(), 512u - 72u + 22u);
@@ -191,12 +192,12 @@ TEST_F(Mending, ATileThatIsThereTwiceIsDroppedOrRefused) {
   const Terrain terrain = read(with_a_tile_twice(ground, 5.0, 0.0));
   EXPECT_EQ(terrain.report.removed_duplicates, 100u);
   expect_sound(terrain, 10);
-  EXPECT_TRUE(contains(notes(terrain), "100 copies of triangles were dropped, the first at x 5."));
+  EXPECT_TRUE(contains(notes(terrain), "100 copies of triangles were removed, the first at x 5."));
   const std::string higher = refused(with_a_tile_twice(ground, 5.0, 0.3));
-  EXPECT_TRUE(contains(higher, "the ground lies double over 50 m2, the first at x 5."));
+  EXPECT_TRUE(contains(higher, "the ground has two surfaces over 50 m2, the first at x 5."));
   EXPECT_TRUE(contains(higher, "remove one of the tiles"));
   const std::string little_higher = refused(with_a_tile_twice(ground, 5.0, 0.004));
-  EXPECT_TRUE(contains(little_higher, "the ground lies double over 49")) << little_higher;
+  EXPECT_TRUE(contains(little_higher, "the ground has two surfaces over 49")) << little_higher;
 }
 
 // Far from the border, in the rim of a hole, on the border and in its corner; side by side; and on
@@ -277,7 +278,8 @@ TEST_F(Mending, FinsAreDroppedWhereTheGroundGoesOnWithoutThem) {
     EXPECT_EQ(terrain.surface.triangles.size(), 288u);
     EXPECT_EQ(terrain.surface.vertices.size(), 169u);
     EXPECT_GT(terrain.report.removed_components, 0u);
-    EXPECT_TRUE(contains(notes(terrain), ", which hung on an edge of the ground, were dropped"));
+    EXPECT_TRUE(
+        contains(notes(terrain), ", which were attached to the ground by one edge, were removed"));
   }
 }
 

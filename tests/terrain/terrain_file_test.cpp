@@ -75,7 +75,7 @@ TEST_F(TerrainFile, IsAGroundWithItsOwnZones) {
   ASSERT_EQ(back.sources.size(), 3u);
   EXPECT_TRUE(contains(back.sources[0], "t.h5 "));
   EXPECT_TRUE(contains(refusal(TerrainOptions{.surface = {folder_ / "t.h5"}, .zones = {"x"}}),
-                       "has its zones"));
+                       "already has zones"));
 }
 
 TEST_F(TerrainFile, DamageIsRefused) {

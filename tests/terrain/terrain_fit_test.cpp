@@ -35,8 +35,8 @@ TEST_F(TerrainFit, ReleasePointsNearTheBorderAreWarnedOf) {
       {652005, 5203005, 9}, {652002, 5203005, 9}, {652005, 5203009, 9}};
   EXPECT_EQ(border_warning(ground(), places, 3.0).value_or(""),
             "2 of 3 release points are nearer than 3 m to the border of the ground, the nearest, 1 "
-            "m, at x 652005.000, y 5203009.000, z 9.000; blocks may leave the survey there, extend "
-            "it");
+            "m, at x 652005.000, y 5203009.000, z 9.000; blocks may leave the survey there, so "
+            "extend it");
   EXPECT_EQ(border_warning(ground(), places, 1.0), std::nullopt);
 }
 
@@ -55,14 +55,13 @@ TEST_F(TerrainFit, AReleaseOutsideIsRefused) {
 TEST_F(TerrainFit, CellsMuchLargerOrSmallerThanTheBlocksAreWarnedOf) {
   const Terrain terrain = ground();  // edges of 1, 1 and 1.41 m
   EXPECT_EQ(cell_size_warning(terrain, 0.4, 0.6), std::nullopt);
-  EXPECT_EQ(
-      cell_size_warning(terrain, 0.1, 0.3).value_or(""),
-      "the edges of the ground, 1 m (median), are much longer than the blocks, 0.3 m; the "
-      "ground they meet is smoother than the real one: survey it more finely, or let friction "
-      "stand for its roughness");
+  EXPECT_EQ(cell_size_warning(terrain, 0.1, 0.3).value_or(""),
+            "the edges of the ground, 1 m (median), are much longer than the blocks, 0.3 m; the "
+            "simulated ground is smoother than the real one: survey it at higher resolution, or "
+            "represent its roughness by friction");
   EXPECT_EQ(cell_size_warning(terrain, 25.0, 30.0).value_or(""),
             "the edges of the ground, 1 m (median), are much shorter than the blocks, 25 m; runs "
-            "take longer than they need: use a coarser resolution or a tolerance");
+            "take unnecessarily long: use a coarser resolution or a tolerance");
 }
 
 // n x n cells make n x n vertices at their centres: n - 1 squares, not n. The highest is a peak, so

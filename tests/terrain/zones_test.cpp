@@ -202,7 +202,7 @@ TEST_F(Zones, PolygonsThatDoNotFitAreRefused) {
   EXPECT_EQ(refused({geojson(box_feature("a", 600, 0, 610, 10))}),
             (folder_ / "zones.geojson").string() +
                 ": the zones lie at x 600 to 610, y 0 to 10, the ground at x 0 to 10, y 0 to 10; "
-                "bring both into one map system (zones in z-up map coordinates)");
+                "convert both to one map system (zones in z-up map coordinates)");
   EXPECT_EQ(
       refused({geojson(box_feature("a", 0, 0, 6, 10) + "," + box_feature("a", 5, 0, 10, 10))}), "");
   const std::string bare = refused({geojson(box_feature("a", 0, 0, 10, 9))});
@@ -232,7 +232,7 @@ TEST_F(Zones, BlanksAroundANameDoNotCount) {
 TEST_F(Zones, AFileOfAnotherKindIsNoNameOfAZone) {
   write_text_file(folder_ / "zones.kml", "<kml/>");
   const std::string message = refused({(folder_ / "zones.kml").string()});
-  EXPECT_TRUE(contains(message, "zones.kml is a file, but not of zones")) << message;
+  EXPECT_TRUE(contains(message, "zones.kml is not a file of zones")) << message;
   EXPECT_TRUE(contains(message, "ogr2ogr zones.gpkg zones.kml")) << message;
 }
 
@@ -404,9 +404,10 @@ TEST_F(Zones, RulesBySlopeAndHeight) {
   EXPECT_EQ(refused({"rock=slope>60", "scree=height>2&slope>=30"}),
             "the zone rules: leaves 144 of 288 triangles (72 m2 in plan) without a zone, "
             "the first at x 0.667, y 0.333, z 0.000; end them with NAME=else");
-  EXPECT_TRUE(contains(refused({"rock=slope>steep"}), "\"rock=slope>steep\" is no rule"));
-  EXPECT_TRUE(contains(refused({"rock=aspect>60", "soil=else"}), "is no rule; write for example"));
-  EXPECT_TRUE(contains(refused({"rock=slope>60", "soil"}), "\"soil\" is no rule"));
+  EXPECT_TRUE(contains(refused({"rock=slope>steep"}), "\"rock=slope>steep\" is not a rule"));
+  EXPECT_TRUE(
+      contains(refused({"rock=aspect>60", "soil=else"}), "is not a rule; write for example"));
+  EXPECT_TRUE(contains(refused({"rock=slope>60", "soil"}), "\"soil\" is not a rule"));
 }
 
 }  // namespace

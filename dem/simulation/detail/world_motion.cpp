@@ -36,7 +36,8 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
   if (soil_.is_enabled() &&
       !std::visit([]<NormalLaw Law>(const Law&) { return Law::kIsPlastic; }, with.law)) {
     throw InputError(
-        "soil_memory of a ground zone needs the law elastoplastic, which leaves dents");
+        "soil_memory of a ground zone needs the law elastoplastic, which leaves residual "
+        "indentations");
   }
   if (terrain_) check_zones(*terrain_, zones_);
   shapes_.reserve(of_shapes.size());
@@ -80,7 +81,7 @@ void WorldMotion::advance(double longest) {
   ++steps_;
   for (const std::uint32_t i : moving_) {
     if (!bodies_[i].integrator.is_finite()) {
-      throw SimulationError("the motion of " + name_of_body(i) + " is not finite any more at " +
+      throw SimulationError("the motion of " + name_of_body(i) + " is no longer finite at " +
                             format_significant(time_, 6) + " s; a shorter time step may help");
     }
   }

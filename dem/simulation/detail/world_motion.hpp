@@ -81,7 +81,7 @@ class WorldMotion {
     if constexpr (Bytes::kReads) {
       bodies_.clear();
       for (const std::size_t shape : shape_of_body) {
-        if (shape >= shapes_.size()) throw InputError("the saved state is of another world");
+        if (shape >= shapes_.size()) throw InputError("the saved state belongs to another world");
         bodies_.emplace_back(shapes_[shape], RigidState(), false);
       }
       invalidate_lists();  // the lists of what moves, and places in the broad phase, are made anew

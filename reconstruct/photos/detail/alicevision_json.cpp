@@ -60,7 +60,8 @@ CameraIntrinsics read_alicevision_lens(const json& intrinsic, std::int64_t versi
                      " isn't known; choose radial3, brown or fisheye4 in Meshroom's CameraInit");
   }
   const std::size_t count = known.at(kind);
-  if (k.size() < count) throw InputError("camera type " + kind + " has too few distortions");
+  if (k.size() < count)
+    throw InputError("camera type " + kind + " has too few distortion parameters");
   if (kind == "brown") {
     lens.radial = {k[0], k[1], k[2], 0.0};
     lens.p1 = k[3];
@@ -83,7 +84,7 @@ PhotoModel read_alicevision_model(const json& root) {
   }
   std::map<std::string, Pose> poses;
   if (!root.contains("poses")) {
-    throw InputError("holds no poses; give the file that StructureFromMotion wrote");
+    throw InputError("holds no camera poses; give the file that StructureFromMotion wrote");
   }
   for (const json& item : root.at("poses")) {
     const json& transform = item.at("pose").at("transform");
@@ -106,7 +107,8 @@ PhotoModel read_alicevision_model(const json& root) {
       continue;
     }
     const std::string name = view.at("path").get<std::string>();
-    if (!lens_of_id.contains(lens)) throw InputError(name + " names a camera that isn't there");
+    if (!lens_of_id.contains(lens))
+      throw InputError(name + " refers to a camera that does not exist");
     photo_of[parse_json_id(view.at("viewId"))] = static_cast<std::uint32_t>(model.photos.size());
     model.photos.push_back({name, {}, lens_of_id[lens], poses[pose]});
   }

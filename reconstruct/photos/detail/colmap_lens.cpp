@@ -29,7 +29,7 @@ CameraIntrinsics make_colmap_lens(const std::string& model, int width, int heigh
   const Layout& layout = known->second;
   if (p.size() != layout.focals + 2 + layout.distortions) {
     throw InputError("camera model " + model + " has " + std::to_string(p.size()) +
-                     " parameters in place of " +
+                     " parameters instead of " +
                      std::to_string(layout.focals + 2 + layout.distortions));
   }
   CameraIntrinsics lens{.width = width, .height = height, .fx = p[0], .fy = p[layout.focals - 1]};

@@ -44,14 +44,14 @@ class Lines {
   double number() {
     const std::string_view found = word();
     const std::optional<double> value = parse_number(found);
-    if (!value) refuse("\"" + std::string(found) + "\" is no number");
+    if (!value) refuse("\"" + std::string(found) + "\" is not a number");
     return *value;
   }
   long id() {
     const double value = number();
     if (!(value >= -1.0 && value < 9e15 &&
           value == static_cast<double>(static_cast<long>(value)))) {
-      refuse(format_significant(value, 9) + " is no number of an item");
+      refuse(format_significant(value, 9) + " is not the number of an item");
     }
     return static_cast<long>(value);
   }

@@ -12,7 +12,7 @@ nlohmann::json load_json(const std::filesystem::path& file) {
 double parse_json_number(const nlohmann::json& value) {
   if (!value.is_string()) return value.get<double>();
   const std::optional<double> number = parse_number(value.get<std::string>());
-  if (!number) throw InputError("\"" + value.get<std::string>() + "\" is no number");
+  if (!number) throw InputError("\"" + value.get<std::string>() + "\" is not a number");
   return *number;
 }
 
@@ -20,7 +20,7 @@ int parse_json_count(const nlohmann::json& value) {
   constexpr double kMost = 1e6;
   const double number = parse_json_number(value);
   if (!(number >= 0.0 && number <= kMost)) {
-    throw InputError(value.dump() + " is no whole number from 0 to 1000000");
+    throw InputError(value.dump() + " is not a whole number from 0 to 1000000");
   }
   return static_cast<int>(number);
 }

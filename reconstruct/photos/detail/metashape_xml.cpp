@@ -16,12 +16,12 @@ std::vector<double> numbers_in(const pugi::xml_node& node, std::size_t count) {
   for (std::string word; words >> word;) {
     const std::optional<double> value = parse_number(word);
     if (!value)
-      throw InputError("<" + std::string(node.name()) + ">: \"" + word + "\" is no number");
+      throw InputError("<" + std::string(node.name()) + ">: \"" + word + "\" is not a number");
     values.push_back(*value);
   }
   if (values.size() != count) {
     throw InputError("<" + std::string(node.name()) + "> holds " + std::to_string(values.size()) +
-                     " numbers in place of " + std::to_string(count));
+                     " numbers instead of " + std::to_string(count));
   }
   return values;
 }
@@ -155,7 +155,7 @@ class Lenses {
                      std::vector<CameraIntrinsics>& lenses) {
     const auto known = sensors_.find(sensor);
     if (known == sensors_.end()) {
-      throw InputError("photo " + photo + " names sensor " + sensor + ", which isn't there");
+      throw InputError("photo " + photo + " names sensor " + sensor + ", which does not exist");
     }
     if (!number_.contains(sensor)) {
       lenses.push_back(read_metashape_lens(known->second));

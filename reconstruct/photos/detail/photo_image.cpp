@@ -17,7 +17,7 @@ cv::Mat read_photo(const std::filesystem::path& file, int mode) {
     reason = std::string(" (") + error.what() + ")";
   }
   if (image.empty()) {
-    throw InputError("photo " + file.string() + ": missing, damaged or no photo" + reason);
+    throw InputError("photo " + file.string() + ": missing, damaged or not a photo" + reason);
   }
   return image;
 }

@@ -33,7 +33,7 @@ void add(RepairChange& dropped, const Component& component) {
       (open ? "if they are parts of one block, align and merge them first (CloudCompare: Fine "
               "registration, then Merge); otherwise "
             : "") +
-      "save each block to a file of its own, or delete what does not belong to it");
+      "save each block to a separate file, or delete the other components");
 }
 
 /// Counts the shells; where they are to be kept, adds them facing the other way than the block.

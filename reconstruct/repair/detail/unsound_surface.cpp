@@ -40,7 +40,7 @@ std::string open_edges(TriangleMesh mesh, const RepairLog& log) {
           (mesh.vertices[loops[i][(k + 1) % loops[i].size()]] - mesh.vertices[loops[i][k]]).norm();
     }
     text += (i == 0 ? ": " : ", ") + format_count(loops[i].size(), "edge", "edges") + " and " +
-            format_significant(around, 3) + " m round near " +
+            format_significant(around, 3) + " m in perimeter near " +
             log.format_position(mesh.vertices[loops[i].front()]);
   }
   return text + (named < loops.size() ? ", and smaller ones" : "");
@@ -52,7 +52,7 @@ void check_coordinates(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (!mesh.vertices[v].allFinite()) {
       throw GeometryError("vertex " + std::to_string(v + 1) +
-                          " is not a finite point; clean the file in the program that wrote it");
+                          " is not a finite point; correct the file in the program that wrote it");
     }
     const double farthest = mesh.vertices[v].cwiseAbs().maxCoeff();
     if (farthest > kMaxCoordinate) {
@@ -89,11 +89,10 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
 void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
                 const RepairLog& log) {
   if (hole.area_fraction <= largest || hole.is_fan) return;
-  throw GeometryError("the surface is an open sheet and no block: " + open_edges(welded, log) +
-                      "; closing it would invent " +
-                      format_significant(100.0 * hole.area_fraction, 3) +
-                      " % of its surface. A piece of ground is read by clast terrain; of a block, "
-                      "scan more sides");
+  throw GeometryError(
+      "the surface is an open sheet, not a block: " + open_edges(welded, log) +
+      "; filling would make up " + format_significant(100.0 * hole.area_fraction, 3) +
+      " % of its surface. For a piece of ground use clast terrain; for a block scan more sides");
 }
 
 void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const RepairLog& log) {
@@ -112,7 +111,8 @@ void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const Re
 void check_volume(const TriangleMesh& closed) {
   const double volume = signed_volume(closed);
   if (std::abs(volume) > kNoVolume * std::pow(bounds(closed).diagonal(), 3)) return;
-  throw GeometryError("the surface encloses no volume; is it a folded sheet?");
+  throw GeometryError(
+      "the surface encloses no volume, as a folded sheet; scan the block from all sides");
 }
 
 }  // namespace clast::reconstruct_detail

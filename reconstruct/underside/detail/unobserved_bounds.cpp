@@ -380,15 +380,15 @@ std::vector<std::string> describe_hollows(const std::vector<PossibleHollow>& hol
     const std::string width = format_significant(hollow.width * unit, 2) + " m wide";
     notes.push_back(
         hollow.beyond
-            ? "a tunnel may join the unseen places near " + format_point(hollow.position) +
+            ? "a tunnel may connect the unobserved areas near " + format_point(hollow.position) +
                   " and " + format_point(*hollow.beyond) + ", " + width +
                   ": the surface turns inwards around both, and the lower bound of volume excludes "
                   "it; "
                   "scan its walls, or weigh the block"
-            : "a cavity may lie behind the unseen place near " + format_point(hollow.position) +
+            : "a cavity may lie behind the unobserved area near " + format_point(hollow.position) +
                   ", " + width +
                   ": the surface turns inwards around it, and the lower bound of volume excludes "
-                  "what lies straight behind it; scan its walls, or weigh the block");
+                  "the rock straight behind it; scan its walls, or weigh the block");
   }
   return notes;
 }

@@ -168,11 +168,12 @@ Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& 
   }
   Outcomes all(members);
   for (std::size_t i = 0; i < rows; ++i) {
-    if (member[i] >= members) runs.throw_damaged("member", "names a member that there is not");
+    if (member[i] >= members)
+      runs.throw_damaged("member", "refers to a member that does not exist");
     if (block[i] >= facts.blocks.size())
-      runs.throw_damaged("block", "names a block that there is not");
+      runs.throw_damaged("block", "refers to a block that does not exist");
     if (!facts.releases.empty() && release[i] >= facts.releases.size()) {
-      runs.throw_damaged("release", "names a release set that there is not");
+      runs.throw_damaged("release", "refers to a release set that does not exist");
     }
     ReleaseOutcome& outcome = outcomes[i];
     outcome.block = block[i];

@@ -73,7 +73,8 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
     sum += *share;
   }
   if (!(std::abs(sum - 1.0) <= kShareSum)) {
-    table.refuse("shares", node, "the shares must add up to 1, not " + format_significant(sum, 6));
+    table.refuse("shares", node,
+                 "the fractions must add up to 1, not " + format_significant(sum, 6));
   }
   for (auto& [name, share] : draw.shares) share /= sum;
 }
@@ -81,16 +82,16 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
 const MemberTable<BlockSampling>& draw_keys() {
   static const MemberTable<BlockSampling> keys(
       {"blocks.draw", "Blocks drawn from those selected"},
-      {{"count", "", "how many", count(1, kMaxPerSet), &BlockSampling::count},
-       {"volume_m3", "m^3", "total volume of rock, on average; in place of count",
-        number({1e-9, 1e9}), &BlockSampling::volume},
-       {"seed", "", "of the draw", seed(), &BlockSampling::seed},
+      {{"count", "", "number of drawn blocks", count(1, kMaxPerSet), &BlockSampling::count},
+       {"volume_m3", "m^3", "mean total volume of rock; replaces count", number({1e-9, 1e9}),
+        &BlockSampling::volume},
+       {"seed", "", "seed of the draw", seed(), &BlockSampling::seed},
        {"scheme", "", "scheme of the classes in shares", words(kSelectingSchemes),
         &BlockSampling::scheme},
-       {"shares", "", "share of each class; they add up to 1", named(number(kClassFraction)),
+       {"shares", "", "fraction of each class; the sum must be 1", named(number(kClassFraction)),
         &read_shares},
-       {"mass_kg", "kg", "mass of a drawn block; without, its own", uncertain(kBlockMass),
-        &BlockSampling::mass}});
+       {"mass_kg", "kg", "mass of a drawn block; default: that of its library block",
+        uncertain(kBlockMass), &BlockSampling::mass}});
   return keys;
 }
 
@@ -118,7 +119,7 @@ MemberTable<GroundDistributions> zone_keys(bool complete) {
     }
     keys.push_back({field.name, field.unit, field.explanation(), std::move(form), field.asked});
   }
-  return {{"ground", "How the ground of a zone behaves", KeyTable::Repeat::kNamed, {}, true},
+  return {{"ground", "Contact parameters of a ground zone", KeyTable::Repeat::kNamed, {}, true},
           std::move(keys)};
 }
 
@@ -155,10 +156,10 @@ std::map<std::string, GroundDistributions> read_zones(
 
 const MemberTable<BlockSelection>& blocks_keys() {
   static const MemberTable<BlockSelection> keys(
-      {.name = "blocks", .meaning = "Which blocks run, and how large", .required = true},
+      {.name = "blocks", .meaning = "Blocks that are simulated, and their size", .required = true},
       {{"library", "", "block library (HDF5)",
         required("a block library made by clast reconstruct", text()), &BlockSelection::library},
-       {"select", "", "ids, run in this order, or a class; without, all blocks", selection(),
+       {"select", "", "ids, simulated in this order, or a class; default: all blocks", selection(),
         &read_filter, &BlockSelection::filter},
        {"scale", "", "size to which every block is scaled; shape and density stay the same",
         either({words({"equal-mass"}),
@@ -167,10 +168,11 @@ const MemberTable<BlockSelection>& blocks_keys() {
                 table({{"volume_m3", "m^3", "volume of every block",
                         required("a volume", number(kBlockVolume))}})}),
         &read_scale, &BlockSelection::scale},
-       {"allow_any_size", "", "take blocks of unusual size too", flag(), &BlockSelection::any_size},
+       {"allow_any_size", "", "also accept blocks of unusual size", flag(),
+        &BlockSelection::any_size},
        {"draw", "", "blocks drawn from those selected", table(draw_keys().keys), &read_draw,
         &BlockSelection::draw},
-       {"vary", "", "bodies made of the selected blocks, that run in their place",
+       {"vary", "", "bodies made from the selected blocks, which replace them",
         table(vary_keys().keys), &read_vary, &BlockSelection::vary}});
   return keys;
 }
@@ -182,12 +184,12 @@ const MemberTable<GroundDistributions>& ground_keys() {
 
 const MemberTable<BlockGroup>& block_group_keys() {
   static const MemberTable<BlockGroup> keys(
-      {"block_group", "Blocks for which the ground behaves differently", KeyTable::Repeat::kEither},
-      {{"name", "", "of the group", required("a text in quotes", text()), &BlockGroup::name},
+      {"block_group", "Blocks with other ground parameters", KeyTable::Repeat::kEither},
+      {{"name", "", "name of the group", required("a text in quotes", text()), &BlockGroup::name},
        {"select", "", "ids, or a class",
         required("ids, or { scheme = ..., class = ... }", selection()), &read_filter,
         &BlockGroup::filter},
-       {"ground", "", "by zone, the parameters that differ",
+       {"ground", "", "the parameters that differ, for each zone",
         required("a table of zones, [block_group.ground.NAME]",
                  named(table(group_ground_keys().keys)))}});
   return keys;

@@ -49,7 +49,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
     if (!is_block_parameter(parameter)) there.insert(make_table(parameter));
   }
   const std::string same_blocks =
-      "members of an ensemble have the same blocks; write the values that were found into [blocks] "
+      "members of an ensemble have the same blocks; write the calibrated values into [blocks] "
       "draw, and leave ";
   if (there.empty()) {
     table.refuse("posterior", *table.find("posterior"),
@@ -60,10 +60,11 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_ground_parameter(parameter)) continue;
-      table.refuse("posterior", "was calibrated with " + parameter +
-                                    " too; say which tables members have from it: take = [" +
-                                    comma_separated(quoted_names(there)) +
-                                    "], or fewer, and the others are as the campaign has them");
+      table.refuse("posterior",
+                   "was calibrated with " + parameter +
+                       " too; name the tables whose parameters come from it: take = [" +
+                       comma_separated(quoted_names(there)) +
+                       "], or fewer; the other tables remain as in the campaign");
     }
     return there;
   }
@@ -128,9 +129,8 @@ PosteriorDraws read_posterior(const DeclaredTable& table, const Campaign& campai
                  "has no parameter of this ground, but " + comma_separated(all.parameters));
   }
   if (ensemble.members > taken.draws.size()) {
-    table.refuse(
-        "members", *table.find("members"),
-        "is more than the " + std::to_string(taken.draws.size()) + " draws of the posterior");
+    table.refuse("members", *table.find("members"),
+                 "exceeds the " + std::to_string(taken.draws.size()) + " draws of the posterior");
   }
   return taken;
 }
@@ -144,14 +144,13 @@ Ensemble::Design design_named(const std::string& word) {
 const MemberTable<Ensemble>& ensemble_keys() {
   static const ValueFormat taken = words({"ground", "contact", "release"});
   static const MemberTable<Ensemble> keys(
-      {.name = "ensemble", .meaning = "How often uncertain parameters are drawn"},
-      {{"members", "", "number of draws",
-        required("how often the parameters are drawn, a whole number", count(1, kMaxPerSet)),
+      {.name = "ensemble", .meaning = "Number of draws of uncertain parameters"},
+      {{"members", "", "number of draws", required("a whole number of draws", count(1, kMaxPerSet)),
         &Ensemble::members},
-       {"seed", "", "of the draws", seed(), &Ensemble::seed},
-       {"design", "", "by chance, or filling the space of the parameters evenly",
+       {"seed", "", "seed of the draws", seed(), &Ensemble::seed},
+       {"design", "", "random draws, or an even distribution over the parameter space",
         words({"random", "sobol"}), &design_named, &Ensemble::design},
-       {"posterior", "", "posterior file whose draws the members have", text()},
+       {"posterior", "", "posterior file from which the members take their draws", text()},
        {"take", "", "tables whose parameters come from the posterior", one_or_more(taken)}});
   return keys;
 }
@@ -161,7 +160,7 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
   if (!top.find("ensemble")) {
     if (anything) {
       throw InputError(top.file() +
-                       ": ground parameters are uncertain; say how often they are drawn, with "
+                       ": ground parameters are uncertain; give the number of draws with "
                        "[ensemble] members = N");
     }
     return {};
@@ -174,13 +173,13 @@ Ensemble read_ensemble(const TomlTable& top, const Campaign& campaign) {
         "no ground parameter is uncertain; write for example friction = { uniform = [0.5, 0.8] }");
   }
   if (table.find("take") && !table.find("posterior")) {
-    table.refuse("take", "is of a posterior; name its file as posterior");
+    table.refuse("take", "applies to a posterior; name its file as posterior");
   }
   if (ensemble.design == Ensemble::Design::kSobol) {
     const std::size_t numbers = uncertain_numbers(campaign);
     if (numbers > kMaxSobolDimensions) {
-      table.refuse("design", "fills at most " + std::to_string(kMaxSobolDimensions) +
-                                 " uncertain parameters evenly, and there are " +
+      table.refuse("design", "distributes at most " + std::to_string(kMaxSobolDimensions) +
+                                 " uncertain parameters evenly, but there are " +
                                  std::to_string(numbers) + "; fix some, or leave design out");
     }
   }
@@ -194,14 +193,13 @@ void check_posterior_parameters(const TomlTable& top, const Campaign& campaign) 
   for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
     if (!is_of_release(parameter)) continue;
     if (campaign.stay && !campaign.stay->masses.empty()) {
-      table.refuse("take",
-                   "the blocks of a mass start at rest where they lie, and the posterior has " +
-                       parameter + "; leave \"release\" out");
+      table.refuse("take", "the blocks of a mass start at rest, but the posterior has " +
+                               parameter + "; leave \"release\" out");
     }
     if (has_parameter(campaign, parameter)) continue;
     table.refuse("take",
                  "the posterior has " + parameter +
-                     ", and a release of this campaign starts at given heights; give it height_m, "
+                     ", but a release of this campaign has fixed start heights; give it height_m, "
                      "or leave \"release\" out");
   }
 }

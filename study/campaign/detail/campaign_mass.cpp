@@ -20,7 +20,7 @@ void refuse_repeated(const std::vector<DeclaredTable>& tables) {
   for (std::size_t i = 1; i < tables.size(); ++i) {
     for (const char* key : {"realisations", "seed"}) {
       tables[i].refuse_if_present(
-          key, "holds for all masses together; give it in the first [[mass]] alone");
+          key, "applies to all masses together; give it only in the first [[mass]]");
     }
   }
 }
@@ -49,23 +49,22 @@ void check_places(const DeclaredTable& table, const Campaign& campaign,
                   const MultiBlockRelease& mass) {
   for (const char* key :
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
-    table.refuse_if_present(key, "is for a heap; blocks that are in place have theirs already");
+    table.refuse_if_present(key, "applies to a heap; blocks in place already have their position");
   }
   if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScale::Kind::kNone) {
     table.refuse("in_place",
                  "blocks in place are neither drawn nor scaled; leave [blocks] draw and scale out");
   }
   if (campaign.blocks.vary) {
-    table.refuse("in_place", "blocks in place run as they are; leave [blocks] vary out");
+    table.refuse("in_place", "blocks in place can't be varied; leave [blocks] vary out");
   }
   if (campaign.releases.size() == 1) {
-    table.refuse_if_present(
-        "polygon",
-        "is for a heap, or for one of several masses in place; a single one has all "
-        "blocks");
+    table.refuse_if_present("polygon",
+                            "applies to a heap, or to one of several masses in place; a single "
+                            "mass in place has all blocks");
     return;
   }
-  table.require_key("polygon", "[[x, y], ...]; a block belongs to the mass that it lies in");
+  table.require_key("polygon", "[[x, y], ...]; a block belongs to the mass in which it lies");
   check_polygon(table, mass);
 }
 
@@ -73,14 +72,14 @@ void check_places(const DeclaredTable& table, const Campaign& campaign,
 void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
   if (!mass.settle) {
     for (const char* key : {"settle_time_s", "faces", "face_interval_s"}) {
-      table.refuse_if_present(key, "is for a heap that settles; add settle = true");
+      table.refuse_if_present(key, "applies to a heap that settles; add settle = true");
     }
     return;
   }
   if (table.value<std::string>("faces") == "one by one") {
-    table.require_key("face_interval_s", "the time from one face to the next");
+    table.require_key("face_interval_s", "the time between the removal of two faces");
   } else {
-    table.refuse_if_present("face_interval_s", "is for faces = \"one by one\"");
+    table.refuse_if_present("face_interval_s", "applies to faces = \"one by one\"");
   }
   if (const std::optional<std::size_t> corner = find_reflex_vertex(mass.polygon)) {
     const Vec2& place = mass.polygon[*corner];
@@ -94,7 +93,7 @@ void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
 
 /// Checks a heap.
 void check_heap(const DeclaredTable& table, const MultiBlockRelease& mass) {
-  table.refuse_if_present("height_m", "is for blocks in place; a heap lies on the ground");
+  table.refuse_if_present("height_m", "applies to blocks in place; a heap lies on the ground");
   table.require_key("polygon", "[[x, y], ...]; or give in_place = true");
   check_polygon(table, mass);
   check_settling(table, mass);
@@ -117,9 +116,10 @@ void check_mass_shares(const std::vector<DeclaredTable>& tables,
     last = &tables[i];
   }
   if (!any || (all ? std::abs(sum - 1.0) <= kMassShareSlack : sum < 1.0)) return;
-  last->refuse("share", "makes the shares of all masses add up to " + format_significant(sum, 6) +
-                            (all ? "; they must add up to 1, or leave share out of one mass"
-                                 : "; they must leave something to the mass without a share"));
+  last->refuse("share", "makes the sum of the fractions of all masses " +
+                            format_significant(sum, 6) +
+                            (all ? "; it must be 1, or leave share out of one mass"
+                                 : "; some blocks must remain for the mass without a share"));
 }
 
 MultiBlockRelease read_mass(const DeclaredTable& table, const Campaign& campaign) {
@@ -138,27 +138,28 @@ MultiBlockRelease read_mass(const DeclaredTable& table, const Campaign& campaign
 const MemberTable<MultiBlockRelease>& mass_keys() {
   using Mass = MultiBlockRelease;
   static const MemberTable<Mass> keys(
-      {"mass", "A rock mass, all blocks of which are released at once", KeyTable::Repeat::kEither},
-      {{"name", "", "of the mass, required where there are several", text()},
-       {"in_place", "", "blocks start where they lie in their library", flag(), &Mass::in_place},
-       {"height_m", "m", "a mass in place is raised by this", number(kDropHeight), &Mass::raised},
+      {"mass", "A rock mass, whose blocks are released together", KeyTable::Repeat::kEither},
+      {{"name", "", "name of the mass, required if there are several", text()},
+       {"in_place", "", "blocks start at their position in the library", flag(), &Mass::in_place},
+       {"height_m", "m", "height by which a mass in place is raised", number(kDropHeight),
+        &Mass::raised},
        {"polygon", "m", "outline in plan of a heap, or of one of several masses in place",
         list(point(), 3), &Mass::polygon},
        {"thickness_m", "m", "largest height of a heap above the ground", number({1e-3, 1e3}),
         &Mass::thickness},
-       {"share", "", "of the blocks that are in this heap", number({1e-6, 1.0}), &Mass::share},
-       {"count", "", "blocks that are in this heap", count(1, kMaxPerSet), &Mass::count},
-       {"release_time_s", "s", "its blocks are held until then, since the first release",
+       {"share", "", "fraction of the blocks in this heap", number({1e-6, 1.0}), &Mass::share},
+       {"count", "", "number of blocks in this heap", count(1, kMaxPerSet), &Mass::count},
+       {"release_time_s", "s", "time at which the blocks are released, since the first release",
         number({1e-6, 1e5, "s", "at the first release"}), &Mass::release_time},
        {"settle", "", "the blocks of a heap settle before it is released", flag(), &Mass::settle},
-       {"settle_time_s", "s", "after which they must rest", number({1e-2, 1e4}),
-        &Mass::settle_time},
-       {"faces", "", "how the faces that they settle behind are removed",
+       {"settle_time_s", "s", "time after which the settled blocks must be at rest",
+        number({1e-2, 1e4}), &Mass::settle_time},
+       {"faces", "", "removal of the confining walls of a heap that settles",
         words({"together", "one by one"})},
-       {"face_interval_s", "s", "from one face to the next", number({1e-3, 1e4}),
+       {"face_interval_s", "s", "time between the removal of two faces", number({1e-3, 1e4}),
         &Mass::face_interval},
-       {"realisations", "", "how often the masses are released", count(1, kMaxPerSet)},
-       {"seed", "", "of what is drawn", seed()}});
+       {"realisations", "", "number of releases of the masses", count(1, kMaxPerSet)},
+       {"seed", "", "seed of all random draws", seed()}});
   return keys;
 }
 
@@ -205,7 +206,7 @@ std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& t
     plan.masses.push_back(read_mass(table, campaign));
     if (plan.masses.back().in_place != plan.masses.front().in_place) {
       table.refuse(
-          "either all masses are in place or none is, since blocks in place are neither drawn nor "
+          "either all masses are in place or none, since blocks in place are neither drawn nor "
           "packed; make a campaign for each kind");
     }
   }
@@ -213,8 +214,8 @@ std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& t
   const auto at_first = [](const MultiBlockRelease& mass) { return mass.release_time == 0.0; };
   if (std::none_of(plan.masses.begin(), plan.masses.end(), at_first)) {
     first.refuse("release_time_s",
-                 "times count from the first release, and no mass is released then; leave "
-                 "release_time_s out of the one that fails first");
+                 "times count from the first release, but no mass is released at time 0; leave "
+                 "release_time_s out of the mass that fails first");
   }
   plan.random_order = !plan.masses.front().in_place;
   plan.between_blocks = read_between_blocks(top, "the blocks of a mass");

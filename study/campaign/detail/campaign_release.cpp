@@ -64,7 +64,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
     const std::vector<Vec3> corners = points_of(rule, "line", *line, 2);
     if (std::all_of(corners.begin(), corners.end(),
                     [&](const Vec3& corner) { return corner == corners.front(); })) {
-      rule.refuse("line", *line, "all its points are the same, so it has no length");
+      rule.refuse("line", *line, "all points of the line are the same, so it has no length");
     }
     return space_points_on_line(corners, count);
   }
@@ -118,7 +118,7 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& pla
 void check_rate(const DeclaredTable& table, const std::string& key, const Vec3& rate, double most) {
   if (rate.norm() > most) {
     table.refuse(key,
-                 "must be " + format_significant(most, 6) + " in size at most; check the units");
+                 "must be " + format_significant(most, 6) + " in size or less; check the units");
   }
 }
 
@@ -136,44 +136,46 @@ ReleaseSet read_release(const DeclaredTable& table, bool y_up) {
 
 const MemberTable<ReleaseSet>& release_keys() {
   using Plan = ReleaseSet;
-  static const TableKey how_many{"count", "", "how many points",
-                                 required("how many points, a whole number", count(1, kMaxPerSet))};
+  static const TableKey how_many{"count", "", "number of points",
+                                 required("a whole number of points", count(1, kMaxPerSet))};
   static const ValueFormat points =
       either({text(), list(point(), 1),
-              table({{"line", "m", "points are spaced evenly along it",
+              table({{"line", "m", "line along which points are spaced evenly",
                       required("a list of points", list(point(), 2))},
                      how_many}),
-              table({{"polygon", "m", "points are drawn in it",
+              table({{"polygon", "m", "polygon in which points are drawn",
                       required("a list of points", list(point(), 3))},
                      how_many,
-                     {"seed", "", "of the points", seed()}})});
+                     {"seed", "", "seed of the points", seed()}})});
   static const ValueFormat orientations = either(
-      {text(), table({{"random", "", "how many",
-                       required("how many orientations, a whole number", count(1, kMaxPerSet))},
-                      {"seed", "", "of the orientations", seed()},
-                      {"fresh", "", "different ones for every block and point", flag()}})});
+      {text(), table({{"random", "", "number of orientations",
+                       required("a whole number of orientations", count(1, kMaxPerSet))},
+                      {"seed", "", "seed of the orientations", seed()},
+                      {"fresh", "", "different orientations for every block and point", flag()}})});
   static const MemberTable<Plan> keys(
-      {"release", "Where and how blocks start", KeyTable::Repeat::kEither},
-      {{"name", "", "of the release set, where there are several", text(), &Plan::name},
-       {"points", "m", "of centres of mass: a file, a list, along a line or in a polygon",
+      {"release", "Start positions, orientations and velocities of blocks",
+       KeyTable::Repeat::kEither},
+      {{"name", "", "name of the release set, required if there are several", text(), &Plan::name},
+       {"points", "m", "positions of centres of mass: a file, a list, along a line or in a polygon",
         required(kPoints, points)},
        {"orientations", "", "\"grid-45\", a file of quaternions, or random ones",
         required(kOrientations, orientations)},
-       {"frame", "", "to which a file's rotations apply", words({"source", "principal"})},
-       {"height_m", "m", "drop height; points are plan positions then", number(kDropHeight),
-        &Plan::drop_height},
-       {"velocity_m_s", "m/s", "of the centre of mass at the start",
+       {"frame", "", "frame to which the rotations of a file apply",
+        words({"source", "principal"})},
+       {"height_m", "m", "drop height above the ground; points are then plan positions",
+        number(kDropHeight), &Plan::drop_height},
+       {"velocity_m_s", "m/s", "velocity of the centre of mass at the start",
         list(number({-kMaxSpeed, kMaxSpeed}), 3, 3), &Plan::velocity},
-       {"angular_velocity_rad_s", "rad/s", "at the start, along the map axes",
+       {"angular_velocity_rad_s", "rad/s", "angular velocity at the start, along the map axes",
         list(number({-kMaxSpin, kMaxSpin}), 3, 3), &Plan::angular_velocity},
-       {"seed", "", "where points or orientations have none of their own", seed(), &Plan::seed},
-       {"sequence", "", "every run alone, or blocks stay where they stop",
-        words({"single", "stay"})},
-       {"realisations", "", "how often all blocks are released, where they stay",
+       {"seed", "", "seed of points and orientations without a seed of their own", seed(),
+        &Plan::seed},
+       {"sequence", "", "every block alone, or persistent blocks", words({"single", "stay"})},
+       {"realisations", "", "number of releases of all blocks, if blocks are persistent",
         count(1, kMaxPerSet)},
-       {"order", "", "of blocks that stay", words({"random", "listed"})},
-       {"remove", "", "blocks that rest in a ground zone are removed",
-        table({{"zone", "", "name of the zone, or several",
+       {"order", "", "release order of persistent blocks", words({"random", "listed"})},
+       {"remove", "", "removes blocks that come to rest in a ground zone",
+        table({{"zone", "", "name of a zone, or a list of names",
                 required("the name of a ground zone, or a list of names", texts())}})}});
   return keys;
 }

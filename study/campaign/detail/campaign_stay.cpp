@@ -29,7 +29,7 @@ std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Ca
     std::vector<std::string> known;
     for (const auto& [of_table, parameters] : campaign.ground) known.push_back(of_table);
     rule.refuse("zone", zone,
-                "\"" + name + "\" is no ground zone; zones are " + comma_separated(known));
+                "\"" + name + "\" is not a ground zone; zones are " + comma_separated(known));
   }
   return names;
 }
@@ -56,7 +56,7 @@ const MemberTable<GroundParameters>& between_blocks_keys() {
       all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
     }
     return MemberTable<GroundParameters>(
-        {.name = "contact.blocks", .meaning = "What two blocks do to each other"}, std::move(all));
+        {.name = "contact.blocks", .meaning = "Contacts between two blocks"}, std::move(all));
   }();
   return keys;
 }
@@ -84,33 +84,33 @@ std::optional<PersistentBlocksPlan> read_persistent_blocks_plan(const TomlTable&
   const bool stay = table.value<std::string>("sequence") == "stay";
   if (!stay) {
     for (const char* key : {"realisations", "order", "remove"}) {
-      table.refuse_if_present(key, "is for blocks that stay; add sequence = \"stay\"");
+      table.refuse_if_present(key, "applies to persistent blocks; add sequence = \"stay\"");
     }
     if (contact_of_blocks(top)) {
       throw InputError(top.file() +
-                       ": [contact.blocks] is for blocks that stay; add sequence = "
-                       "\"stay\" to [release], or leave it out");
+                       ": [contact.blocks] applies to persistent blocks; add sequence = \"stay\" "
+                       "to [release], or leave it out");
     }
     return std::nullopt;
   }
   const TomlNode& sequence = *table.find("sequence");
   if (tables.size() > 1) {
     table.refuse("sequence", sequence,
-                 "blocks that stay come from one [release]; put all points into one");
+                 "persistent blocks come from one [release]; put all points into one");
   }
   if (!campaign.groups.empty()) {
     table.refuse("sequence", sequence,
-                 "blocks that stay share one ground; leave the block groups out");
+                 "persistent blocks share one ground; leave the block groups out");
   }
   PersistentBlocksPlan plan;
   plan.realisations = read_realisations(table);
   plan.random_order = table.value<std::string>("order") != "listed";
   if (!plan.random_order && campaign.blocks.draw) {
     table.refuse("order",
-                 "drawn blocks are in no order; leave it out, or select blocks by their ids");
+                 "drawn blocks have no order; leave it out, or select blocks by their ids");
   }
   plan.cleared_zones = read_cleared_zones(table, campaign);
-  plan.between_blocks = read_between_blocks(top, "blocks that stay");
+  plan.between_blocks = read_between_blocks(top, "persistent blocks");
   return plan;
 }
 

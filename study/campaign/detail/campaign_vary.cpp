@@ -26,13 +26,14 @@ std::vector<BoxRatios> read_ratios(const DeclaredTable& table) {
 
 const MemberTable<FormGrid>& grid_keys() {
   static const MemberTable<FormGrid> keys(
-      {"blocks.vary.grid", "Forms all over a diagram"},
-      {{"diagram", "", "of form", required("\"sneed-folk\" or \"zingg\"", words(form_grid_names())),
-        &FormGrid::diagram},
-       {"steps", "", "along each side",
-        required("how many along each side, a whole number", count(1, kMaxGridSteps)),
+      {"blocks.vary.grid", "A grid of forms over a diagram"},
+      {{"diagram", "", "form diagram",
+        required("\"sneed-folk\" or \"zingg\"", words(form_grid_names())), &FormGrid::diagram},
+       {"steps", "", "number of steps along each side",
+        required("a whole number of steps along each side", count(1, kMaxGridSteps)),
         &FormGrid::steps},
-       {"least", "", "smallest S/L, in zingg I/L and S/I", number(kMinRatio), &FormGrid::least}});
+       {"least", "", "smallest S/L of sneed-folk, smallest I/L and S/I of zingg", number(kMinRatio),
+        &FormGrid::least}});
   return keys;
 }
 
@@ -45,13 +46,13 @@ FormGrid read_grid(const DeclaredTable& vary) {
 const MemberTable<SeriesRequest>& population_keys() {
   static const MemberTable<SeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
-      {{"count", "", "how many",
-        required("how many bodies, a whole number", count(1, kMaxSeriesBodies)),
-        &SeriesRequest::draw},
-       {"seed", "", "of the draw", seed(), &SeriesRequest::seed},
-       {"table", "", "of measured blocks, with columns L, I and S", text(), &SeriesRequest::table},
+      {{"count", "", "number of bodies",
+        required("a whole number of bodies", count(1, kMaxSeriesBodies)), &SeriesRequest::draw},
+       {"seed", "", "seed of the draw", seed(), &SeriesRequest::seed},
+       {"table", "", "table of measured blocks, with columns L, I and S", text(),
+        &SeriesRequest::table},
        {"units", "", "length unit of the table", text(), &SeriesRequest::units},
-       {"prefix", "", "ids are this and a number", text(), &SeriesRequest::prefix}});
+       {"prefix", "", "prefix of the ids, which are numbered", text(), &SeriesRequest::prefix}});
   return keys;
 }
 
@@ -60,7 +61,7 @@ void read_population(const DeclaredTable& vary, SeriesRequest& request) {
   population_keys().read(table, request);
   if (table.find("units")) {
     if (request.table.empty()) {
-      table.refuse("units", "are those of table, which is missing; leave units out");
+      table.refuse("units", "are units of table, which is missing; leave units out");
     }
     table.checked("units", [&] { parse_length_unit(request.units); });
   }
@@ -73,7 +74,7 @@ void read_population(const DeclaredTable& vary, SeriesRequest& request) {
 void refuse_alone(const TomlTable& table, const std::string& key, bool needed,
                   const std::string& what) {
   if (const TomlNode* node = table.find(key); node && !needed) {
-    table.refuse(key, *node, "is of " + what + ", which is not asked for; leave it out");
+    table.refuse(key, *node, "is of " + what + ", which is not requested; leave it out");
   }
 }
 
@@ -95,40 +96,43 @@ const MemberTable<SeriesRequest>& vary_keys() {
     return one_or_more(number(range), kMaxSeriesBodies);
   };
   static const MemberTable<SeriesRequest> keys(
-      {"blocks.vary", "Bodies made of the blocks, that run in their place"},
+      {"blocks.vary", "Bodies made from the blocks, which replace them"},
       {{"to", "", "stretch to these ratios, [I/L, S/L] each",
         list(list(number(kVariedRatio), 2, 2), 1), &read_ratios, kSteps, &Steps::ratios},
-       {"grid", "", "stretch to forms all over a diagram", table(grid_keys().keys), &read_grid,
-        kSteps, &Steps::grid},
+       {"grid", "", "stretch to a grid of forms over a diagram", table(grid_keys().keys),
+        &read_grid, kSteps, &Steps::grid},
        {"like", "", "stretch to the ratios of these blocks of the library", texts(),
         &SeriesRequest::like_ids},
-       {"convexity", "", "fill hollows until the volume is this share of the hull's",
+       {"convexity", "", "fill hollows until the volume is this fraction of that of the hull",
         numbers(kVariedConvexity), kSteps, &Steps::convexity},
-       {"rounding", "", "radius of edges and corners as a share of S",
+       {"rounding", "", "radius of edges and corners as a fraction of S",
         numbers(kVariedRadiusFraction), kSteps, &Steps::rounding},
-       {"roundness", "", "round edges and corners until Wadell's roundness is this",
+       {"roundness", "", "round edges and corners to this Wadell roundness",
         numbers(kVariedRoundness), kSteps, &Steps::roundness},
        {"roundness_edge", "",
-        "edges that it is measured on, over the diameter of the ball of equal volume",
+        "edge length of the mesh on which roundness is measured, as a fraction of the diameter of "
+        "a sphere of equal volume",
         number(kRoundnessEdge), kSteps, &Steps::roundness_edge},
-       {"vertices", "", "simplify the core to so many",
+       {"vertices", "", "simplify the core to this number of vertices",
         one_or_more(count(kMinVariedVertices, kMaxVariedVertices), kMaxSeriesBodies), kSteps,
         &Steps::vertices},
-       {"detail", "", "factor on what lies off the coarse form: 0 smooths, 2 roughens",
+       {"detail", "",
+        "factor for the deviation of the surface from the coarse form: 0 smooths, 2 roughens",
         numbers(kDetailGain), kSteps, &Steps::detail},
-       {"degree", "", "spherical harmonics up to this degree are the coarse form",
+       {"degree", "", "degree of the spherical harmonics of the coarse form",
         count(kMinDegree, kMaxDegree), kSteps, &Steps::degree},
        {"reference", "", "simple bodies with the block's I/L and S/L",
         one_or_more(words(reference_shape_names())), kSteps, &Steps::reference},
-       {"exponent", "", "of the superellipsoid", number(kSuperellipsoidExponent), kSteps,
+       {"exponent", "", "exponent of the superellipsoid", number(kSuperellipsoidExponent), kSteps,
         &Steps::exponent},
        {"inertia", "", "bodies with the block's mass and principal moments",
         one_or_more(words(inertia_form_names())), kSteps, &Steps::inertia},
-       {"population", "", "bodies with sizes and forms drawn as the blocks, or a table, have them",
+       {"population", "",
+        "bodies with sizes and forms drawn from the distribution of the blocks, or of a table",
         table(population_keys().keys), &read_population},
-       {"keep", "", "what bodies have in common with their block", words({"mass", "volume", "L"}),
-        &parse_preserved_size, &SeriesRequest::options, &SeriesOptions::variation,
-        &VariationOptions::keep}});
+       {"keep", "", "quantity that is equal for a body and its block",
+        words({"mass", "volume", "L"}), &parse_preserved_size, &SeriesRequest::options,
+        &SeriesOptions::variation, &VariationOptions::keep}});
   return keys;
 }
 
@@ -144,7 +148,7 @@ SeriesRequest read_vary(const DeclaredTable& blocks) {
   check_steps(table, request.steps);
   if (request.is_empty()) {
     table.refuse(
-        "nothing is asked for; give to, grid, like, convexity, rounding, roundness, vertices, "
+        "no variation is requested; give to, grid, like, convexity, rounding, roundness, vertices, "
         "detail, reference, inertia or population");
   }
   return request;

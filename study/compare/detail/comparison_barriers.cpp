@@ -87,10 +87,11 @@ std::vector<BarrierCrossing> collect_crossings(const std::vector<CampaignResults
     for (const Crossing& crossing : results[file].crossings) {
       const auto row = row_of.find({file, crossing.run});
       if (row == row_of.end() || crossing.barrier >= results[file].barriers.size()) {
-        throw InputError(
-            results[file].file.string() + ": a crossing of run " + std::to_string(crossing.run) +
-            " at barrier number " + std::to_string(crossing.barrier) +
-            " fits no run or barrier of the file; it is damaged, run the campaign again");
+        throw InputError(results[file].file.string() + ": a crossing of run " +
+                         std::to_string(crossing.run) + " at barrier number " +
+                         std::to_string(crossing.barrier) +
+                         " belongs to no run or barrier of the file; the file is damaged, run the "
+                         "campaign again");
       }
       std::size_t line = lines.line_of[file][crossing.barrier];
       if (lines.lines[line].of_ring() && !lines.lines[line].counted(crossing)) ++line;  // an exit

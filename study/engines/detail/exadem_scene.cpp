@@ -174,15 +174,16 @@ void write_exadem_scene(const CampaignPlan& prepared, const SceneContents& set, 
 std::vector<std::string> check_exadem_limits(const CampaignPlan& prepared) {
   std::vector<std::string> notes = {
       "Not run here: the input follows the keys of ExaDEM 1.2.2 as read in its sources.",
-      "The normal force there is a spring with a dashpot: the damping rate -ln e_n / sqrt(pi^2 + "
+      "In ExaDEM the normal force is a spring with a dashpot: the damping rate -ln e_n / sqrt(pi^2 "
+      "+ "
       "ln^2 "
       "e_n) returns e_n^2 of the energy in a contact of one point, while the law of clast and of "
       "Rockable unloads softer than it loads.",
       "Contact stiffness is not shared among the points of a contact: k_n, k_t and k_r act at "
       "each.",
-      "Rolling resistance has a stiffness there, and no limit mu_R.",
+      "In ExaDEM rolling resistance has a stiffness, but no limit mu_R.",
       "Faces of the ground act on both sides; its skin is at least 1 mm thick.",
-      "The input is started in the folder of the scene: exaDEM input.msp."};
+      "Start the input in the folder of the scene: exaDEM input.msp."};
   if (std::holds_alternative<SpringDashpotLaw>(prepared.campaign.stiffness.law)) notes[1].clear();
   std::erase(notes, "");
   return notes;

@@ -44,7 +44,7 @@ class WordLines {
     const std::optional<double> value = at < words.size() ? parse_number(words[at]) : std::nullopt;
     if (!value) {
       refuse("a number was expected after " + std::to_string(at) + (at == 1 ? " word" : " words") +
-             "; the file may not be whole");
+             "; the file may be incomplete");
     }
     return *value;
   }
@@ -125,7 +125,7 @@ RockableConf read_rockable_conf(const fs::path& file) {
   WordLines lines(file);
   Words words = lines.next();
   if (words.empty() || words.front() != "Rockable") {
-    lines.refuse("is no conf file of Rockable, which begins with its name");
+    lines.refuse("is not a conf file of Rockable, which begins with the word Rockable");
   }
   RockableConf conf;
   for (words = lines.next(); !words.empty(); words = lines.next()) {

@@ -111,7 +111,7 @@ std::string depth_note(const CampaignPlan& prepared) {
   if (deep == 0) return rule + "The radii here are larger than the deepest impact.";
   const double wanted = prepared.campaign.terrain_radius + missing;
   return rule + "In " + format_count(deep, "run") + " of " + std::to_string(prepared.runs.size()) +
-         " an impact at the highest possible speed would do that; [terrain] radius_m = " +
+         " an impact at the highest possible speed would do so; [terrain] radius_m = " +
          format_decimals(std::ceil(100.0 * wanted) / 100.0, 2) + " would prevent it.";
 }
 
@@ -121,18 +121,16 @@ std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared) {
   const Campaign& campaign = prepared.campaign;
   std::vector<std::string> notes = {
       depth_note(prepared),
-      "Inner edges of flat ground turn blocks aside there (up to 5 % of their speed), and "
-      "restitution "
-      "on meshes is lower than stated; clast has neither.",
+      "In Rockable inner edges of flat ground deflect blocks (up to 5 % of their speed), and "
+      "restitution on meshes is lower than stated; in clast they do not.",
       "Mass weights and history of contacts belong to a pair of bodies, and each zone is a body.",
       "A block that leaves the box around the ground, or comes to rest, ends its run (track.txt); "
       "barriers are not counted.",
       "dt is a fixed step of 1/350 of half a contact's period, for the loading with k_n."};
   if (campaign.weights == ContactWeighting::kPatch) {
     notes.push_back(
-        "Weights by contact patch are unknown there: OverlapWeight, the weights by overlap of "
-        "clast, "
-        "is taken.");
+        "Rockable has no weights by contact patch: OverlapWeight is used, the weights by overlap "
+        "of clast.");
   }
   return notes;
 }

@@ -123,16 +123,16 @@ std::string zone_text(const ProposedGround& zone, double rolling_length) {
     return commented(number.value, symbol + ", usual " + format_significant(number.low, 3) +
                                        " to " + format_significant(number.high, 3));
   };
-  return filled(
-      kZone, {{"why", zone.by_name ? "By its name:" : "Its name says no kind of ground; taken for"},
-              {"type", zone.type.name},
-              {"description", zone.type.description},
-              {"source", zone.type.source},
-              {"zone", format_toml_key(zone.zone)},
-              {"e_n^2", usual(zone.type.energy_restitution, "e_n^2")},
-              {"mu", usual(zone.type.friction, "mu")},
-              {"mu_R", usual(zone.type.rolling_friction, "mu_R")},
-              {"a", commented(rolling_length, "a; calibrate it too")}});
+  return filled(kZone, {{"why", zone.by_name ? "By its name:"
+                                             : "Its name gives no ground type; assumed to be"},
+                        {"type", zone.type.name},
+                        {"description", zone.type.description},
+                        {"source", zone.type.source},
+                        {"zone", format_toml_key(zone.zone)},
+                        {"e_n^2", usual(zone.type.energy_restitution, "e_n^2")},
+                        {"mu", usual(zone.type.friction, "mu")},
+                        {"mu_R", usual(zone.type.rolling_friction, "mu_R")},
+                        {"a", commented(rolling_length, "a; calibrate it too")}});
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ Start best_start(const UpperGround& ground, std::vector<Start> starts) {
   double steepest = 0.0, best = 0.0;
   for (const Start& start : starts) steepest = std::max(steepest, start.uphill.norm());
   if (steepest < tangent(kGentlestStart)) {
-    throw InputError("the steepest ground of the terrain has " +
+    throw InputError("the steepest ground of the terrain slopes " +
                      format_decimals(std::atan(steepest) * kDegreesPerRadian, 1) +
                      " degrees, on which no block starts; add the slope above it, or write the "
                      "campaign by hand, with velocity_m_s in [release]");
@@ -202,14 +202,15 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   std::vector<Start> starts = starts_with(ground, places.margin);
   if (starts.empty()) starts = starts_with(ground, places.margin = block_length);
   if (starts.empty()) {
-    throw InputError("no place of the terrain is as far from its border as blocks of " +
+    throw InputError("no point of the terrain is as far from its border as blocks of " +
                      format_significant(block_length, 3) +
                      " m are long; check the units of scans and terrain, or survey more of it");
   }
   const Start start = best_start(ground, std::move(starts));
   places.path = start.path;
   if (places.path.size() < 3) {
-    throw InputError("at the steepest ground of the terrain there is no way down; is it a pit?");
+    throw InputError(
+        "at the steepest ground of the terrain there is no way down; check that it is not a pit");
   }
   const double steep = start.uphill.norm();
   places.release_slope = std::atan(steep);

@@ -32,7 +32,7 @@ std::size_t mass_around(const Campaign& campaign, const std::string& block, cons
     found = i;
   }
   if (found) return *found;
-  throw InputError(where + "no [mass]; widen one, or leave the block out by [blocks] select");
+  throw InputError(where + "no [mass]; widen a polygon, or leave the block out by [blocks] select");
 }
 
 }  // namespace
@@ -59,13 +59,13 @@ std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_
   }
   const double rest = all - counted_blocks - shared;
   if (by_area.empty() ? std::abs(rest) > kMemberShareSlack * all : !(rest > 0.0)) {
-    throw InputError(
-        campaign.file.string() + ": count and share of [mass] make " +
-        format_significant(counted_blocks + shared, 6) + " of " + format_count(blocks, "block") +
-        (by_area.empty()
-             ? " of a realisation; make it all of them, or leave count and share out "
-               "of one mass"
-             : " of a realisation and leave none to " + by_area + "; give fewer, or draw more"));
+    throw InputError(campaign.file.string() + ": count and share of [mass] make " +
+                     format_significant(counted_blocks + shared, 6) + " of " +
+                     format_count(blocks, "block") +
+                     (by_area.empty() ? " of a realisation; make it equal to that number, or leave "
+                                        "count and share out of one mass"
+                                      : " of a realisation and leave none for " + by_area +
+                                            "; give smaller values, or draw more blocks"));
   }
   std::vector<double> shares;
   for (const MultiBlockRelease& mass : masses) {

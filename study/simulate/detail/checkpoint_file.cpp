@@ -20,7 +20,7 @@ namespace {
 const std::string kFormat = "clast checkpoint ";
 const std::string kCheckpointMagic = kFormat + "2\n";
 constexpr std::size_t kCheckpointDigestLength = 64;
-const std::string kInTheWay = "is in the place of a checkpoint; move it away";
+const std::string kInTheWay = "has the name of a checkpoint; move it elsewhere";
 
 /// Of the files of all realisations, before the number.
 std::string name_begin(const fs::path& target) {
@@ -60,7 +60,7 @@ std::optional<std::string> CheckpointFile::read() const {
   if (!fs::is_regular_file(path_)) {
     throw InputError(path_.string() + ": " + kInTheWay);
   }
-  const std::string advice = "; delete it, and `resume` starts that realisation again";
+  const std::string advice = "; delete it, then `resume` starts that realisation again";
   std::string file = read_text_file(path_);
   const std::size_t whole = file.size() - std::min(file.size(), kCheckpointDigestLength);
   const std::string digest = file.substr(whole);

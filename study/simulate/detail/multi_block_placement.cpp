@@ -73,7 +73,7 @@ void MultiBlockPlacement::check_no_common_space() const {
                        multi_block_release_name(prepared_.campaign, other) + " and " +
                        multi_block_release_name(prepared_.campaign, i) + " overlap on " +
                        format_significant(area, 3) +
-                       " m^2, where blocks of both would be; move one of them, or draw one "
+                       " m^2, where their blocks would overlap; move one of them, or draw one "
                        "polygon around both");
     }
   }
@@ -153,9 +153,8 @@ void MultiBlockPlacement::refuse_block(std::size_t mass, std::uint32_t block) co
   const std::optional<double>& thickness = plans_[mass].thickness;
   throw InputError(text + (thickness
                                ? " below thickness_m = " + format_significant(*thickness, 6) +
-                                     "; allow more, widen the polygon, or take fewer or smaller "
-                                     "blocks"
-                               : "; widen the polygon, or take smaller blocks"));
+                                     "; raise it, widen the polygon, or use fewer or smaller blocks"
+                               : "; widen the polygon, or use smaller blocks"));
 }
 
 }  // namespace clast::study_detail

@@ -112,7 +112,7 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
     std::rethrow_exception(stopped.why);
   } catch (const InputError& error) {
     throw InputError(file.path().string() + ": " + error.what() +
-                     "; delete it, and `resume` starts that realisation again");
+                     "; delete it, then `resume` starts that realisation again");
   }
 }
 

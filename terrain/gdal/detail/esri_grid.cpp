@@ -63,7 +63,7 @@ void check_words(std::string_view text, std::size_t at) {
           "line " + std::to_string(line) + ": \"" +
           escape_nonprintable(
               text.substr(at, std::min<std::size_t>(text.find_first_of(kGridBlank, at) - at, 40))) +
-          "\" is no height; write the NODATA_value where there is none");
+          "\" is not a height; write the NODATA_value for cells without a height");
     }
     at = text.find_first_not_of(kGridBlank, text.find_first_of(kGridBlank, at));
   }
@@ -71,7 +71,7 @@ void check_words(std::string_view text, std::size_t at) {
 
 std::string in_memory(const std::string& name, const std::string& content) {
   auto* const bytes = static_cast<GByte*>(VSIMalloc(content.size() + 1));
-  if (!bytes) throw InputError("there is no memory for a copy of it");
+  if (!bytes) throw InputError("there is too little memory for a copy of it");
   std::memcpy(bytes, content.data(), content.size());
   VSILFILE* const file = VSIFileFromMemBuffer(name.c_str(), bytes, content.size(), TRUE);
   if (file) VSIFCloseL(file);

@@ -145,11 +145,10 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
   if (left == 0) {
     throw InputError(problem + "; all are vegetation, buildings, wires or bridges: " + advice);
   }
-  notes.push_back(
-      problem + "; " + std::to_string(left_out) +
-      " points of vegetation, buildings, wires and bridges were left out and all others "
-      "taken as ground: " +
-      advice);
+  notes.push_back(problem + "; " + std::to_string(left_out) +
+                  " points of vegetation, buildings, wires and bridges were left out and all other "
+                  "points were used as ground: " +
+                  advice);
   return kept;
 }
 
@@ -167,7 +166,7 @@ void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Ve
   if (!result.crs.empty() && !crs.empty() && !is_same_crs(result.crs, crs)) {
     throw InputError(path.string() + ": is in " + reference_system_name(crs) +
                      ", the clouds before it in " + reference_system_name(result.crs) +
-                     "; bring them into one map system");
+                     "; convert them to one map system");
   }
   if (!crs.empty()) result.crs = crs;
 }

@@ -66,10 +66,10 @@ bool remove_fins(RawSurface& surface, const TriangleNeighbours& links, TerrainRe
   }
   retain_triangles(surface, keep);
   report.removed_components += fins;
-  report.notes.push_back(std::to_string(fins) + " fins of " + format_significant(dropped_area, 3) +
-                         " m2 in all, which hung on an edge of the ground, were dropped, the "
-                         "first at " +
-                         format_map_point(first_at));
+  report.notes.push_back(
+      std::to_string(fins) + " fins of " + format_significant(dropped_area, 3) +
+      " m2 in all, which were attached to the ground by one edge, were removed, the first at " +
+      format_map_point(first_at));
   return true;
 }
 

@@ -25,9 +25,10 @@ ZoneRule::Condition condition_of(const std::string& text, const std::string& rul
     bound = parse_number(text.substr(sign + (condition.or_equal ? 2 : 1)));
   }
   if ((what != "slope" && what != "height") || !bound || !(std::abs(*bound) < 1e9)) {
-    throw InputError("zones: \"" + rule +
-                     "\" is no rule; write for example rock=slope>60, scree=height<1450&slope>=30 "
-                     "(degrees, m) or soil=else");
+    throw InputError(
+        "zones: \"" + rule +
+        "\" is not a rule; write for example rock=slope>60, scree=height<1450&slope>=30 "
+        "(degrees, m) or soil=else");
   }
   condition.bound = condition.of_slope ? *bound * kRadiansPerDegree : *bound;
   return condition;
@@ -52,7 +53,7 @@ std::vector<ZoneRule> parse_zone_rules(const std::vector<std::string>& texts) {
     ZoneRule rule{.zone = text.substr(0, equals), .conditions = {}};
     const std::string when = equals == std::string::npos ? "" : text.substr(equals + 1);
     if (rule.zone.empty() || rule.zone.find_first_of("<>") != std::string::npos || when.empty()) {
-      throw InputError("zones: \"" + text + "\" is no rule; write NAME=slope>60 or NAME=else");
+      throw InputError("zones: \"" + text + "\" is not a rule; write NAME=slope>60 or NAME=else");
     }
     if (when != "else") {
       for (std::size_t begin = 0; begin <= when.size();) {

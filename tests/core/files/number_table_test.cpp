@@ -53,14 +53,14 @@ TEST_F(NumberTables, HeadingsNameAllColumnsOrAreRefused) {
   for (const char* text :
        {"a,b,c\n1,2,3\n", "b;c;a\n1;2;3\n", "u v w\n1 2 3\n", "x\ty\tdepth\n1\t2\t3\n"}) {
     EXPECT_TRUE(contains(refused(text),
-                         "p.csv:1: its heading does not name the columns; a line must be three "
-                         "numbers: name them so"))
+                         "p.csv:1: its heading does not name the columns; each line must be three "
+                         "numbers; give the columns these names"))
         << text;
   }
   EXPECT_TRUE(contains(refused("x (ft),y (ft),z (ft)\n1,2,3\n"),
                        "p.csv:1: \"x (ft)\" is in ft; lengths of this table must be in m"));
   EXPECT_TRUE(contains(refused("id,x,y,z\nP1,1,2,3\nMean,1,2,3\n"),
-                       "p.csv:3: \"Mean\" sums up the other rows; remove that row"));
+                       "p.csv:3: \"Mean\" is a sum of other rows; remove that row"));
 }
 
 TEST_F(NumberTables, WhatIsNotThatIsRefusedWithFileAndLine) {
@@ -75,7 +75,7 @@ TEST_F(NumberTables, WhatIsNotThatIsRefusedWithFileAndLine) {
   EXPECT_TRUE(
       contains(refused("1 2 nan\n"), "p.csv:1: nan is not a number from -1e+08 to 1e+08 m"));
   EXPECT_TRUE(contains(refused("1 2 1e308\n"), "p.csv:1: 1e308 is not a number from"));
-  EXPECT_TRUE(contains(refused("x,y,z\n"), "p.csv: holds no line with numbers"));
+  EXPECT_TRUE(contains(refused("x,y,z\n"), "p.csv: has no line of numbers"));
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST(OutputFile, WhatAnotherProgramWroteMeanwhileStays) {
   };
   const OverwritePolicy keep{.kind = "text", .replace = false};
   const std::string refused =
-      ": another program wrote it meanwhile, so it is left as it is; run again with another name";
+      ": another program wrote it meanwhile, so it is not replaced; run again with another name";
   EXPECT_TRUE(contains(message("a.csv", keep, nullptr, "theirs"), "a.csv" + refused));
   EXPECT_EQ(read_text_file(folder / "a.csv"), "theirs");
   // An empty file was there at the start.

@@ -100,7 +100,7 @@ TEST(OutputFolder, WhatAnotherProgramWroteMeanwhileStays) {
     write_text_file(mine.temporary_path() / "runs.csv", "mine");
     write(folder / name, "theirs", false);
     EXPECT_TRUE(contains(refusal([&] { mine.commit(); }),
-                         "another program wrote it meanwhile, so it is left as it is"))
+                         "another program wrote it meanwhile, so it is not replaced"))
         << name;
     EXPECT_EQ(read_text_file(folder / name / "runs.csv"), "theirs");
   }

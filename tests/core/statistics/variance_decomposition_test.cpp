@@ -140,7 +140,7 @@ TEST(VarianceDecomposition, AreZeroWhereNothingDiffersAndRefuseWhatIsNoDesign) {
   EXPECT_EQ(same.variance, 0.0);
   EXPECT_EQ(same.factors[0].estimate, 0.0);
   EXPECT_TRUE(contains(refusal([&] { decompose_variance(std::vector<double>(3, 1.0), levels); }),
-                       "3 values are no full design"));
+                       "3 values are not a full design"));
   const std::vector<std::size_t> one = {4, 1};
   EXPECT_TRUE(contains(refusal([&] { decompose_variance(std::vector<double>(4, 1.0), one); }),
                        "one level"));

@@ -157,7 +157,7 @@ TEST(ColmapRun, ItIsEndedWithAllItStartedWhenItsTimeIsOver) {
   options.time_limit = 0.3;
   const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(contains(refusal([&] { run_colmap(fake.photos(), options); }),
-                       "colmap feature_extractor was ended after"));
+                       "colmap feature_extractor was stopped after"));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
   ::usleep(2500000);
   EXPECT_FALSE(std::filesystem::exists(mark));

@@ -159,7 +159,7 @@ TEST(ModelFiles, PhotosAreFoundByNameWithOrWithoutFolderAndExtension) {
   EXPECT_EQ(found.photos[2].file, folder / "c.png");
   model.photos.push_back({"d.jpg", {}, 0, {}});
   EXPECT_TRUE(contains(refusal([&] { locate_photo_files(model, folder.path()); }),
-                       "1 of the 4 photos of the camera model are not there: d.jpg"));
+                       "1 of the 4 photos of the camera model are missing: d.jpg"));
   write(folder / "a.jpg", "x");
   EXPECT_TRUE(contains(refusal([&] { locate_photo_files(model, folder.path()); }), "2 files"));
 }

@@ -42,7 +42,7 @@ TEST(PhotoBlock, WithoutAScaleItIsRefusedUnlessThatIsAllowed) {
       [&] { reconstruct_from_photos(rock_file("images"), {.model = rock_file("colmap_txt")}); });
   EXPECT_TRUE(contains(text, "no scale"));
   EXPECT_TRUE(contains(text, "`bars`"));
-  EXPECT_TRUE(contains(text, "masses are not"));
+  EXPECT_TRUE(contains(text, "masses are unknown"));
 }
 
 }  // namespace

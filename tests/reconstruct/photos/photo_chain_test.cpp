@@ -40,7 +40,7 @@ TEST(PhotoChain, TheRealBouldersPhotosGiveAClosedBlockWithoutAScale) {
   PhotoScanOptions options;
   options.colmap = {.program = "no-such-colmap", .cache = cache.path()};
   EXPECT_TRUE(
-      contains(refusal([&] { reconstruct_from_photos(photos, options); }), "masses are not"));
+      contains(refusal([&] { reconstruct_from_photos(photos, options); }), "masses are unknown"));
   options.allow_unscaled = true;
   const PhotoScan scan = reconstruct_from_photos(photos, options);
   EXPECT_FALSE(scan.metric);

@@ -24,7 +24,7 @@ TEST(PhotoScale, AKnownDistanceSetsIt) {
   EXPECT_NEAR(scale.metres_per_unit, 1.5 / std::hypot(3.0, 0.1), 1e-12);
   EXPECT_TRUE(scale.from_bars);
   ASSERT_EQ(scale.notes.size(), 1u);
-  EXPECT_TRUE(contains(scale.notes[0], "nothing checks it"));
+  EXPECT_TRUE(contains(scale.notes[0], "without a check"));
 }
 
 TEST(PhotoScale, TheSideSetsItAndEachMarkerIsCheckedByTheOthers) {
@@ -96,7 +96,7 @@ TEST(PhotoScale, WhatCantSetAScaleIsRefused) {
                        }),
                        "no distance"));
   EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(markers, {.marker_side = 0.0}); }),
-                       "no side"));
+                       "can't be the side"));
 }
 
 TEST(Triangulation, PlacesComeBackThoughAThirdOfTheSightingsAreWrong) {

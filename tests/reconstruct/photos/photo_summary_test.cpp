@@ -59,7 +59,7 @@ TEST(PhotoSummary, SaysWhatBecameOfEachMarker) {
   };
   for (const int id : {0, 1, 2}) EXPECT_TRUE(of(id).used) << id;
   EXPECT_FALSE(of(5).used);
-  EXPECT_TRUE(contains(of(5).reason, "not where the board has it"));
+  EXPECT_TRUE(contains(of(5).reason, "its position differs from that on the board"));
   EXPECT_FALSE(of(3).used);
   EXPECT_TRUE(contains(of(3).reason, "too few photos"));
   EXPECT_EQ(evidence.coverage.front().min_views, 1);

@@ -93,7 +93,7 @@ TEST_P(Tags, OnAPlateGiveTheScaleByTheirCentresAndTheirSides) {
   board.markers[2].centre.x() += 0.004;
   const PhotoScale mended = estimate_scale_from_markers(search.markers, {.board = board});
   EXPECT_LT(std::abs(error_of(mended)), kBar);
-  EXPECT_TRUE(contains(mended.notes.at(0), "marker 2 is not where the board has it"));
+  EXPECT_TRUE(contains(mended.notes.at(0), "marker 2 is not at its position on the board"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Tags, testing::Values("apriltag_36h11", "4x4_50"));

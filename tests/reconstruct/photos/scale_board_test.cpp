@@ -53,7 +53,7 @@ TEST(ScaleBoard, AMarkerThatIsElsewhereIsNamedAndLeftOut) {
     EXPECT_EQ(scale.measures.size(), 6u);
     ASSERT_EQ(scale.notes.size(), 1u);
     EXPECT_TRUE(contains(scale.notes[0], "marker " + std::to_string(board.markers[wrong].id) +
-                                             " is not where the board has it"));
+                                             " is not at its position on the board"));
   }
 }
 
@@ -71,7 +71,7 @@ TEST(ScaleBoard, TwoOfFiveAreLeftOutAndThreeThatDisagreeAreRefused) {
   three.markers[0].centre.x() += 0.02;
   const std::string message =
       refusal([&] { estimate_scale_from_markers(found, {.board = three}); });
-  EXPECT_TRUE(contains(message, "3 of its 3 points can't tell which is wrong")) << message;
+  EXPECT_TRUE(contains(message, "3 of its 3 points are too few to find which is wrong")) << message;
 }
 
 TEST(ScaleBoard, MarkersThatWereNotFoundAreNamed) {
@@ -124,7 +124,7 @@ TEST(ScaleBoard, RowsAndColumnsOfAChArUcoBoardGiveTheScale) {
 
   found[8].position.x() += 0.01;
   const PhotoScale without = estimate_scale_from_markers({}, options, found);
-  EXPECT_TRUE(contains(without.notes.at(0), "corner 8 is not where the board has it"));
+  EXPECT_TRUE(contains(without.notes.at(0), "corner 8 is not at its position on the board"));
   EXPECT_NEAR(without.metres_per_unit / kBoardUnit, 1.0, 1.5e-4);
   found.resize(1);
   EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers({}, options, found); }),
@@ -137,10 +137,10 @@ TEST(ScaleBoard, WhatIsNoBoardIsRefused) {
   };
   ScaleBoard board = plate();
   board.markers.resize(1);
-  EXPECT_TRUE(contains(refused(board), "1 markers; two or more"));
+  EXPECT_TRUE(contains(refused(board), "1 markers; at least two"));
   board = plate();
   board.markers[3].id = 1;
-  EXPECT_TRUE(contains(refused(board), "marker 1 is there twice"));
+  EXPECT_TRUE(contains(refused(board), "marker 1 is given twice"));
   board = plate();
   board.markers[3].centre = board.markers[0].centre;
   EXPECT_TRUE(contains(refused(board), "markers 0 and 3 are 0 m apart"));
@@ -148,15 +148,16 @@ TEST(ScaleBoard, WhatIsNoBoardIsRefused) {
   board.dictionary = "6x7";
   EXPECT_TRUE(contains(refused(board), "\"6x7\" isn't known"));
   board.dictionary = "auto";
-  EXPECT_TRUE(contains(refused(board), "name the one it has"));
+  EXPECT_TRUE(contains(refused(board), "name that of the board"));
   board = plate();
   board.charuco = CharucoBoard{"5x5_100", 7, 5, 0.04, 0.03, false};
-  EXPECT_TRUE(contains(refused(board), "give one of them"));
+  EXPECT_TRUE(contains(refused(board), "give only one of them"));
   const auto charuco = [&](CharucoBoard one) {
     return refused({.dictionary = "5x5_100", .charuco = one});
   };
   EXPECT_TRUE(contains(charuco({"5x5_100", 2, 5, 0.04, 0.03, false}), "2 x 5 squares"));
-  EXPECT_TRUE(contains(charuco({"5x5_100", 7, 5, 0.0, 0.03, false}), "no side of a square"));
+  EXPECT_TRUE(
+      contains(charuco({"5x5_100", 7, 5, 0.0, 0.03, false}), "can't be the side of a square"));
   EXPECT_TRUE(contains(charuco({"5x5_100", 7, 5, 0.04, 0.05, false}), "don't fit"));
   EXPECT_TRUE(contains(charuco({"4x4_50", 11, 11, 0.04, 0.03, false}), "has 50"));
 }

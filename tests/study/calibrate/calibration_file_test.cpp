@@ -65,13 +65,12 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   EXPECT_FALSE(std::filesystem::exists(target()));
   EXPECT_EQ(refusal<InputError>([&] { run(); }),
             calibration_journal_path(target()).string() +
-                ": holds the members of an interrupted calibration; `resume` goes on with it, or "
-                "delete the file to start afresh");
-  EXPECT_EQ(
-      refusal<InputError>([&] { read_posterior_draws(calibration_journal_path(target())); }),
-      calibration_journal_path(target()).string() +
-          ": is a calibration without draws, interrupted or one of several shards; go on with "
-          "it, or join the shards first");
+                ": holds the members of an interrupted calibration; `resume` continues it, or "
+                "delete the file to start again");
+  EXPECT_EQ(refusal<InputError>([&] { read_posterior_draws(calibration_journal_path(target())); }),
+            calibration_journal_path(target()).string() +
+                ": is a calibration without draws, because it was interrupted or is one of several "
+                "shards; continue it, or join the shards first");
   simulated = 0;
   most = 1000;
   std::size_t before = 0;
@@ -110,8 +109,9 @@ TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {
     return refusal<InputError>(
         [&] { calibrate_with(simulator, made.study, folder / "joined.h5", join); });
   };
-  EXPECT_EQ(refused(),
-            "member 2 of 16 is in none of the parts; give the files of all shards, each finished");
+  EXPECT_EQ(
+      refused(),
+      "member 2 of 16 is in none of the parts; give the files of all shards, all of them finished");
   EXPECT_EQ(read_posterior_draws(folder / "joined.h5").draws.size(), 200u);  // it is still there
   made.study.design.seed = 99;
   EXPECT_EQ(refused(), join.parts[0].string() +
@@ -154,7 +154,7 @@ TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
   simulator.sites[1].moments.push_back({Moment::Kind::kTime, 0.75});
   EXPECT_EQ(refusal<InputError>([&] { run(options); }),
             target().string() +
-                ": the members of site site 2 were simulated to be observed at other impacts or "
+                ": the members of site site 2 were simulated for observations at other impacts or "
                 "times; delete the file, or give another output");
 }
 

@@ -139,7 +139,7 @@ TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
   EXPECT_TRUE(contains(asked("blocks.mass_std_kg", "[100, 900]"), "{ normal = [mean, std] }"));
   EXPECT_TRUE(contains(asked("blocks.share.compact", "[0, 1]"), no_class));
   EXPECT_TRUE(contains(asked("blocks.share.round", "[0, 1]"),
-                       "is the share of no class; classes are compact, elongated"));
+                       "is not the fraction of a class; classes are compact, elongated"));
   drawing("{ count = 5, shares = { compact = 0.5, elongated = 0.5 }, mass_kg = 300 }");
   EXPECT_EQ(asked("blocks.mass_kg", "[100, 900]"), "");
   EXPECT_EQ(asked("blocks.share.compact", "[0, 1]"), "");
@@ -147,16 +147,17 @@ TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
   const std::string both =
       "[0, 0.5]\n[[unknown]]\nparameter = \"blocks.share.elongated\"\nrange = [0, 0.5]";
   EXPECT_EQ(asked("blocks.share.compact", both),
-            "study.toml: every share of site north is an unknown, and they add up to 1; leave one "
-            "class out, which gets what the others leave");
+            "study.toml: every fraction of site north is an unknown, but their sum is 1; leave out "
+            "one class, which gets the remainder");
   drawing(
       "{ count = 5, scheme = \"zingg\", shares = { disc = 0.5, rod = 0.25, blade = 0.25 }, "
       "mass_kg = { normal = [300, 30] } }");
   EXPECT_EQ(asked("blocks.mass_mean_kg", "[100, 900]"), "");
-  EXPECT_EQ(asked("blocks.share.disc",
-                  "[0, 0.7]\n[[unknown]]\nparameter = \"blocks.share.rod\"\nrange = [0, 0.5]"),
-            "study.toml: the unknown shares of site north add up to 1.2 at the upper ends of their "
-            "ranges; lower these until it is 1 at most");
+  EXPECT_EQ(
+      asked("blocks.share.disc",
+            "[0, 0.7]\n[[unknown]]\nparameter = \"blocks.share.rod\"\nrange = [0, 0.5]"),
+      "study.toml: the unknown fractions of site north add up to 1.2 at the upper ends of their "
+      "ranges; lower these until it is 1 at most");
   Campaign campaign = read_campaign(folder_ / "campaign.toml");
   set_parameter(campaign, "blocks.mass_std_kg", 40.0);
   set_parameter(campaign, "blocks.share.disc", 0.3);
@@ -176,16 +177,17 @@ TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {
             "blocks at a height_m");
   EXPECT_TRUE(refused("ground.blue.friction", "ground.blue.colour")
                   .starts_with("study.toml:10: [[unknown]] parameter = \"ground.blue.colour\": is "
-                               "no parameter that can be calibrated; these are "
+                               "not a parameter that can be calibrated; these are "
                                "ground.ZONE.energy_restitution, ground.ZONE.friction"));
   EXPECT_EQ(refused("[0.4, 0.9]", "[0.9, 0.4]"),
             "study.toml:11: [[unknown]] range = [0.9, 0.4]: the lower end must come first");
   EXPECT_NE(refused("[0.4, 0.9]", "[nan, 0.4]"), "");
   EXPECT_NE(refused("[0.4, 0.9]", "[0.4, 900]"), "");
   EXPECT_NE(refused("[0.4, 0.9]", "0.4"), "");
-  EXPECT_EQ(refused("parameter = \"contact.rolling_stiffness_n_m_rad\"\nrange = [1e5, 1e7]",
-                    "parameter = \"release.velocity_x_m_s\"\nrange = [-1, 1]"),
-            "study.toml:16: [[unknown]] scale = \"log\": a logarithm needs a range above 0");
+  EXPECT_EQ(
+      refused("parameter = \"contact.rolling_stiffness_n_m_rad\"\nrange = [1e5, 1e7]",
+              "parameter = \"release.velocity_x_m_s\"\nrange = [-1, 1]"),
+      "study.toml:16: [[unknown]] scale = \"log\": a logarithmic scale needs a range above 0");
   EXPECT_EQ(refused("parameter = \"contact.rolling_stiffness_n_m_rad\"\nrange = [1e5, 1e7]",
                     "parameter = \"ground.blue.friction\"\nrange = [0.1, 1]"),
             "study.toml:14: [[unknown]] parameter = \"ground.blue.friction\": is an unknown "
@@ -205,10 +207,10 @@ TEST_F(StudyFile, WhatMakesNoSenseIsRefused) {
             "study.toml:27: [[observation]] barrier = \"EC99\": the campaign of site north has no "
             "such barrier");
   EXPECT_EQ(refused("passed = 19", "passed = 24"),
-            "study.toml:29: [[observation]] passed = 24: is more than the 23 releases");
-  EXPECT_EQ(refused("releases = 23\n", ""),
-            "study.toml:28: [[observation]] passed = 19: needs releases, how many blocks were "
-            "released");
+            "study.toml:29: [[observation]] passed = 24: exceeds the 23 releases");
+  EXPECT_EQ(
+      refused("releases = 23\n", ""),
+      "study.toml:28: [[observation]] passed = 19: needs releases, the number of released blocks");
   EXPECT_EQ(refused("[8.4, 0.5]", "[8.4, 0]"),
             "study.toml:30: [[observation]] speed_m_s = [8.4, 0]: the error must be more than 0");
   EXPECT_EQ(refused("stops = \"stops.csv\"", "stops = \"stops.csv\"\nfigures = \"p0\""),
@@ -227,7 +229,7 @@ TEST_F(StudyFile, WhatIsFittedCantBeKept) {
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     again + "[[observation]]\nname = \"passages\""),
             "study.toml:26: [[observation]] use = \"keep\": observation stops is of the same "
-            "blocks; what is fitted can't be kept to judge by");
+            "blocks; observations of fitted blocks can't be kept for validation");
   // Other blocks of the same table may be kept.
   write_text_file(folder_ / "stops.csv",
                   "x,y,shape\n1,0,compact\n2,0,compact\n4,0,compact\n5,0,elongated\n"
@@ -265,7 +267,7 @@ TEST_F(StudyFile, ImpactsAndScarsAreSamplesOfOne) {
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     kImpact + kept + "[[observation]]\nname = \"passages\""),
             "study.toml:33: [[observation]] use = \"keep\": observation hit is of the same blocks; "
-            "what is fitted can't be kept to judge by");
+            "observations of fitted blocks can't be kept for validation");
 }
 
 TEST_F(StudyFile, TrajectoriesAreObservedAtTimes) {
@@ -294,9 +296,10 @@ TEST_F(StudyFile, TrajectoriesAreObservedAtTimes) {
   };
   EXPECT_EQ(refused_with("times_s = [3]\n"),
             "study.toml:28: [[observation]] times_s = [3]: the longest trajectory ends before 3");
-  EXPECT_EQ(refused_with("times_s = [1]\ndepth_m = [0.1, 0.1]\n"),
-            "study.toml:29: [[observation]] depth_m = [0.1, 0.1]: belongs to an observation with "
-            "impact; leave it out here");
+  EXPECT_EQ(
+      refused_with("times_s = [1]\ndepth_m = [0.1, 0.1]\n"),
+      "study.toml:29: [[observation]] depth_m = [0.1, 0.1]: applies only to an observation with "
+      "impact; leave it out here");
   EXPECT_EQ(refused_with("stops = \"stops.csv\"\n"),
             "study.toml:24: [[observation]]: has stops and trajectories; write two observations");
   EXPECT_EQ(refused_with("release = \"west\"\ntimes_s = [1]\n"),
@@ -311,16 +314,17 @@ TEST_F(StudyFile, CampaignsMustSayWhereDownslopeIs) {
   write_text_file(folder_ / "campaign.toml", with("downslope = [1, 0.1]\n", ""));
   EXPECT_EQ(refused("name = \"north\"", "name = \"north\""),
             "study.toml:7: [[site]] campaign = \"campaign.toml\": has no [run] downslope, along "
-            "which places of stops are counted; add it");
+            "which positions of stops are measured; add it");
 }
 
 TEST_F(StudyFile, UncertainGroundThatIsNoUnknownIsRefused) {
   write_text_file(folder_ / "campaign.toml",
                   with("friction = 0.3\n", "friction = { uniform = [0.2, 0.4] }\n") +
                       "[ensemble]\nmembers = 3\n");
-  EXPECT_EQ(refused("name = \"north\"", "name = \"north\""),
-            "study.toml: ground.gray.friction is uncertain in the campaign of site north; make it "
-            "an [[unknown]], or give it a value there");
+  EXPECT_EQ(
+      refused("name = \"north\"", "name = \"north\""),
+      "study.toml: ground.gray.friction has a distribution in the campaign of site north; make it "
+      "an [[unknown]], or give it a value there");
 }
 
 TEST_F(StudyFile, StartsOfTheirOwnMakeClusters) {

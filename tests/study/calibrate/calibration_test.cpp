@@ -108,14 +108,15 @@ TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
   }
   EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
             "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
-            "32 have it, and 8 are needed; widen the ranges, simulate more releases, or keep it");
+            "32 have it, and 8 are needed; widen the ranges, simulate more releases, or set use = "
+            "\"keep\"");
 }
 
 TEST(Calibration, AFewReleasesOfABlockAreRefused) {
   MadeUpStudy made = study_of({1.0});
   made.runs.outcomes[0][3].resize(15);  // eight compact, seven elongated
   EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
-            "observation site 1 elongated stops: a member has only 7 releases of these blocks, and "
+            "observation site 1 elongated stops: a member has only 7 releases of these blocks, but "
             "8 are needed; raise [design] releases");
 }
 

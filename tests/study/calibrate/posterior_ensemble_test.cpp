@@ -92,7 +92,7 @@ TEST_F(PosteriorEnsemble, HeightsAboveTheGroundAreThoseOfTheDraws) {
   }
   EXPECT_TRUE(
       contains(clast::refusal<Error>([&] { campaign(with_posterior("take = \"release\"\n")); }),
-               "the posterior has release.height_m, and a release of this campaign starts at given "
+               "the posterior has release.height_m, but a release of this campaign has fixed start "
                "heights"));
 }
 
@@ -119,19 +119,17 @@ TEST_F(PosteriorEnsemble, WhatDoesNotFitIsRefused) {
                        "posterior = \"posterior.h5\": has no parameter of this ground, but "
                        "ground.scree.friction, ground.mud.rolling_friction"));
   write({"ground.slope.friction", "release.height_m"});
-  EXPECT_TRUE(
-      contains(refused(with_posterior()),
-               "was calibrated with release.height_m too; say which tables members have from it: "
-               "take = [\"ground\", \"release\"], or fewer"));
+  EXPECT_TRUE(contains(refused(with_posterior()),
+                       "was calibrated with release.height_m too; name the tables whose parameters "
+                       "come from it: take = [\"ground\", \"release\"], or fewer"));
   write({"ground.slope.friction", "blocks.mass_median_kg"});
-  EXPECT_TRUE(
-      contains(refused(with_posterior()),
-               "was calibrated with blocks.mass_median_kg too; say which tables members have from "
-               "it: take = [\"ground\"], or fewer"));
+  EXPECT_TRUE(contains(refused(with_posterior()),
+                       "was calibrated with blocks.mass_median_kg too; name the tables whose "
+                       "parameters come from it: take = [\"ground\"], or fewer"));
   EXPECT_EQ(refused(with_posterior("take = \"ground\"\n")), "");
   EXPECT_TRUE(contains(refused(with_posterior("take = [\"ground\", \"blocks\"]\n")),
-                       "\"blocks\"]: members of an ensemble have the same blocks; write the values "
-                       "that were found into [blocks] draw, and leave \"blocks\" out"));
+                       "\"blocks\"]: members of an ensemble have the same blocks; write the "
+                       "calibrated values into [blocks] draw, and leave \"blocks\" out"));
   write({"blocks.mass_sigma", "blocks.mass_median_kg"});
   EXPECT_TRUE(contains(refused(with_posterior()),
                        "has blocks.mass_sigma, blocks.mass_median_kg alone, and members of an "
@@ -145,7 +143,7 @@ TEST_F(PosteriorEnsemble, WhatDoesNotFitIsRefused) {
                        "no ground parameter is uncertain"));
   write({"ground.slope.friction", "ground.flat.rolling_friction"});
   EXPECT_TRUE(contains(refused(replaced_once(with_posterior(), "= 40", "= 4000")),
-                       "members = 4000: is more than the 1000 draws of the posterior"));
+                       "members = 4000: exceeds the 1000 draws of the posterior"));
   EXPECT_TRUE(
       contains(refused(replaced_once(with_posterior(), "posterior.h5", "blocks.h5")), "blocks.h5"));
   EXPECT_TRUE(

@@ -107,20 +107,20 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"seed = 12", "seed = -12",
                 "campaign.toml:26: [release] seed = -12: must be from 0 to 9223372036854775807"},
         Refused{"downslope = [1, 0.1]", "downslope = [0, 0]",
-                "campaign.toml:48: [run] downslope = [0, 0]: must point somewhere, with a "
-                "length from 1e-06 to 1e+06"},
+                "campaign.toml:48: [run] downslope = [0, 0]: must be a direction with a length "
+                "from 1e-06 to 1e+06"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [1, nan, 0]",
                 "campaign.toml:24: [release] velocity_m_s = [1, nan, 0]: must be three finite "
                 "numbers, [x, y, z], each from -1000 to 1000 m/s"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [800, 0, 601]",
-                "campaign.toml:24: [release] velocity_m_s = [800, 0, 601]: must be 1000 in size "
-                "at most; check the units"},
+                "campaign.toml:24: [release] velocity_m_s = [800, 0, 601]: must be 1000 in size or "
+                "less; check the units"},
         Refused{"velocity_m_s = [1, 0.5, 0]", "velocity_m_s = [0, 0, -1e200]",
                 "campaign.toml:24: [release] velocity_m_s = [0, 0, -1e200]: must be three "
                 "finite numbers, [x, y, z], each from -1000 to 1000 m/s"},
         Refused{"angular_velocity_rad_s = [0, 0, 2]", "angular_velocity_rad_s = [0, 9000, 9000]",
                 "campaign.toml:25: [release] angular_velocity_rad_s = [0, 9000, 9000]: must be "
-                "10000 in size at most; check the units"},
+                "10000 in size or less; check the units"},
         Refused{"up = \"y\"", "up = \"x\"",
                 "campaign.toml:8: [terrain] up = \"x\": must be \"z\", \"y\" or \"auto\""},
         Refused{"weights = \"overlap\"", "weights = \"equal\"",
@@ -144,16 +144,15 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"name = \"EC12\"", "name = \"EC11\"",
                 "campaign.toml:39: [[barrier]] name = \"EC11\": another barrier has this name"},
         Refused{"to = [36, -340]", "through = [[36, -400], [36, -340]]",
-                "campaign.toml:40: [[barrier]] from = [36, -400]: contradicts through, which has "
-                "all points of the line"},
+                "campaign.toml:40: [[barrier]] from = [36, -400]: contradicts through, which "
+                "already gives all points of the line; leave it out"},
         Refused{
             "from = [36, -400]\nto = [36, -340]", "through = [[36, -400]]",
             "campaign.toml:40: [[barrier]] through = [[36, -400]]: must be a list of two points "
             "or more, [[x, y], [x, y], ...]"},
-        Refused{"from = [36, -400]\nto = [36, -340]",
-                "through = [[36, -400], [36, -340], [36, -340]]",
-                "campaign.toml:40: [[barrier]] through = [36, -340]: two points after each other "
-                "must differ"},
+        Refused{
+            "from = [36, -400]\nto = [36, -340]", "through = [[36, -400], [36, -340], [36, -340]]",
+            "campaign.toml:40: [[barrier]] through = [36, -340]: consecutive points must differ"},
         Refused{"from = [36, -400]\nto = [36, -340]", "through = [[36, -400], [36]]",
                 "campaign.toml:40: [[barrier]] through = [36]: must be points [x, y]"},
         Refused{"from = [36, -400]\nto = [36, -340]", "through = [[0, 0], [4, 4], [4, 0], [0, 4]]",
@@ -183,8 +182,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "through = [[0, 0], [4, 0], [4, 4], [0, 0]]\ndirection = \"forward\"",
                 "campaign.toml:41: [[barrier]] direction = \"forward\": is not for a ring, whose "
                 "entries and exits both count"},
-        Refused{"to = [36, -340]", "to = [36, -400]",
-                "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from from"},
+        Refused{
+            "to = [36, -340]", "to = [36, -400]",
+            "campaign.toml:41: [[barrier]] to = [36, -400]: must differ from the point in from"},
         Refused{
             "zones = [\"blue\", \"gray\"]", "zones = [\"blue\"]",
             "campaign.toml:7: [terrain] zones = [\"blue\"]: must name one zone per surface file "
@@ -212,8 +212,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:22: [release] points polygon = [[0,0],[1,1],[2,2]]: the "
                 "polygon has no area; give three or more corners that are not on one line"},
         Refused{"\"points.xyz\"", "{ line = [[1,2,3],[1,2,3]], count = 4 }",
-                "campaign.toml:22: [release] points line = [[1,2,3],[1,2,3]]: all its points are "
-                "the same, so it has no length"},
+                "campaign.toml:22: [release] points line = [[1,2,3],[1,2,3]]: all points of the "
+                "line are the same, so it has no length"},
         Refused{"\"turns.txt\"", "\"grid45\"",
                 "campaign.toml:23: [release] orientations = \"grid45\": must be \"grid-45\", a "
                 "quaternion file, or { random = N, seed = S }; there is no file of this name"}));
@@ -262,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"select = [\"B1\", \"B2\"]",
                 "draw = { count = 5, shares = { compact = 0.5, elongated = 0.4 } }",
                 "campaign.toml:3: [blocks] draw shares = { compact = 0.5, elongated = 0.4 }: the "
-                "shares must add up to 1, not 0.9"},
+                "fractions must add up to 1, not 0.9"},
         Refused{"select = [\"B1\", \"B2\"]", "draw = { count = 5 }\nscale = \"equal-mass\"",
                 "campaign.toml:4: [blocks] scale = \"equal-mass\": drawn blocks are scaled by "
                 "mass_kg of draw; leave scale out"},
@@ -284,8 +284,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "campaign.toml:13: [ground.blue] energy_restitution = { uniform = [0.5, 1.5] }: "
                 "its second number must be from 1e-06 to 1"},
         Refused{"friction = 0.70", "friction = { uniform = [0.6, 0.8] }",
-                "campaign.toml: ground parameters are uncertain; say how often they are drawn, "
-                "with [ensemble] members = N"},
+                "campaign.toml: ground parameters are uncertain; give the number of draws with "
+                "[ensemble] members = N"},
         Refused{"[run]", "[ensemble]\nmembers = 3\n[run]",
                 "campaign.toml:43: [ensemble]: no ground parameter is uncertain; write for example "
                 "friction = { uniform = [0.5, 0.8] }"},
@@ -371,9 +371,9 @@ TEST_F(CampaignFile, BadLinesOfPointFilesAreNamed) {
             "points.xyz:1: nan is not a number from -1e+08 to 1e+08 m; a line must be three "
             "numbers, x y z");
   EXPECT_EQ(refused_points("# only this\n"),
-            "points.xyz: holds no line with numbers; each line must be three numbers, x y z");
+            "points.xyz: has no line of numbers; each line must be three numbers, x y z");
   EXPECT_EQ(refused_points(""),
-            "points.xyz: holds no line with numbers; each line must be three numbers, x y z");
+            "points.xyz: has no line of numbers; each line must be three numbers, x y z");
   EXPECT_EQ(refused_points("x y z\n# survey of May\n\n1;2;+3 # corner\r\n1;\t2;3e0\n"), "");
   EXPECT_EQ(refused_points("1;2;3\n1,2,3\n"),
             "points.xyz:2: 1 number; a line must be three numbers, x y z");

@@ -133,7 +133,7 @@ TEST_F(CampaignVary, DrawsFromATableWhoseHashIsKept) {
   EXPECT_TRUE(
       std::any_of(plan.header.inputs.begin(), plan.header.inputs.end(),
                   [](const std::string& input) { return input.find("taped.csv ") != input.npos; }));
-  expect_refused("vary = { population = { count = 3 } }", "ten blocks, and there are 2");
+  expect_refused("vary = { population = { count = 3 } }", "ten blocks, but there are 2");
   expect_misread("vary = { population = { count = 3, units = \"cm\" } }", "leave units out");
   expect_misread("vary = { population = { count = 3, prefix = \"a/b\" } }", "a/b");
   expect_misread("vary = { population = { table = \"taped.csv\" } }", "count is missing");
@@ -141,19 +141,19 @@ TEST_F(CampaignVary, DrawsFromATableWhoseHashIsKept) {
 
 TEST_F(CampaignVary, SaysWhatCanNotBeMade) {
   expect_refused("vary = { convexity = [0.5, 1] }",
-                 "[blocks] vary: 2 of 4 bodies can't be made; leave out what asks for them. The "
-                 "first: block cube: a convexity of 0.5");
+                 "[blocks] vary: 2 of 4 bodies can't be made; leave out the keys that request "
+                 "them. First reason: block cube: a convexity of 0.5");
   expect_refused("vary = { vertices = 100 }",
-                 "no body could be made; the first: block cube: 100 "
+                 "no body could be made; first reason: block cube: 100 "
                  "vertices can't be reached");
   expect_refused("vary = { to = [[0.5, 0.5], [0.5, 0.5]] }",
-                 "\"cube_il0.5_sl0.5\" is asked for twice");
+                 "\"cube_il0.5_sl0.5\" is requested twice");
   expect_refused("vary = { like = \"moss\" }", "moss");
 }
 
 TEST_F(CampaignVary, RefusesWhatMakesNoSenseWithLineKeyAndValue) {
   expect_misread("vary = {}",
-                 "campaign.toml:3: [blocks] vary: nothing is asked for; give to, grid");
+                 "campaign.toml:3: [blocks] vary: no variation is requested; give to, grid");
   expect_misread("vary = 3", "vary = 3");
   expect_misread("vary = { too = [[1, 1]] }", "too = [[1, 1]]: unknown key; did you mean to?");
   expect_misread("vary = { to = [[0.5, 0.8]] }", "to = [0.5, 0.8]: S/L must be at most I/L");
@@ -186,7 +186,7 @@ TEST_F(CampaignVary, IsNotOfAMassInPlace) {
   text += "\n[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.1\n";
   EXPECT_TRUE(
       contains(clast::refusal<InputError>([&] { campaign(text); }),
-               "in_place = true: blocks in place run as they are; leave [blocks] vary out"));
+               "in_place = true: blocks in place can't be varied; leave [blocks] vary out"));
 }
 
 }  // namespace

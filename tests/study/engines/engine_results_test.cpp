@@ -248,7 +248,7 @@ TEST_F(EngineResultsOf, OtherScenesAreRefused) {
   RigidState moved = plan_.runs[0].start;
   moved.position.x() += 0.25;
   write_text_file(first, conf(0, 0.0, moved));
-  EXPECT_TRUE(contains(refused(), "starts 0.25 m from where it should"));
+  EXPECT_TRUE(contains(refused(), "starts 0.25 m from its planned position"));
   write_text_file(first, good);
   write_text_file(scenes() / folders_[0] / "conf30", conf(0, 1.0, moved));
   EXPECT_TRUE(contains(refused(), "conf30: is at t = 1 s"));
@@ -280,7 +280,7 @@ TEST_F(EngineResultsOf, ADamagedRunCostsNoOther) {
   EXPECT_EQ(results.runs[1].result.stop_reason, StopReason::kError);
   EXPECT_TRUE(contains(results.runs[1].result.message, "conf7:"));
   ASSERT_EQ(found.notes.size(), 4u);
-  EXPECT_TRUE(contains(found.notes[2], "muContact 1 0 = 0.5, and the campaign says 0.4"));
+  EXPECT_TRUE(contains(found.notes[2], "muContact 1 0 = 0.5, but the campaign has 0.4"));
 }
 
 }  // namespace

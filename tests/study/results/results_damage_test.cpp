@@ -110,7 +110,7 @@ TEST(Results, DamageIsNamed) {
   EXPECT_TRUE(contains(replaced("terrain", "triangles", std::vector<std::uint32_t>{0, 1, 4}),
                        "bad.h5: /terrain/triangles holds 4, which must be below 4"));
   EXPECT_TRUE(contains(replaced("shapes/1", "face_vertices", std::vector<std::uint32_t>(36, 8)),
-                       "bad.h5: /shapes/1: face_vertices names a vertex that is not there"));
+                       "bad.h5: /shapes/1: face_vertices refers to a vertex that does not exist"));
   EXPECT_TRUE(contains(replaced("blocks", "mass_kg", std::vector<double>{1.0}),
                        "bad.h5: /blocks/mass_kg has 1 values where 2 belong"));
 }

@@ -126,7 +126,7 @@ TEST_F(CampaignRun, ReleasePointsThatRepeatAnotherAreCounted) {
 TEST_F(CampaignRun, AnAngleInThePlaceOfAFrictionCoefficientIsNamed) {
   EXPECT_FALSE(plan_warns(prepared(), "is a coefficient"));
   EXPECT_TRUE(plan_warns(prepared(with("friction = 0.4", "friction = 35")),
-                         "[ground.slope] friction = 35 is a coefficient; the one of an angle of 35 "
+                         "[ground.slope] friction = 35 is a coefficient; that of an angle of 35 "
                          "degrees is its tangent"));
 }
 
@@ -240,8 +240,8 @@ TEST_F(CampaignRun, ARestitutionOfSpeedIsQuestioned) {
     return prepared(with("energy_restitution = 0.1", "energy_restitution = " + value));
   };
   EXPECT_TRUE(plan_warns(with_restitution("0.53"),
-                         "[ground.slope] energy_restitution = 0.53 is the share of energy that an "
-                         "impact gives back, e_n^2; usual ground gives back up to 0.28. If it is a "
+                         "[ground.slope] energy_restitution = 0.53 is the fraction of energy that "
+                         "an impact returns, e_n^2; usual ground returns up to 0.28. If it is a "
                          "coefficient of restitution of velocity, R_n, give its square, 0.28"));
   EXPECT_TRUE(plan_warns(with_restitution("0.35"), "give its square, 0.12"));
   for (const char* plain : {"0.01", "0.1", "0.28", "1"}) {

@@ -87,7 +87,7 @@ TEST(CheckpointFiles, OfAnotherRealisationAreRefused) {
   write_text_file(folder / "r.h5.part.4", "what another program has written");
   const CheckpointFile fourth(folder / "r.h5", header, 3);
   EXPECT_TRUE(contains(refusal([&] { write(fourth, "so far"); }),
-                       "r.h5.part.4: is in the place of a checkpoint; move it away"));
+                       "r.h5.part.4: has the name of a checkpoint; move it elsewhere"));
 }
 
 TEST(CheckpointFiles, ThatCannotBeWrittenAreReported) {

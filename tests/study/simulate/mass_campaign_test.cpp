@@ -224,14 +224,15 @@ TEST_F(MassCampaign, ReleasesBlocksInPlace) {
   };
   EXPECT_EQ(prepared(also("height_m = 2.0\n")).runs[0].start.position,
             plan.runs[0].start.position + Vec3(0.0, 0.0, 2.0));
-  refused(also("polygon = [[0, 0], [1, 0], [0, 1]]\n"), "is for a heap");
-  refused(also("face_interval_s = 2\n"), "face_interval_s = 2: is for a heap");
+  refused(also("polygon = [[0, 0], [1, 0], [0, 1]]\n"), "applies to a heap");
+  refused(also("face_interval_s = 2\n"), "face_interval_s = 2: applies to a heap");
   refused(replaced_once(in_place, "[terrain]", "scale = \"equal-mass\"\n[terrain]"),
           "neither drawn nor scaled");
-  refused(text(std::string(kMass) + "height_m = 1\n"), "is for blocks in place");
+  refused(text(std::string(kMass) + "height_m = 1\n"), "applies to blocks in place");
   // Those of the other library lie in one another.
   refused(replaced_once(in_place, "\"insitu.h5\"", "\"blocks.h5\""),
-          "[mass] in_place: 1 pair of blocks overlap, the most cube and slab, by 0.3 m");
+          "[mass] in_place: 1 pair of blocks overlap, the largest overlap is that of cube and "
+          "slab, by 0.3 m");
   // A mass that reaches into the ground.
   for (Vec3& vertex : mass.vertices) vertex.z() -= 0.5;
   const RockMassBlocks deep =
@@ -263,9 +264,9 @@ TEST_F(MassCampaign, RefusesWhatDoesNotFit) {
   refused(mass("[-1, -1.5], [-1, 1.5], [-4, 1.5]", "[-3.7, -1.5], [-3.7, -1.2], [-4, -1.2]"),
           "[mass] holds 0 of 8 blocks of realisation 1, and block ");
   refused(text(std::string(kMass) + "share = 0.5\n"),
-          "makes the shares of all masses add up to 0.5; they must add up to 1");
+          "makes the sum of the fractions of all masses 0.5; it must be 1");
   refused(text(std::string(kMass) + "count = 5\n"), "make 5 of 8 blocks of a realisation");
-  refused(text(std::string(kMass) + "release_time_s = 2\n"), "no mass is released then");
+  refused(text(std::string(kMass) + "release_time_s = 2\n"), "no mass is released at time 0");
   refused(text() + "[release]\npoints = [[0, 0, 1]]\n", "leave out [release], or [mass]");
   const std::string without = text();
   refused(without.substr(0, without.find("[contact.blocks]")),

@@ -170,10 +170,10 @@ TEST_F(SettledMass, RefusesWhatDoesNotFit) {
   const auto refused = [](const std::string& text, const std::string& part) {
     EXPECT_TRUE(contains(clast::refusal<Error>([&] { prepared(text); }), part));
   };
-  refused(text("faces = \"together\"\n"), "is for a heap that settles; add settle = true");
+  refused(text("faces = \"together\"\n"), "applies to a heap that settles; add settle = true");
   refused(text("settle = true\nfaces = \"apart\"\n"), "\"together\"");
   refused(text("settle = true\nfaces = \"one by one\"\n"), "face_interval_s is missing");
-  refused(text("settle = true\nface_interval_s = 1\n"), "is for faces = \"one by one\"");
+  refused(text("settle = true\nface_interval_s = 1\n"), "applies to faces = \"one by one\"");
   refused(text("settle = true\nsettle_time_s = 0\n"), "settle_time_s = 0");
   refused(replaced_once(text(), "[-4, 1], [-6, 1]]", "[-4, 1], [-5, 0], [-6, 1]]"),
           "is not convex at its corner 4, [-5, 0]");
@@ -181,7 +181,7 @@ TEST_F(SettledMass, RefusesWhatDoesNotFit) {
           "its sides 1 and 3 meet at");
   refused(replaced_once(text("in_place = true\nsettle = true\n"),
                         "polygon = [[-6, -1], [-4, -1], [-4, 1], [-6, 1]]\n", ""),
-          "is for a heap; blocks that are in place");
+          "applies to a heap; blocks in place");
 }
 
 TEST(ReflexCorner, IsFoundInEitherSense) {

@@ -198,8 +198,8 @@ TEST_F(SeveralMasses, InPlaceDivideTheBlocksByTheirPolygons) {
   refused(in_place(all, east), "lies in the polygon of [mass] west and of [mass] east");
   refused(in_place(all, "polygon = [[5, -1], [6, -1], [6, 1]]\n"),
           "[mass] east: no block in place");
-  refused(in_place(wide, east + "share = 0.5\n"), "is for a heap");
-  refused(in_place(wide, east + "count = 1\n"), "is for a heap");
+  refused(in_place(wide, east + "share = 0.5\n"), "applies to a heap");
+  refused(in_place(wide, east + "count = 1\n"), "applies to a heap");
 }
 
 TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
@@ -210,17 +210,18 @@ TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
   refused(replaced_once(good, "name = \"lower\"\n", ""), "name is missing");
   refused(replaced_once(good, "\"lower\"", "\"upper\""), "another mass has this name");
   refused(replaced_once(good, "\"lower\"", "\" \""), "must not be blank");
-  refused(masses("realisations = 2\n"), "give it in the first [[mass]] alone");
-  refused(masses("seed = 2\n"), "give it in the first [[mass]] alone");
-  refused(masses("release_time_s = 2\n", "release_time_s = 1\n"),
-          "release_time_s = 1: times count from the first release, and no mass is released then");
+  refused(masses("realisations = 2\n"), "give it only in the first [[mass]]");
+  refused(masses("seed = 2\n"), "give it only in the first [[mass]]");
+  refused(
+      masses("release_time_s = 2\n", "release_time_s = 1\n"),
+      "release_time_s = 1: times count from the first release, and no mass is released at time 0");
   refused(masses("release_time_s = -2\n"), "release_time_s = -2");
-  refused(masses("share = 0.6\n", "share = 0.6\n"), "add up to 1.2; they must add up to 1");
-  refused(masses("share = 1\n"), "they must leave something to the mass without a share");
+  refused(masses("share = 0.6\n", "share = 0.6\n"), "1.2; it must be 1");
+  refused(masses("share = 1\n"), "some blocks must remain for the mass without a share");
   refused(masses("share = 0\n"), "share = 0");
   refused(masses("share = 0.5\ncount = 2\n"), "contradicts share");
   refused(masses("count = 9\n"),
-          "make 9 of 9 blocks of a realisation and leave none to [mass] upper");
+          "make 9 of 9 blocks of a realisation and leave none for [mass] upper");
   refused(masses("count = 2\n", "count = 2\n"), "make 4 of 9 blocks of a realisation; make it all");
   refused(masses("share = 0.01\n"), "[mass] lower gets none of the 9 blocks");
   refused(masses("in_place = true\n"), "neither drawn nor scaled");

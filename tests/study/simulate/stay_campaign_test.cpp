@@ -296,7 +296,7 @@ TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
     EXPECT_TRUE(contains(clast::refusal([&] { campaign(text); }), part));
   };
   refused(changed("sequence = \"stay\"\n", ""),
-          "[release] realisations = 3: is for blocks that stay; add sequence = \"stay\"");
+          "[release] realisations = 3: applies to persistent blocks; add sequence = \"stay\"");
   refused(changed("\"stay\"", "\"stays\""), "sequence = \"stays\": must be \"single\" or \"stay\"");
   refused(changed("realisations = 3", "realisations = 0"), "realisations = 0: must be from 1");
   const auto removes = [](const std::string& what) {
@@ -304,23 +304,23 @@ TEST_F(StayCampaign, RefusesWhatDoesNotFit) {
   };
   refused(removes("\"flat\""), "remove = \"flat\": must be { zone = \"NAME\" }");
   refused(removes("{ zone = \"road\" }"),
-          "zone = \"road\": \"road\" is no ground zone; zones are flat, slope");
+          "zone = \"road\": \"road\" is not a ground zone; zones are flat, slope");
   refused(removes("{ zone = [\"flat\", \"flat\"] }"), "names \"flat\" more than once");
   refused(removes("{ zones = \"flat\" }"), "unknown key");
   refused(replaced_once(removes("{ zone = \"flat\" }"), "sequence = \"stay\"\n", ""),
-          "is for blocks that stay");
+          "applies to persistent blocks");
   refused(changed("[contact.blocks]\nenergy_restitution = 0.1\n", "[contact.blocks]\n"),
           "[contact.blocks]: energy_restitution is missing");
   refused(changed("[contact.blocks]\n", "[contact.blocks]\nscar_drag = 1.5\n"), "unknown key");
   refused(replaced_once(campaign_text(), "[run]",
                         "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\n"
                         "rolling_friction = 0.2\n[run]"),
-          "[contact.blocks] is for blocks that stay");
+          "[contact.blocks] applies to persistent blocks");
   std::string without = text();
   refused(without.substr(0, without.find("[contact.blocks]")), "add [contact.blocks]");
   refused(replaced_once(text("draw = { count = 3 }\n"), "realisations = 3",
                         "realisations = 3\norder = \"listed\""),
-          "drawn blocks are in no order");
+          "drawn blocks have no order");
   refused(text() +
               "[[block_group]]\nname = \"g\"\nselect = [\"cube\"]\nground.flat = { friction "
               "= 0.5 }\n",
