@@ -59,7 +59,7 @@ CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOp
 
 /// Samples the blocks again from `prepared.choice.library` with the present settings of the
 /// campaign. The library and the runs are unchanged.
-/// @throws InputError  if `draw_blocks` throws
+/// @throws InputError  if `sample_blocks` throws
 void resample_blocks(CampaignPlan& prepared);
 
 /// Shard of a campaign: every n-th run or realisation, for n independent jobs. `merge_results`
