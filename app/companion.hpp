@@ -10,13 +10,11 @@ inline constexpr const char* kReconstructSummary =
     "defects";
 
 /// Replaces this process by the companion executable. Only the companion links PCL and OpenCV,
-/// because they take long to load. It is beside the program, or in the folder for internal
-/// executables.
+/// which load slowly. It is beside the program, or in the folder for internal executables.
 /// @throws InputError  if the companion is not installed
 [[noreturn]] void run_companion(char** argv);
 
-/// Command of the companion executable that prints its options as JSON (`to_json`), for `clast
-/// help`.
+/// Command of the companion that prints its options as JSON (`to_json`), for `clast help`.
 inline constexpr const char* kDescribeCommand = "describe";
 
 /// Runs the companion executable with one argument and returns its output.

@@ -20,8 +20,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Sets the number of items finished before the clock started. Must be called before the first
-  /// update.
+  /// Sets the number of items finished before the clock started. Call it before the first update.
   void start_from(std::size_t done);
   /// Updates the display.
   /// @param note  current activity, shown on a terminal

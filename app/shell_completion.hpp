@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Returns a bash 4 script that completes commands, options, option values and file names. It needs
-/// no other scripts.
+/// Returns a bash 4 script that completes commands, options, their values and file names.
 std::string write_bash_completion(const CommandEntry& root);
 
 /// Returns a zsh completion script with descriptions.

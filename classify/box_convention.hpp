@@ -9,13 +9,11 @@
 
 namespace clast {
 
-/// Box on which the axes are measured. Shape classes depend on it, so it is reported with every
-/// class.
+/// Box on which the axes are measured. Shape classes depend on it, so it is reported with them.
 enum class BoxConvention {
   kSmallest,  ///< smallest volume; the default
   kInertia,   ///< edges along the principal axes of inertia of the solid body
-  kFeret,     ///< L is the largest diameter, I the largest width perpendicular to it, as with
-              ///< callipers or tape
+  kFeret,     ///< L is the largest diameter, I the largest width perpendicular to it
   kPca,       ///< edges along the principal components of the hull's vertices
 };
 

@@ -30,8 +30,7 @@ double maximum_projection_sphericity(const Axes& axes);
 double intercept_sphericity(const Axes& axes);
 /// Corey shape factor S/sqrt(L I). @cite corey1949
 double corey_shape_factor(const Axes& axes);
-/// Williams shape index, from -1 to 1: 1 - L S/I^2 if I^2 >= L S (oblate), otherwise I^2/(L S) - 1
-/// (prolate).
+/// Williams index in [-1, 1]: 1 - L S/I^2 if I^2 >= L S (oblate), else I^2/(L S) - 1 (prolate).
 /// @cite williams1965
 double williams_shape_index(const Axes& axes);
 /// Aschenbrenner working sphericity 12.8 (p^2 q)^(1/3) / (1 + p (1 + q) + 6 sqrt(1 + p^2 (1 +
@@ -43,8 +42,7 @@ double aschenbrenner_working_sphericity(const Axes& axes);
 /// @cite dobkins1970
 std::optional<double> oblate_prolate_index(const Axes& axes);
 
-/// Coordinates in the Sneed-Folk triangle; their sum is 1. Blocks with L = S are at the compact
-/// corner.
+/// Coordinates in the Sneed-Folk triangle, with sum 1. Blocks with L = S are at the compact corner.
 /// @cite sneed1958 @cite graham2000
 struct TernaryCoordinates {
   double compact = 0.0;   ///< q = S/L

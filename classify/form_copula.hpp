@@ -29,7 +29,6 @@ struct CopulaFit {
   /// (Smirnov's D), over all measures.
   double max_cdf_difference = 0.0;
   /// Fraction by which the rank correlations were reduced to make their matrix positive definite.
-  /// Usually 0.
   double removed_correlation = 0.0;
 };
 

@@ -8,8 +8,7 @@
 
 namespace clast {
 
-/// Returns notes on repeated names, unscaled blocks, and axes whose error is as large as their
-/// length.
+/// Returns notes on repeated names, unscaled blocks, and axes no longer than their error.
 std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks);
 
 }  // namespace clast

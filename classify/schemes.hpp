@@ -29,13 +29,11 @@ std::string garcia_class(const Axes& axes);
 /// Returns "oblate" for I^2 > L S, "prolate" for I^2 < L S, otherwise "neither".
 /// @cite williams1965
 std::string williams_class(const Axes& axes);
-/// Returns "platy" if only L/I is below the limit, "elongated" if only I/S is below it, otherwise
-/// "undetermined".
+/// Returns "platy" if only L/I is below the limit, "elongated" if only I/S is, else "undetermined".
 /// @cite erdogan2006
 std::string erdogan_class(const Axes& axes, const SchemeOptions& options = {});
-/// Returns one of 25 classes "..., ...", which state elongation (by I/L) and flatness (by S/I).
-/// Steps of 0.2 are "not" (0.8 and above), "slightly", "moderately", "very" and "extremely" (below
-/// 0.2).
+/// Returns one of 25 classes "..., ...", for elongation (by I/L) and flatness (by S/I). Steps of
+/// 0.2 are "not" (0.8 and above), "slightly", "moderately", "very" and "extremely" (below 0.2).
 /// @cite blott2008
 std::string blott_pye_class(const Axes& axes);
 /// Returns "non-cubical" for L/S > 3, otherwise "cubical" (shape index of aggregates).
@@ -64,8 +62,7 @@ struct SchemeRatio {
   std::vector<double> limits;  ///< ascending
 };
 
-/// Returns the ratios that determine the class of given axes. If a ratio crosses one of its limits,
-/// the class changes.
+/// Returns the ratios that determine the class of given axes. The class changes at the limits.
 /// @throws InputError  if the scheme is unknown
 std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
                                        const SchemeOptions& options = {});
@@ -78,8 +75,7 @@ struct SchemeLimit {
   double i_l_squared = 0.0;
 };
 
-/// Returns all class boundaries of a scheme. They are straight lines, except for the parabola of
-/// Williams.
+/// Returns all class boundaries of a scheme: lines, except for the parabola of Williams.
 /// @throws InputError  if the scheme is unknown
 std::vector<SchemeLimit> scheme_limits(const std::string& scheme,
                                        const SchemeOptions& options = {});

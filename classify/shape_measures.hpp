@@ -21,8 +21,7 @@ const std::array<ShapeMeasure, 3>& shape_measures();
 /// Returns the values of a measure (see `remove_rounding`). Blocks without a value are omitted.
 std::vector<double> measure_values(const ShapeMeasure& measure, std::span<const Axes> blocks);
 
-/// Rounds a ratio to 1e-12. Mathematically equal ratios, such as 1.1/0.8 and 0.55/0.4, then compare
-/// equal.
+/// Rounds a ratio to 1e-12. Equal ratios, such as 1.1/0.8 and 0.55/0.4, then compare equal.
 double remove_rounding(double ratio);
 
 }  // namespace clast

@@ -96,8 +96,7 @@ struct SizeDistribution {
 SizeDistribution size_distribution(const Population& population, SizeMeasure measure,
                                    std::uint64_t seed);
 
-/// Returns the smallest size such that blocks up to this size have at least `fraction` of the total
-/// weight.
+/// Returns the smallest size up to which blocks have at least `fraction` of the total weight.
 /// @param sizes, weights  of equal length, not empty
 double weighted_percentile(std::span<const double> sizes, std::span<const double> weights,
                            double fraction);

@@ -19,9 +19,8 @@ double true_sphericity(double volume, double area);
 /// @throws GeometryError  if the core's vertices are coplanar
 double convexity(const SpheroPolyhedron& body, double volume);
 
-/// Orientation tensor of the surface. It is (1/A) times the integral of n n^T over the rounded
-/// surface with area A and outward normal n. Its eigenvalues are f1 >= f2 >= f3, with sum 1. @cite
-/// bagi2020
+/// Orientation tensor of the surface: (1/A) times the integral of n n^T over the rounded surface
+/// with area A and outward normal n. Its eigenvalues are f1 >= f2 >= f3, with sum 1. @cite bagi2020
 struct OrientationTensor {
   Vec3 eigenvalues = Vec3::Zero();
 
@@ -38,8 +37,7 @@ OrientationTensor orientation_tensor(const SpheroPolyhedron& body);
 
 struct SurfaceIndex {
   const char* name;     ///< name in tables and JSON
-  const char* formula;  ///< formula with volume V, area A and eigenvalues f1 >= f2 >= f3 of the
-                        ///< orientation tensor
+  const char* formula;  ///< formula with volume V, area A and the eigenvalues f1, f2 and f3
   const char* source;   ///< key in docs/references.bib; empty for simple ratios
 };
 

@@ -22,8 +22,7 @@ decltype(auto) with_rewritten_error(Rewrite&& rewrite, F&& f) {
   }
 }
 
-/// Calls `f` and returns its result. If `f` throws a clast error, `name` is put before its message:
-/// "block B01: ...".
+/// Calls `f` and returns its result. Prefixes clast errors with `name`: "block B01: ...".
 template <class F>
 decltype(auto) with_error_context(const std::string& name, F&& f) {
   return with_rewritten_error([&](const std::string& message) { return name + ": " + message; },

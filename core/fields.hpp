@@ -21,8 +21,7 @@
 
 namespace clast {
 
-/// Marks a field that does not affect results, such as a number of threads. `format_field` omits
-/// it.
+/// Marks a field without effect on results, such as the number of threads; `format_field` omits it.
 template <class T>
 struct ExcludedField {
   using IsExcluded = void;

@@ -15,8 +15,7 @@ std::optional<double> parse_number(std::string_view text);
 /// Formats a number with significant digits and without trailing zeros: "0.0254".
 std::string format_significant(double value, int digits);
 
-/// Formats a number with significant digits and trailing zeros. An exponent is used only from 1e7
-/// on and below 1e-4.
+/// Formats significant digits with trailing zeros. Uses an exponent below 1e-4 and from 1e7.
 std::string format_rounded(double value, int digits = 4);
 /// Formats a number with fixed decimals; never "-0.0".
 std::string format_decimals(double value, int decimals);

@@ -8,9 +8,8 @@ namespace clast {
 
 /// Calls `body(i)` for every i in [0, count) on up to `threads` threads (0: one per core).
 ///
-/// Items are started in order, one at a time. `body(i)` must write only data of item i. After an
-/// exception no new item is started. When all threads have stopped, the exception with the smallest
-/// i is rethrown.
+/// Items are started in order, one at a time. `body(i)` must write only data of item i. No new item
+/// starts after an exception. When all threads have stopped, that with the smallest i is rethrown.
 void parallel_for(std::size_t count, unsigned threads,
                   const std::function<void(std::size_t)>& body);
 

@@ -4,8 +4,7 @@
 
 namespace clast {
 
-/// Rotation followed by a translation: `world_from_body * point_in_body` is the point in the world
-/// frame.
+/// Rotation followed by a translation: `world_from_body * point_in_body` is in the world frame.
 struct Pose {
   Vec3 translation = Vec3::Zero();
   Quat rotation = Quat::Identity();  ///< unit

@@ -1,6 +1,5 @@
 #pragma once
-/// Seeded random numbers, which have equal bits on all machines. Functions take the generator as an
-/// argument.
+/// Seeded random numbers with equal bits on all machines. Functions take a generator as argument.
 #include <cstdint>
 
 #include "core/types.hpp"

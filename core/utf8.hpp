@@ -16,8 +16,7 @@ struct DecodedCharacter {
 /// @cite rfc3629
 DecodedCharacter decode_first_character(std::string_view text);
 
-/// True if a text is valid UTF-8. Stray bytes, overlong forms, surrogates and codes above U+10FFFF
-/// are not valid.
+/// True for valid UTF-8: no stray bytes, overlong forms, surrogates or codes above U+10FFFF.
 /// @cite rfc3629
 bool is_utf8(std::string_view text);
 

@@ -32,8 +32,7 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
-/// Block. Geometry is in the frame of the source, in metres with z up, except for the principal
-/// moments.
+/// Block with geometry in the frame of the source, in metres with z up, except principal moments.
 struct Block {
   std::string id;
   BlockSource source;

@@ -34,8 +34,7 @@ struct BlockBracket {
 BlockBracket derive_block_bracket(const Block& block);
 
 /// Describes the bounds, such as "14 % of the surface is not seen but filled in; volume between
-/// 0.13 and 0.149 m3 (best 0.137), mass ...". The text of unscaled blocks has no mass and no metric
-/// units.
+/// 0.13 and 0.149 m3 (best 0.137), mass ...". For unscaled blocks, without mass and metric units.
 /// @pre  the block has a volume bracket
 std::string describe_volume_bracket(const Block& block);
 

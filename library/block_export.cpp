@@ -74,8 +74,7 @@ OverwritePolicy rules_of(const std::filesystem::path& file, const BlockExportOpt
   return {.kind = file_kind_by_extension(file), .replace = options.replace};
 }
 
-/// Checks that no file to be written would replace another, such as the scan that the block was
-/// made from.
+/// Checks that no file to be written would replace another, such as the scan of the block.
 void check_places(const std::vector<const Block*>& blocks, const std::filesystem::path& folder,
                   const BlockExportOptions& options) {
   for (const Block* block : blocks) {

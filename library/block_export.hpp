@@ -32,8 +32,7 @@ struct BlockExportOptions {
   std::string up = "auto";
   std::optional<int> segments =
       {};  ///< number of segments per quarter turn of the rounded surface, 1 to 64; default 4
-  bool replace = false;  ///< true: existing files are replaced; false: they are an error, and no
-                         ///< file is written
+  bool replace = false;  ///< if false, existing files are an error, and none is written
 
   bool includes_rounded_surface() const;  ///< true if a rounded surface is written
   void check() const;                     ///< throws InputError naming the field and its value

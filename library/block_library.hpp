@@ -32,8 +32,7 @@ class BlockLibrary {
   /// @throws InputError  if the id does not exist; the message lists all ids
   const Block& find_block(const std::string& id) const;
   Block& find_block(const std::string& id);
-  /// Returns the blocks with the given ids, in their order. If no id is given, all blocks are
-  /// returned.
+  /// Returns the blocks with the given ids, in their order. Without ids, returns all blocks.
   /// @throws InputError  if an id does not exist
   std::vector<const Block*> select_blocks(const std::vector<std::string>& ids) const;
   /// Adds a block. Text that is not UTF-8 is converted from Windows-1252.

@@ -10,8 +10,7 @@
 namespace clast {
 namespace {
 
-/// Fraction of the edge length; larger facets of a rounded surface would count as flat faces with
-/// edges.
+/// Fraction of the edge length; larger facets of a rounded surface would count as faces with edges.
 constexpr double kFacetFraction = 0.7;
 constexpr double kMinSegments = 4.0, kMaxSegments = 24.0;
 

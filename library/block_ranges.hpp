@@ -1,7 +1,6 @@
 #pragma once
 /// Allowed ranges of block properties, for options, campaign files and command lines. They extend
-/// from a sand grain to a part of a mountain. Numbers outside are typing errors or have another
-/// unit.
+/// from a sand grain to a part of a mountain. Numbers outside are typos or wrong units.
 #include "core/number_range.hpp"
 
 namespace clast {
@@ -9,8 +8,7 @@ namespace clast {
 inline constexpr NumberRange kBlockLength{1e-4, 1e3, "m"};
 inline constexpr NumberRange kBlockVolume{1e-12, 1e9, "m^3"};
 inline constexpr NumberRange kBlockMass{1e-9, 1e13, "kg"};
-/// Limits of usual sizes. Other blocks are accepted only on request, because most of them have
-/// wrong units.
+/// Usual sizes. Other blocks are accepted only on request, because most have wrong units.
 inline constexpr double kMinUsualLength = 1e-3,
                         kMaxUsualLength = 20.0;  ///< m; shorter particles are sand
 inline constexpr double kMaxUsualMass = 1e7;     ///< kg

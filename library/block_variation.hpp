@@ -10,8 +10,7 @@
 
 namespace clast {
 
-/// Default edge length of the mesh for roundness, relative to the diameter of the ball of equal
-/// volume.
+/// Default edge length of the mesh for roundness, relative to the equivalent spherical diameter.
 inline constexpr double kDefaultRoundnessEdge = 0.05;
 
 /// Variation to given ratios of the sides of the smallest box, by stretching.

@@ -32,11 +32,9 @@ constexpr double kLightestRock = 500.0, kMaxRockMass = 8000.0;  ///< kg/m^3
 constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
 /// Share of the tolerance at which a fit ends: the scaling to the volume takes the rest.
 constexpr double kFitFraction = 0.93;
-/// Shares of the radius by which the scan is moved in where walls are too thin for the whole; the
-/// fit does the rest.
+/// Fractions of the radius by which a scan with thin walls is offset; the fit does the rest.
 constexpr double kShallower[] = {0.7, 0.5, 0.35};
-/// Largest relative difference of the volume before scaling. A radius too large for the block
-/// swells it by more.
+/// Largest relative difference of the volume before scaling. Too large a radius swells it by more.
 constexpr double kMaxVolumeGap = 0.03;
 
 bool near_enough(const Block& block, const BlockOptions& options) {
@@ -62,8 +60,7 @@ struct MeasuredBody {
   MassProperties unit;
 };
 
-/// Scales the core until the rounded body has the volume `target`, to the accuracy with which that
-/// volume is known.
+/// Scales the core until the rounded body has the volume `target`, to its accuracy.
 MeasuredBody with_volume(const SpheroPolyhedron& body, double target, double accuracy) {
   const auto measured = [&](SpheroPolyhedron tried) {
     const MassProperties unit = sphero_mass_properties(tried, 1.0, accuracy);

@@ -21,8 +21,7 @@ struct BlockOptions {
   double accuracy = 1e-4;   ///< relative accuracy of volume and inertia
   double tolerance = 0.01;  ///< maximum Hausdorff distance to the scan relative to L; a warning is
                             ///< added if it is exceeded
-  /// If true, the error for an impossible radius states a possible one. Its search takes as long as
-  /// twenty blocks.
+  /// If true, errors for an impossible radius state a possible one. The search costs twenty blocks.
   bool suggest_radius = true;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -51,9 +50,8 @@ constexpr double kMomentsTolerance = 5e-3;
 bool is_within_tolerance(const Block& block, const BlockOptions& options);
 
 /// Makes a block. If `options.core`, `surface` is the core; only its coplanar faces are merged.
-/// Otherwise, the core is `surface` offset inwards by the radius. It is fitted to `scan` until the
-/// block is within tolerance or no longer improves. Then it is scaled about its centre to the
-/// volume of the scan.
+/// Otherwise, it is `surface` offset inwards by the radius, fitted to `scan` until the block is
+/// within tolerance or no longer improves, and scaled about its centre to the volume of the scan.
 /// @param surface  simplified mesh, closed, outward; outer surface of the rock, or its core
 /// @param scan  closed scan at full resolution, from which `surface` was simplified; reference of
 ///              deviation and volume

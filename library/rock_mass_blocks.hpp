@@ -34,8 +34,7 @@ struct RockMassBlocks {
 RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source,
                              const RockMassOptions& options);
 
-/// Cuts several disjoint masses, each with its own joint positions. Blocks are numbered
-/// consecutively.
+/// Cuts disjoint masses, each with its own joint positions, and numbers blocks consecutively.
 /// @throws GeometryError, InputError  if no mass can be cut; if some can be cut, the reasons for
 ///                                    the others are in `failures`
 /// @pre `masses` is not empty

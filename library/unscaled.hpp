@@ -10,8 +10,7 @@ namespace clast {
 /// metric units, and the mass not at all.
 inline bool is_unscaled(const Block& block) { return block.source.unscaled; }
 
-/// Returns a clause that explains why a block is unscaled and how to scale it: "its photographs
-/// gave no scale ...".
+/// Explains why a block is unscaled and how to scale it: "its photographs gave no scale ...".
 std::string explain_unscaled_block();
 
 }  // namespace clast

@@ -21,8 +21,7 @@ struct OverlapIntegral {
 /// midpoint rule is used. Columns without overlap contribute no error.
 class ColumnQuadrature {
  public:
-  /// @param core  core passed to `decompose_offset_layer`; moments are about the origin, near its
-  ///              centre
+  /// @param core  core of `decompose_offset_layer`; moments are about the origin, near its centre
   ColumnQuadrature(const TriangleMesh& core, const OffsetLayer& skin);
 
   /// Integrates over a grid with `columns_per_side` columns along the longer horizontal side. The

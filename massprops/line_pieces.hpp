@@ -29,8 +29,7 @@ class VerticalLinePieces {
   LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
   /// Returns the range of x in which vertical lines at `y` can intersect the piece.
   LineInterval x_range(std::size_t piece, double y) const;
-  /// Returns the interval of z in which the vertical line through (x, y) is in the piece. x must be
-  /// in `x_range`.
+  /// Interval of z of the vertical line through (x, y) in the piece. x must be in `x_range`.
   LineInterval clip_line(std::size_t piece, double x, double y) const;
 
  private:
@@ -54,8 +53,7 @@ class VerticalLinePieces {
   std::vector<HeightPlane> height_planes_;
 };
 
-/// Triangles of the core prepared for intersection with vertical lines. They are sorted by their
-/// lowest y.
+/// Triangles of the core prepared for intersection with vertical lines. Sorted by lowest y.
 class VerticalLineTriangles {
  public:
   explicit VerticalLineTriangles(const TriangleMesh& core);

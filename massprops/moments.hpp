@@ -26,8 +26,7 @@ struct Moments {
   }
 };
 
-/// Returns the moments of the signed tetrahedron between the origin and a triangle. @cite
-/// mirtich1996
+/// Moments of the signed tetrahedron between the origin and a triangle. @cite mirtich1996
 Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Returns the moments of a closed mesh about `origin`.

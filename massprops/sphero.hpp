@@ -12,11 +12,10 @@ namespace clast {
 ///                        more than 1e-9 rad
 MassProperties convex_sphero_mass_properties(const SpheroPolyhedron& body, double density);
 
-/// Computes the mass properties of any rounded core, also of one that touches or intersects itself.
-/// The closed form for convex cores counts some volume more than once near reflex edges and
-/// self-contacts. This volume is integrated along columns and subtracted. The columns are refined
-/// until four interleaved grids of half the density agree within `accuracy`. Convex bodies are
-/// exact.
+/// Computes the mass properties of any rounded core, also with self-contacts. The closed form for
+/// convex cores counts some volume more than once near reflex edges and self-contacts. This volume
+/// is integrated along columns and subtracted. The columns are refined until four interleaved grids
+/// of half the density agree within `accuracy`. Convex bodies are exact.
 /// @param accuracy  relative to the volume and, for the inertia tensor, to the smallest principal
 ///                  moment; in [1e-9, 0.1]. `relative_error` is the largest deviation of the four
 ///                  grids from their mean. It can exceed `accuracy` only if the surface intersects

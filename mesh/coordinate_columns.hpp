@@ -18,8 +18,7 @@ struct CoordinateColumns {
 };
 
 /// Parses a coordinate heading in English, German, French, Italian or Spanish, such as "x",
-/// "Easting", "Rechtswert", "Points:0" or "Quota (m)". Returns 0, 1 or 2 for x, y or z; empty for
-/// other names.
+/// "Easting", "Rechtswert", "Points:0" or "Quota (m)". Returns 0, 1, 2 for x, y, z; else empty.
 std::optional<int> parse_coordinate_axis(std::string_view heading);
 
 /// Finds the columns of x, y and z by their headings: the three letters, or otherwise one name each

@@ -37,8 +37,7 @@ T key_field(std::string_view bytes, std::size_t offset) {
   return value;
 }
 
-/// Entries of a key directory: key, where its value is, how many there are, and the value or its
-/// index.
+/// Entries of a key directory: key, location of its value, number of values, and value or index.
 class KeyDirectory {
  public:
   explicit KeyDirectory(const GeoTiffKeys& records) {

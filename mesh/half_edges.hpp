@@ -19,8 +19,7 @@ struct HalfEdge {
 
   std::uint32_t from() const { return forward ? low : high; }
   std::uint32_t to() const { return forward ? high : low; }
-  /// Corners of the triangle at both vertices and opposite. Corner 3 t + k is vertex k of triangle
-  /// t.
+  /// Triangle corners at both vertices and opposite. Corner 3 t + k is vertex k of triangle t.
   std::uint32_t low_corner() const { return 3 * triangle + (side + (forward ? 0 : 1)) % 3; }
   std::uint32_t high_corner() const { return 3 * triangle + (side + (forward ? 1 : 0)) % 3; }
   std::uint32_t opposite_corner() const { return 3 * triangle + (side + 2) % 3; }
@@ -39,8 +38,7 @@ inline bool has_repeated_vertex(const TriangleMesh::Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Returns the half-edges, sorted by edge, then triangle. Triangles with a repeated vertex are
-/// skipped.
+/// Half-edges, sorted by edge, then triangle. Triangles with a repeated vertex are skipped.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 
 /// Returns the half-edges of polygons, sorted by edge, polygon and side. Sides from a vertex to

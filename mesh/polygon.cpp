@@ -41,8 +41,7 @@ void take_better_diagonal(const TriangleMesh& mesh, Indices& quad, const Vec3& n
   }
 }
 
-/// Convex, empty by a margin, and with a height over its longest side, all more than `thinnest` of
-/// that side.
+/// Convex, empty by a margin, and high enough: all by more than `thinnest` of its longest side.
 bool is_ear(const TriangleMesh& mesh, const Indices& p, std::size_t k, const Vec3& normal,
             double thinnest) {
   const std::size_t n = p.size();

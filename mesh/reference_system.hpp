@@ -65,8 +65,7 @@ std::vector<std::string> check_length_units(const std::string& name,
 /// Checks that a projection distorts lengths by at most 1 % at a position. Mercator exceeds this
 /// away from the equator. Positions outside the system's area of use or within 100 km of its origin
 /// count as local coordinates, which are accepted.
-/// @param crs  system with horizontal coordinates in metres, "EPSG:3857" or WKT; empty if there is
-///             none
+/// @param crs  system with horizontal coordinates in metres, "EPSG:3857" or WKT; may be empty
 /// @param position  horizontal coordinates in the file
 /// @param conversion_command  command that projects the file, with "EPSG:CODE" for the system; for
 ///                            messages

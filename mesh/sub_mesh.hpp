@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Makes a mesh of `triangles`, which index the vertices of `source`. Unused vertices are left out;
-/// the order is kept.
+/// Makes a mesh of `triangles`, indices into `source`. Omits unused vertices; keeps the order.
 TriangleMesh extract_triangles(const TriangleMesh& source,
                                const std::vector<TriangleMesh::Triangle>& triangles);
 

@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Returns the normal with the length of twice the area, m^2. Its z component is twice the signed
-/// plan area.
+/// Normal with the length of twice the area, m^2. Its z component is twice the signed plan area.
 Vec3 doubled_area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
 /// Returns the unit normal; zero for a degenerate triangle.

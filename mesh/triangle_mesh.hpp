@@ -35,8 +35,7 @@ struct Bounds {
 Bounds bounds(const TriangleMesh& mesh);
 double triangle_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);  ///< m^2
 double surface_area(const TriangleMesh& mesh);                                           ///< m^2
-/// Returns the enclosed volume, m^3. It is negative if the triangles face inwards, and meaningless
-/// if the mesh is open.
+/// Returns the enclosed volume, m^3; negative if triangles face inwards, meaningless if open.
 double signed_volume(const TriangleMesh& mesh);
 TriangleMesh transformed(TriangleMesh mesh, const Pose& to_from);
 TriangleMesh scaled(TriangleMesh mesh, double factor);  ///< scales about the origin; factor > 0

@@ -10,8 +10,7 @@
 namespace clast {
 namespace {
 
-/// More vertices than the last make a simulation slow for little. Trials start at the middle
-/// number.
+/// More vertices than the last make a simulation slow for little. Trials start at the second.
 constexpr std::size_t kMinVertices = 8, kFirstVertices = 120, kMaxVertices = 2000;
 /// The search ends when a tenth fewer vertices are known not to do.
 constexpr double kRefinement = 1.1;

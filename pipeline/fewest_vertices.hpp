@@ -10,14 +10,12 @@ namespace clast {
 /// Searches the minimum number of vertices, to about a tenth.
 class FewestVerticesSearch {
  public:
-  /// Simplifies the scan once to the maximum number of vertices. All arguments must outlive this
-  /// object.
+  /// Simplifies the scan once to the maximum number of vertices. All arguments must outlive it.
   /// @param source  origin of the block, to whose options the number of vertices is added
   FewestVerticesSearch(const std::string& id, const ScanSurface& scan, const BlockSource& source);
 
   /// Finds the block with the fewest vertices within tolerance. The radius is halved until a block
-  /// is within tolerance. If there is none, returns the block with the smallest deviation, with a
-  /// warning.
+  /// is within tolerance. If none is, returns the block with the smallest deviation and a warning.
   /// @param radius_given  true if the user gave the radius, which is then not changed
   /// @throws GeometryError  if no block could be made
   Block find_block(const BlockOptions& options, bool radius_given);
@@ -25,8 +23,7 @@ class FewestVerticesSearch {
  private:
   std::optional<Block> search_at_radius(const BlockOptions& options);
   std::optional<Block> try_vertex_count(std::size_t count, const BlockOptions& options);
-  /// Returns the block with the smallest deviation so far. If no block could be made, throws the
-  /// reason.
+  /// Returns the block with the smallest deviation so far. Throws the reason if there is none.
   Block nearest_block(const BlockOptions& options);
   /// Returns the block with its mass properties recomputed to the requested accuracy.
   Block with_accurate_mass(Block block, const BlockOptions& options) const;

@@ -39,8 +39,7 @@ class BatchObserver {
   virtual void on_block_added(const Block& /*block*/) {}
   /// Called for a block of an earlier batch that `resume` keeps.
   virtual void on_block_retained(const Block& /*block*/) {}
-  /// Called if a block that was reported as added is not written, because another process has added
-  /// one with its id.
+  /// Called if a block reported as added is not written, because another process has added its id.
   virtual void on_block_refused(const std::string& /*id*/) {}
   /// Called for a scan, or a block of a scan, that is not in the library.
   virtual void on_scan_failed(const ScanFile& /*scan*/, const std::string& /*reason*/) {}

@@ -43,8 +43,7 @@ void add_unseen(Block& block, const VolumeBracket& bounds) {
   block.warnings.insert(block.warnings.begin(), describe_volume_bracket(block));
 }
 
-/// Warning about a tolerance that was probably not meant as a fraction of L; empty for usual
-/// values.
+/// Warning about a tolerance probably not meant as a fraction of L; empty for usual values.
 std::string wide_tolerance_note(const BlockOptions& options, const Block& block) {
   constexpr double kWidest = 0.1;
   if (options.tolerance <= kWidest || options.core) return {};

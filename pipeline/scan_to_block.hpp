@@ -30,8 +30,7 @@ struct ScanToBlockOptions {
   bool radius_given =
       false;  ///< true if the user gave the radius or its ratio to S; it is then not changed
   bool allow_any_size = false;  ///< true: blocks of unusual size are accepted
-  bool up_given = false;  ///< true if the user gave `scan.up`; it then overrides the up axis of a
-                          ///< detected ground
+  bool up_given = false;  ///< true if the user gave `scan.up`, which overrides detected ground
   bool find_ground = true;
   bool split = false;       ///< true: makes all blocks above the ground of a scan
   PhotoScanOptions photos;  ///< options for folders of photographs
@@ -59,8 +58,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
 
 /// Data from which a block was made.
 struct BlockOrigin {
-  /// Mesh as read, in units and axes of the file. Without triangles for a cloud; null for a .shp
-  /// shape.
+  /// Mesh as read, in units and axes of the file. A cloud has no triangles; null for .shp.
   const TriangleMesh* raw = nullptr;
   const FieldBlock* field_block =
       nullptr;  ///< closed scan in the block frame; null for a .shp shape

@@ -1,6 +1,5 @@
 #pragma once
-/// Conversion between NumPy arrays and vectors. Data are copied at most once, and not at all if an
-/// owner keeps them.
+/// Conversion between NumPy arrays and vectors. Data are copied at most once, or kept by an owner.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 

@@ -16,9 +16,8 @@ namespace clast::python_detail {
 std::mutex& file_mutex();
 
 /// Runs `job` on another thread that locks `busy`. Meanwhile, this thread releases the GIL, checks
-/// for signals twenty times per second, and calls `progress` with a dict (done, total, before,
-/// what) on changes. A signal or an exception of `progress` ends the job at its next progress step,
-/// and is raised here.
+/// for signals every 50 ms, and calls `progress` with a dict (done, total, before, what) on
+/// changes. Signals and exceptions of `progress` end the job at its next step and are raised here.
 /// @param progress  None or a callable
 void call_with_progress(const pybind11::object& progress,
                         const std::function<void(const ProgressCallback&)>& job,

@@ -1,6 +1,5 @@
 #pragma once
-/// Extraction of blocks from field scans: removes the ground, closes the underside, and bounds the
-/// unobserved part.
+/// Blocks from field scans: removes ground, closes undersides, and bounds the unobserved parts.
 #include <filesystem>
 #include <optional>
 #include <string>

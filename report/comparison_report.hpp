@@ -10,8 +10,7 @@
 
 namespace clast {
 
-/// Returns the folder kind by which folders of `write_comparison` and `write_animation` are
-/// recognised.
+/// Folder kind of folders written by `write_comparison` and `write_animation`.
 FolderKind comparison_folder_kind();
 
 /// Writes tables, provenance.json, stops.gpkg, rasters/ and report.html to a folder.

@@ -4,8 +4,7 @@
 
 namespace clast {
 
-/// Finds a browser. It is named by CLAST_BROWSER; otherwise, Chromium and Chrome are searched on
-/// PATH.
+/// Finds a browser: that named by CLAST_BROWSER, otherwise Chromium or Chrome on PATH.
 /// @throws InputError  if there is none; the message states the package to install
 std::filesystem::path find_browser();
 

@@ -48,8 +48,7 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
   return json;
 }
 
-/// Names of the diagrams that provenance.json in the folder lists; empty when there is
-/// none.
+/// Returns the names of the diagrams in the folder's provenance.json; empty if there is none.
 std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
   std::error_code code;
   const std::filesystem::path path = folder / "provenance.json";

@@ -8,8 +8,7 @@
 namespace clast {
 
 /// Writes binary little-endian PLY with float coordinates rounded to `grid` (m). The rounding is
-/// far coarser than the differences between mathematics libraries, so that every machine writes the
-/// same bytes.
+/// far coarser than differences between mathematics libraries, so that bytes are equal.
 void write_float_ply(const std::filesystem::path& path, const TriangleMesh& mesh, double grid,
                      const std::string& comment);
 

@@ -37,8 +37,7 @@ Mat3 stretch_in(const Mat3& map) {
   return eigen.operatorSqrt();
 }
 
-/// The corners of the hull after a map, and the box around them with the radius that is `share`
-/// of its S.
+/// Corners of the hull after a map, and the box around them with the radius `share` times S.
 struct MappedBox {
   OrientedBox box;
   double radius = 0.0;

@@ -25,8 +25,7 @@ class ConvexCell {
   double volume() const;  ///< m^3
   Vec3 centre() const;    ///< mean of the vertices, which is inside
   TriangleMesh mesh() const;
-  /// Returns the cell as a mesh, with vertices merged that are within 1e-4 of its size; empty if it
-  /// is flat.
+  /// Returns the cell as a mesh, with vertices merged within 1e-4 of its size; empty if it is flat.
   std::optional<TriangleMesh> cleaned_mesh() const;
 
  private:

@@ -22,8 +22,7 @@ struct AffineSpan {
 
 AffineSpan affine_span(std::span<const Vec3> points);
 
-/// Returns the distinct points in ascending order of x, y, z. Results then do not depend on the
-/// input order.
+/// Returns the distinct points in ascending order of x, y, z. Results then ignore the input order.
 std::vector<Vec3> sorted_unique_points(std::span<const Vec3> points);
 
 /// Returns the sorted vertices of the convex hull, which may have any dimension from 0 to 3.

@@ -4,8 +4,7 @@
 
 namespace clast {
 
-/// Flatness tolerance for shapes from files: the rounding error of single precision or eight
-/// digits.
+/// Flatness tolerance for shapes from files: rounding of single precision or eight digits.
 inline constexpr double kFileFlatness = 1e-7;
 
 /// Merges connected coplanar faces to polygons. Vertices inside polygons and on straight edges are

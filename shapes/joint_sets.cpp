@@ -105,8 +105,7 @@ class Cutting {
         " blocks; use wider spacings or a smaller mass, raise the limit, or check the units");
   }
 
-  /// The cell without what is outside of the mass, as large as may be; none where too little is
-  /// left.
+  /// Returns the largest part of the cell inside the mass; empty if too little is left.
   std::optional<ConvexCell> inside(const ConvexCell& cell) const {
     std::optional<ConvexCell> largest;
     for (const double angle : kSameDirections) {

@@ -19,8 +19,7 @@ struct JointSet {
   Vec3 normal() const;  ///< unit normal, pointing up (+z)
 };
 
-/// Parses a joint set "DIP/DIP_DIRECTION/SPACING" with optional "/SCATTER" in degrees and metres:
-/// "65/095/1.2/0.3".
+/// Parses "DIP/DIP_DIRECTION/SPACING[/SCATTER]" in degrees and metres: "65/095/1.2/0.3".
 /// @throws InputError  if the text is invalid or a value is out of range: dip 0 to 90, direction 0
 ///                     to 360, spacing 1e-3 to 1000 m, scatter 0 to 3 times the spacing
 JointSet parse_joint_set(const std::string& text);
@@ -36,8 +35,7 @@ struct JointedMass {
   double volume = 0.0;               ///< volume of the mass, m^3
   std::vector<TriangleMesh> blocks;  ///< convex, closed, outward, disjoint, inside the mass
   double block_volume = 0.0;         ///< total volume of the blocks, m^3
-  /// Returns the volume of the mass that is in no block: omitted cells, and parts cut off at a
-  /// curved surface.
+  /// Returns the volume of the mass in no block: omitted cells and parts cut at curved surfaces.
   double lost_volume() const { return volume - block_volume; }
 };
 

@@ -20,8 +20,7 @@ bool is_smaller(const OrientedBox& a, const OrientedBox& b);
 
 /// Computes the box of smallest volume around balls of `radius` at the points. It is the smallest
 /// box of the rounded body with these core vertices. The result is bit-identical for any order of
-/// the points. Ties are broken as in `is_smaller`. Coplanar, collinear or coincident points have a
-/// flat box.
+/// the points. Ties are broken as in `is_smaller`. Coplanar points have a flat box.
 /// @throws GeometryError  if there are no points
 /// @cite orourke1985
 OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);

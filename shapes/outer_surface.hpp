@@ -6,9 +6,8 @@
 
 namespace clast {
 
-/// Returns the edge length with which `outer_surface_mesh` wraps a body with reflex edges, m; empty
-/// for a body without. It is the length of one segment of a quarter turn, but at least 1/150 of the
-/// diagonal.
+/// Returns the edge length with which `outer_surface_mesh` wraps a body with reflex edges, m: one
+/// segment of a quarter turn, but at least 1/150 of the diagonal; empty for a body without.
 std::optional<double> wrap_edge_length(const SpheroPolyhedron& shape, int segments);
 
 /// Returns the largest number of segments that refines a wrapped body.

@@ -18,8 +18,7 @@ enum class ReferenceShape {
   kEota221,         ///< test plate for rockfall nets, with side ratios 2 : 2 : 1
 };
 
-/// Returns all names: "sphere", "box", "ellipsoid", "superellipsoid", "cylinder", "eota-111",
-/// "eota-221".
+/// All names: "sphere", "box", "ellipsoid", "superellipsoid", "cylinder", "eota-111", "eota-221".
 const std::vector<std::string>& reference_shape_names();
 std::string name_of(ReferenceShape form);
 /// Parses the name of a reference shape.

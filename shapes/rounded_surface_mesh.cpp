@@ -155,8 +155,7 @@ class SkinBuilder {
 
   using Rim = std::vector<std::pair<Index, Vec3>>;  ///< points and their directions
 
-  /// The loop without back-and-forth runs, as over the two sides of one straight edge, which
-  /// enclose nothing.
+  /// Removes back-and-forth runs of a loop, as over both sides of a straight edge, without area.
   Rim rim_of(Index core_vertex, const std::vector<Vec3>& loop) {
     Rim rim;
     for (const Vec3& direction : loop) {

@@ -8,8 +8,7 @@ namespace clast {
 
 class TriangleTree;
 
-/// Distance tree of a scan, shared by all bodies that are compared with the scan. The mesh must
-/// outlive it.
+/// Distance tree of a scan, shared by all bodies compared with it. The mesh must outlive it.
 class ScanSurface {
  public:
   /// Builds the tree. The conversion is implicit, so that a mesh can be passed as a scan surface.

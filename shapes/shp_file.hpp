@@ -12,8 +12,7 @@
 namespace clast {
 
 /// Shape of a .shp file. With `preCompDone y`, vertices are in the principal frame about the centre
-/// of mass. With `preCompDone n`, they are in any frame, and mass properties must still be
-/// computed.
+/// of mass. With `preCompDone n`, they are in any frame, and mass properties must be computed.
 struct ShpShape {
   std::string name;                      ///< no spaces
   SpheroPolyhedron body;                 ///< body as read; its faces may have either orientation
@@ -33,9 +32,8 @@ void write_shp(const std::filesystem::path& path, std::span<const ShpShape> shap
                const OverwritePolicy& rules = {});
 
 /// Reads the shapes in order. Edges are derived from the faces, or read if there are no faces.
-/// Unused vertices are removed with a note. Faces are not reoriented; use
-/// `clean_scan(core_mesh(body), ...)`. A comment starts with #, ! or // in place of a keyword or
-/// number.
+/// Removes unused vertices. Faces are not reoriented; use `clean_scan(core_mesh(body), ...)`. A
+/// comment starts with #, ! or // in place of a keyword or number.
 /// @throws InputError  if the file is missing, truncated or an ESRI shapefile, if a word, count or
 ///                     index is invalid, if a keyword is repeated or missing, or if an edge belongs
 ///                     to no face; the message gives file and line

@@ -12,8 +12,7 @@
 
 namespace clast {
 
-/// Prints blocks to stdout, as lines or JSON, and failures to stderr. Writes a page for each block
-/// if requested.
+/// Prints blocks to stdout, as lines or JSON, and failures to stderr. Optionally writes pages.
 class BatchPrinter : public BatchObserver {
  public:
   /// Starts the output.

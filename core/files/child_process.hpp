@@ -23,8 +23,7 @@ ProcessResult run_child_process(const std::vector<std::string>& command,
                                 const std::filesystem::path& log, double time_limit,
                                 const std::function<void()>& on_wait = {});
 
-/// Finds an executable on PATH. A name with a slash is returned unchanged; the path is empty if
-/// nothing is found.
+/// Finds an executable on PATH. A name with a slash is returned unchanged; empty if not found.
 std::filesystem::path find_executable(const std::string& name);
 
 }  // namespace clast

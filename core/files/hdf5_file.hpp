@@ -30,13 +30,11 @@ class Hdf5Group {
   /// Removes a child. Its space in the file is freed only when the file is rewritten.
   void remove(const std::string& name);
 
-  /// Writes an array. Arrays above 4 kB are stored in compressed chunks. An empty shape stands for
-  /// one dimension.
+  /// Writes an array, in compressed chunks above 4 kB. An empty shape stands for one dimension.
   template <class T>
   void write(const std::string& name, std::span<const T> values,
              const std::vector<std::size_t>& shape = {});
-  /// Reads an array. The conversion to T must be lossless: float can be read as double, but not
-  /// vice versa.
+  /// Reads an array. The conversion to T must be lossless: float to double, but not vice versa.
   template <class T>
   std::vector<T> read(const std::string& name) const;
   std::vector<std::size_t> shape(const std::string& name) const;
@@ -78,8 +76,7 @@ class Hdf5File {
   static std::string read_format(const std::filesystem::path& path);
 
   Hdf5Group root() const;
-  /// Flushes all data to the operating system. Should be called before closing, which cannot report
-  /// a full disk.
+  /// Flushes data to the operating system. Call it before closing, which cannot report a full disk.
   /// @throws InputError  if the disk is full or not available
   void flush();
 

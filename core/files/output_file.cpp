@@ -60,8 +60,7 @@ OutputFile::OutputFile(fs::path target, const OverwritePolicy& rules)
   if (fs::is_directory(target_, code)) {
     throw InputError(target_.string() + ": is a folder; name a file to write");
   }
-  // The rename would take the place of a device such as /dev/null, for every program on the
-  // machine.
+  // A rename would replace a device such as /dev/null for every program on the machine.
   if (fs::exists(target_, code) && !fs::is_regular_file(target_, code)) {
     throw InputError(target_.string() + ": is a device or a pipe; name a file to write");
   }

@@ -36,8 +36,7 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Returns the path to write to. It has the extension of the target, because some writers choose
-  /// their format by it.
+  /// Returns the path to write to, with the extension of the target, as some writers require.
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
   const std::filesystem::path& target_path() const { return target_; }
   /// Writes the whole content to `temporary_path`.

@@ -14,8 +14,7 @@ struct FolderKind {
   std::string name;         ///< for messages: "comparison"
   std::string marker_file;  ///< file in every such folder: "provenance.json"
   std::string mark;         ///< text that `marker_file` contains
-  /// Returns true if a file is part of the output. Its path is relative to the folder. Other files
-  /// are never changed.
+  /// True for output files. Paths are relative to the folder. Other files are never changed.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };
 

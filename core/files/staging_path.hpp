@@ -8,8 +8,7 @@
 namespace clast {
 
 /// Temporary file ".STEM.partPID.EXTENSION" or folder ".NAME.partPID" beside a target. Its name is
-/// unique even between containers with equal process ids. A `FileLock` on it is held if the file
-/// system has locks.
+/// unique even between containers with equal process ids. Held by a `FileLock` if possible.
 class StagingPath {
  public:
   enum class Kind { kFile, kFolder };

@@ -21,8 +21,7 @@ template <class Row>
 struct TableColumn {
   std::string name;     ///< with unit: "speed_m_s"
   std::string unit;     ///< "m/s"; empty if there is none
-  std::string meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line in
-                        ///< docs/formats.md
+  std::string meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line
   std::function<TableCell(const Row&)> value;
 };
 

@@ -130,8 +130,7 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
   }
   return "known here are " + comma_separated(known);
 }
-// Names end in tables, file names and on the terminal, where a line end or a NUL breaks what is
-// around it.
+// Names appear in tables, file names and terminals, where a line end or a NUL breaks the text.
 constexpr const char* kNoControls = "must be one line without control characters";
 bool has_control_characters(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](char c) {

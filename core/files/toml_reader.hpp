@@ -62,8 +62,7 @@ class TomlTable {
   /// Returns the value of a required key.
   /// @throws InputError  if it is missing
   const TomlNode& require_key(const std::string& key, const std::string& expected) const;
-  /// Reads a text; empty if the key is absent. The following functions read other types in the same
-  /// way.
+  /// Reads text; empty if the key is absent. The following functions read other types similarly.
   /// @throws InputError  if the value has the wrong type, is an empty text, or is out of range
   std::optional<std::string> text(const std::string& key) const;
   std::optional<bool> boolean(const std::string& key) const;
@@ -77,14 +76,12 @@ class TomlTable {
   std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;
   std::optional<Vec3> vec3(const std::string& key, const NumberRange& range) const;
 
-  /// Reads a list of `least` to `most` numbers in `range`. `node` is the value of `key` or a part
-  /// of it.
+  /// Reads a list of `least` to `most` numbers in `range`. `node` is (part of) the value of `key`.
   std::vector<double> numbers(const std::string& key, const TomlNode& node, std::size_t least,
                               std::size_t most, const std::string& expected,
                               const NumberRange& range) const;
 
-  /// Calls `check` and returns its result. If `check` throws an InputError, the key is refused with
-  /// that message.
+  /// Returns the result of `check`. If it throws an InputError, refuses the key with its message.
   /// @param key  must exist
   /// @param subject  start of the message
   template <class Check>

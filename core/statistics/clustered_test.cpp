@@ -11,8 +11,7 @@
 namespace clast {
 namespace {
 
-/// Values of both samples in ascending order, the clusters they come in, and to which sample each
-/// is dealt at present.
+/// Values of both samples in ascending order, their clusters, and the sample assigned to each.
 class Deal {
  public:
   Deal(const ClusteredValues& a, const ClusteredValues& b, std::size_t clusters) {

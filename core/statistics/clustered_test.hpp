@@ -9,12 +9,11 @@
 namespace clast {
 
 /// Kolmogorov-Smirnov test of two samples of clustered values, with a permutation p-value. Values
-/// of a cluster in both samples are permuted within the cluster. A cluster in only one sample is
-/// assigned to either sample as a whole. If the samples do not differ within clusters, all such
-/// permutations are equally likely. p = (1 + permutations with at least the observed distance D)/(1
-/// + draws). If no permutation reaches D and all clusters are in both samples, the p of
-/// `two_sample_ks_test` is used if it is smaller; it is conservative here. It is also used if there
-/// is only one cluster.
+/// of clusters in both samples are permuted within the cluster. Other clusters are assigned as a
+/// whole. If the samples do not differ within clusters, all such permutations are equally likely. p
+/// = (1 + permutations with at least the observed distance D)/(1 + draws). If no permutation
+/// reaches D and all clusters are in both samples, the p of `two_sample_ks_test` is used if it is
+/// smaller; it is conservative here. It is also used if there is only one cluster.
 /// @param clusters  number of clusters
 /// @param draws  number of random permutations, positive
 /// @return D and p; empty if a sample is empty

@@ -14,8 +14,7 @@ namespace clast {
 enum class Verdict {
   kSignificant,          ///< significant after correction
   kDistributionDiffers,  ///< the means do not differ significantly, but the distributions do
-  kInsignificantAfterCorrection,  ///< the interval excludes zero, but the corrected test is not
-                                  ///< significant
+  kInsignificantAfterCorrection,  ///< interval excludes zero, corrected test not significant
   kInsignificant,                 ///< not significant
   kGroundDependent,               ///< the sign of the difference depends on the ground draw
   kUntested,  ///< no test is possible: a single realisation, or values without scatter

@@ -45,8 +45,7 @@ double equivalence_p_value(const Contrast& contrast, double margin);
 /// Default statistical power.
 inline constexpr double kDefaultPower = 0.8;
 
-/// Returns the power of a two-sided test at 5 % for a true difference, from the non-central t
-/// distribution.
+/// Power of a two-sided test at 5 % for a true difference, from the non-central t distribution.
 /// @param standard_error  positive
 double test_power(double difference, double standard_error, double degrees_of_freedom);
 /// Returns the minimum detectable difference at power `kDefaultPower`.

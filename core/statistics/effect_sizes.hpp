@@ -10,8 +10,7 @@ namespace clast {
 /// @cite cliff1993
 std::optional<double> cliffs_delta(std::span<const double> a, std::span<const double> b);
 
-/// Describes Cliff's delta as "negligible", "small", "medium" or "large", with limits 0.147, 0.33
-/// and 0.474.
+/// Classifies Cliff's delta at 0.147, 0.33 and 0.474: "negligible", "small", "medium" or "large".
 /// @cite romano2006
 const char* describe_cliffs_delta(double delta);
 

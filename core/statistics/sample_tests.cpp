@@ -99,8 +99,7 @@ double share_of_orders(std::span<const double> x, std::span<const double> y, dou
 double log_factorial(std::size_t n) { return std::lgamma(static_cast<double>(n) + 1.0); }
 
 /// Hypergeometric distribution: number of `marked` balls among `drawn` ones out of `total`. Terms
-/// are summed outwards from the most probable number, so that the number of terms depends on the
-/// spread only.
+/// are summed outwards from the most probable number, so that only the spread limits them.
 std::size_t drawn_marked(Random& random, std::size_t total, std::size_t marked, std::size_t drawn) {
   const std::size_t low = drawn + marked > total ? drawn + marked - total : 0;
   const std::size_t high = std::min(marked, drawn);

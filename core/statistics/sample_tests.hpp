@@ -24,12 +24,10 @@ struct TestResult {
 /// @cite smirnov1939
 std::optional<TestResult> two_sample_ks_test(std::span<const double> a, std::span<const double> b);
 
-/// Spearman's rank correlation in [-1, 1], with mean ranks for ties and a two-sided p-value. The
-/// p-value comes from all n! permutations up to n = 9, otherwise from Student's t with n - 2
-/// degrees of freedom.
+/// Spearman's rank correlation in [-1, 1], with mean ranks for ties and a two-sided p-value: from
+/// all n! permutations up to n = 9, otherwise from Student's t with n - 2 degrees of freedom.
 /// @param x, y  finite, of equal length
-/// @return correlation and p; empty if there are fewer than three pairs, or if all x or all y are
-///         equal
+/// @return correlation and p; empty for fewer than three pairs, or if all x or all y are equal
 /// @cite spearman1904
 std::optional<TestResult> spearman_test(std::span<const double> x, std::span<const double> y);
 

@@ -11,8 +11,7 @@ inline constexpr std::size_t kMaxSobolDimensions = 21;
 
 /// Sobol sequence with the direction numbers of Joe and Kuo. In each dimension, the first 2^k
 /// points have exactly one coordinate in each of 2^k equal parts of [0, 1). If each of d dimensions
-/// is divided in halves, the first 2^d points have exactly one point in each of the 2^d parts of
-/// the cube.
+/// is divided in halves, each of the 2^d parts of the cube has exactly one of the first 2^d points.
 /// @cite sobol1967, joe2008
 class SobolSequence {
  public:

@@ -47,8 +47,7 @@ int justified_decimals(const Interval& interval, int max_decimals);
 /// @cite wilson1927
 Interval wilson_interval(std::size_t hits, std::size_t trials);
 
-/// Returns Wilson's interval of an observed proportion for an effective number of trials, which may
-/// be fractional.
+/// Wilson's interval of an observed proportion, for an effective, possibly fractional sample size.
 /// @param trials  positive
 Interval wilson_interval_of_proportion(double proportion, double trials);
 

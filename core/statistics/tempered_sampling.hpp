@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Function that returns the log-likelihood at points, given as columns. It is called with many
-/// points at a time.
+/// Returns the log-likelihood at points, given as columns. It is called with many points at a time.
 using LogLikelihood = std::function<Eigen::VectorXd(const Eigen::MatrixXd&)>;
 
 struct TemperedSamplingOptions {

@@ -30,8 +30,7 @@ struct EventImpulse {
   }
 };
 
-/// Sum of the forces and torques of a pair's contacts, in world axes. The other body receives the
-/// opposite force.
+/// Sum of forces and torques of a pair's contacts, world axes. Its reaction acts on the other body.
 struct ContactLoad {
   Vec3 force = Vec3::Zero();            ///< on the block
   Vec3 torque = Vec3::Zero();           ///< on the block about its centre of mass
@@ -48,9 +47,8 @@ struct ContactLoad {
   }
 };
 
-/// Contacts of a block with the ground or another block over time. In each step they are matched
-/// with those of the previous step and weighted within their patches. The contact law then gives
-/// their forces.
+/// Contacts of a block with the ground or another block over time. Each step matches them with
+/// those of the previous step, weights them within their patches and computes their forces.
 class ContactForces {
  public:
   /// Makes an empty set of contacts.
@@ -58,8 +56,7 @@ class ContactForces {
   /// @param size  smallest side of the block, m
   ContactForces(const ContactModel& model, const BlockSurface& block, double size);
 
-  /// Computes the loads after a step of `duration` and adds the energies of the step to
-  /// `energy_balance`.
+  /// Computes the loads after a step of `duration` and adds its energies to `energy_balance`.
   /// @param points  contact points at the end of the step, in world axes
   /// @param other  motion of the other body; default `BodyMotion` for the ground
   ContactLoad update(const std::vector<ContactPoint>& points, const BodyMotion& block,
@@ -92,8 +89,7 @@ class ContactForces {
   /// Returns the largest weighted mean overlap of a patch, m. Only vertical components count, so
   /// that a block wedged between steep walls is not deep.
   double compute_settled_depth();
-  /// True if the law leaves residual indentations. The settled depth then depends on impacts rather
-  /// than on the weight.
+  /// True if the law leaves residual indentations. The settled depth then depends on impacts.
   bool is_plastic() const;
   /// Returns the smallest static stiffness of the current contacts, N/m; k_n without contacts.
   double static_stiffness() const;

@@ -10,8 +10,7 @@ namespace {
 /// A contact continues another only if their normals differ by at most 45 degrees.
 constexpr double kContinuesCosine = 0.7071067811865476;
 
-/// Rotates a vector perpendicular to `before` so that it is perpendicular to `normal`. Keeps its
-/// length.
+/// Rotates a vector perpendicular to `before` so that it is perpendicular to `normal`.
 Vec3 turned_into_plane(const Vec3& vector, const Vec3& before, const Vec3& normal) {
   if (normal == before) return vector;
   const double length = vector.norm();

@@ -1,6 +1,5 @@
 #pragma once
-/// Contact history: matches contacts between steps and transfers their friction and rolling
-/// springs.
+/// Contact history: matches contacts between steps and transfers their springs.
 #include <vector>
 
 #include "dem/contact/contact_patches.hpp"
@@ -47,8 +46,7 @@ class ContactHistory {
   bool is_continued(std::size_t contact) const { return continued_[contact]; }
 
   /// Transfers the springs of the previous contacts to those that continue them. If weights move
-  /// between the points of a patch, springs move with them (docs/theory.md, Springs move with the
-  /// weights).
+  /// between the points of a patch, springs move with them (docs/theory.md).
   void transfer_springs(std::vector<Contact>& now, const std::vector<Contact>& before,
                         const ContactPatches& patches);
 

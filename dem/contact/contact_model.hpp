@@ -1,6 +1,5 @@
 #pragma once
-/// Contact parameters shared by all contacts of one kind: on the ground, between bodies, or on
-/// confining walls.
+/// Contact parameters shared by all contacts on the ground, between bodies, or on confining walls.
 #include <cstdint>
 #include <span>
 #include <variant>

@@ -76,8 +76,7 @@ class ContactPatches {
   const FeatureGroups& groups_;
   ContactWeighting weights_;
 
-  // Results of the last call. Groups depend only on the features, which rarely change between
-  // calls.
+  // Results of the last call. Groups depend only on the features, which rarely change.
   std::vector<std::uint32_t> patch_;  ///< per point: smallest index of a point in its patch
   std::vector<std::pair<ContactKind, std::uint32_t>> features_;  ///< block feature of each point
   /// Smallest set of links that connects the points of each group. Usually the ground is smooth

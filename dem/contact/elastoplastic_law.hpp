@@ -13,8 +13,7 @@ struct ElastoplasticLaw {
   static constexpr const char* kName = "elastoplastic";
   static constexpr bool kNeedsEffectiveMass = false;
   static constexpr bool kIsPlastic = true;
-  /// Ratio k_3/k_2. An impact that does not deepen the indentation returns the fraction k_2/k_3 of
-  /// its energy.
+  /// Ratio k_3/k_2. An impact without new indentation returns the fraction k_2/k_3 of its energy.
   static constexpr double kReloading = 2.0;
 
   double loading_stiffness = 0.0;    ///< k_1 = k_n, N/m

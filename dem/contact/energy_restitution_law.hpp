@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Normal force f on one ground zone: f += k_n dh while the overlap h grows, f = k_n e_n^2 h while
-/// it decreases.
+/// Normal force f on a ground zone: f += k_n dh for growing overlap h, otherwise f = k_n e_n^2 h.
 struct EnergyRestitutionLaw {
   static constexpr const char* kName = "energy-restitution";
   static constexpr bool kNeedsEffectiveMass = false;
@@ -80,8 +79,7 @@ struct EnergyRestitutionLaw {
 
  private:
   /// Relative distance up to which a force counts as on the unloading line. The correction at a
-  /// reversal shifts the force off this line by (w dt)^4/24; such a shift must not cause an event
-  /// during unloading.
+  /// reversal shifts the force off this line by (w dt)^4/24; this must not cause an event.
   static constexpr double kOnLine = 1e-5;
 };
 

@@ -29,8 +29,7 @@ class ImpactEnergyCorrection {
   void add_contact_load(double duration, const ContactLoad& load);
   void add_event_impulse(const EventImpulse& event);
 
-  /// Ends an impact when the block has left the ground. Corrects the velocities of the block if
-  /// necessary.
+  /// Ends an impact when the block has left the ground. Corrects its velocities if necessary.
   /// @param accounted  energy of the block plus all dissipation since the start, J
   /// @returns true if the impact was corrected
   bool end_impact(RigidBodyIntegrator& body, double accounted);

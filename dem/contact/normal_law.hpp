@@ -24,8 +24,7 @@ namespace clast {
 /// - `highest_frequency(w)`: the fastest rate of a contact, rad/s, if its spring alone has the
 ///   angular frequency w. It limits the time step.
 /// - `force_drop(overlap, force)`: by how much the force falls when loading turns to unloading, N.
-/// - `unloading_ratio(k_n)`: unloading stiffness divided by k_n. It gives the energy that an impact
-///   can still return.
+/// - `unloading_ratio(k_n)`: unloading stiffness divided by k_n. It gives the returnable energy.
 template <class Law>
 concept NormalLaw = requires(const Law& law, const GroundParameters& ground,
                              const OverlapPath& path, const NormalState& state, double x) {

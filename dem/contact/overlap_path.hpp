@@ -20,15 +20,13 @@ struct OverlapPath {
     return before + time * (rate + time * quadratic_coefficient());
   }
   double rate_at(double time) const { return rate + 2.0 * time * quadratic_coefficient(); }
-  /// Returns the time at which the overlap is largest or smallest, s; the end of the step if it has
-  /// no extremum inside.
+  /// Returns the time of largest or smallest overlap, s; the end of the step if it has none inside.
   double reversal_time() const {
     const double end_rate_times_duration = 2.0 * (after - before) - rate * duration;
     if (!(rate * end_rate_times_duration < 0.0)) return duration;
     return std::min(-0.5 * rate / quadratic_coefficient(), duration);
   }
-  /// Returns the time of zero overlap, s. It must lie between the two times, and the overlap must
-  /// be monotonic there.
+  /// Returns the time of zero overlap, s. It must lie between the times, with monotonic overlap.
   double zero_crossing(double from, double to) const {
     const double b = quadratic_coefficient();
     const double root = std::sqrt(std::max(0.0, rate * rate - 4.0 * b * before));
@@ -68,8 +66,7 @@ class PathIntegral {
   PathIntegral(const OverlapPath& path, double first_force)
       : path_(path), first_force_(first_force) {}
 
-  /// Adds a piece of the path on which `force(time)` is at most quadratic. Two Gauss points are
-  /// then exact.
+  /// Adds a piece of the path on which `force(time)` is at most quadratic. Uses two Gauss points.
   template <class Force>
   void add_interval(double from, double to, const Force& force) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);

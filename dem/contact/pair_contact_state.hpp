@@ -25,8 +25,7 @@ class PairContactState {
   PairContactState(const IndexedSurface& terrain, const BlockSurface& block, double size,
                    const ContactModel& model);
 
-  /// Computes the loads at the present poses after a step of `duration`. Energies are added to
-  /// `energy_balance()`.
+  /// Computes the loads after a step of `duration`. Energies are added to `energy_balance()`.
   const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
   /// Adds a time without contact in which `update` was not called, s.
   void advance_time(double duration) {
@@ -81,8 +80,7 @@ class PairContactState {
   }
 
  private:
-  /// Narrow phase of the pair. `TerrainNarrowPhase` is stored by pointer, because it is much larger
-  /// than the others.
+  /// Narrow phase of the pair. `TerrainNarrowPhase` is much larger and thus behind a pointer.
   using NarrowPhase =
       std::variant<std::unique_ptr<TerrainNarrowPhase>, BlockNarrowPhase, RodNarrowPhase>;
   /// State of the narrow phase while the bodies are near.

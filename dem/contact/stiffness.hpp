@@ -24,8 +24,7 @@ struct StiffnessOptions {
 
 /// Returns the mobility at each vertex, 1/kg: the largest acceleration of the surface point beyond
 /// the vertex by a unit force there. It is the largest eigenvalue of 1/m + [x]^T J^-1 [x], with
-/// mass m, inertia tensor J, and [x] the cross-product matrix of the point's position x from the
-/// centre.
+/// mass m, inertia tensor J, and cross-product matrix [x] of the position from the centre.
 std::vector<double> vertex_mobilities(const RigidBody& body);
 
 /// Body properties that determine the stiffness.
@@ -63,15 +62,13 @@ struct StiffnessChoice {
 
 /// Chooses the contact stiffness and time step (docs/theory.md). S is the smallest side of a body.
 ///
-/// - k_n: the settled depth is at most d = min(2 cm, 2 % of S) for all bodies and zones, for
-///   example k_n = m g/(e_n^2 d) under the energy-restitution law. An impact at `fastest` is at
-///   most S/4 deep.
+/// - k_n: the settled depth is at most d = min(2 cm, 2 % of S) for all bodies and zones, such as
+///   k_n = m g/(e_n^2 d) for energy restitution. An impact at `fastest` is at most S/4 deep.
 /// - k_t = k_n, or k_n/e_n^2 for plastic laws.
 /// - k_r = k_t (S/2)^2 of the smallest body, for ground without rolling length.
 /// - Time step: short enough for the fastest contact oscillation.
 ///
-/// Bodies that touch each other share one stiffness. A body that touches only the ground is passed
-/// alone.
+/// Touching bodies share one stiffness. Bodies that touch only the ground are passed alone.
 /// @param fastest  upper bound of the speed of any block, from release heights and the lowest
 ///                 ground, m/s
 /// @throws SimulationError  if there are no bodies, or if the user's time step exceeds the

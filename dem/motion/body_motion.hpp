@@ -4,8 +4,7 @@
 
 namespace clast::dem_detail {
 
-/// Motion of a body over a step: its final pose, mean velocities and initial state. The default is
-/// a body at rest.
+/// Motion of a body over a step: final pose, mean velocities and initial state; at rest by default.
 struct BodyMotion {
   Pose world_from_body;                  ///< origin at the centre of mass
   Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
@@ -54,8 +53,7 @@ struct RelativeMotion {
         spin(of_block.angular_velocity - of_other.angular_velocity),
         other_is_moving(of_other.is_moving()) {}
 
-  /// Returns the mean relative velocity of the material points at `position` at the end of the
-  /// step.
+  /// Mean relative velocity of the material points at `position` at the end of the step.
   Vec3 velocity_at(const Vec3& position) const {
     return other_is_moving ? Vec3(block.velocity_at(position) - other.velocity_at(position))
                            : block.velocity_at(position);

@@ -7,8 +7,7 @@
 
 namespace clast::dem_detail {
 
-/// Returns the minimum time to travel a distance, s, given bounds of the initial speed and of the
-/// acceleration.
+/// Minimum time to travel a distance, s, given bounds of the initial speed and the acceleration.
 double min_travel_time(double distance, double speed, double acceleration);
 
 /// Free flight from an initial state: ballistic centre of mass, torque-free rotation. The cost does

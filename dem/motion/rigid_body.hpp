@@ -33,7 +33,6 @@ struct RigidBody {
 
   double bounding_radius() const;  ///< of the rounded body about the centre, m
   double size() const;             ///< `smallest_side`, or the diameter if that is not set, m
-  /// Checks the body.
   /// @param name  of the body, for the message
   /// @throws SimulationError  if mass or moments are not positive, or the shape has no vertices
   void check(const std::string& name) const;

@@ -15,8 +15,7 @@ constexpr double kBlockMarginFraction = 0.04;
 constexpr double kListedTooDeep = 2.0;
 /// Largest depth of a redirected contact, as a multiple of the depth of other contacts ...
 constexpr double kForwardsTimes = 2.0;
-/// ... or, if larger, as a fraction of the smallest side. Deeper contacts would lead to the far
-/// side of the ground.
+/// ... or, if larger, as a fraction of the smallest side. Deeper contacts lead to the far side.
 constexpr double kUninvertedFraction = 0.25;
 /// Other faces are searched up to this much farther than the nearest, in list margins. The nearest
 /// face then stays the nearest for a displacement of half that.

@@ -163,8 +163,7 @@ class BlockNarrowPhase {
   std::vector<CandidatePair> pairs_;
   std::uint32_t near_face_ = 0;  ///< ground face near the last tested vertex
   double low_ = 0.0,
-         high_ = 0.0;  ///< coordinates of the block's lowest and the ground's highest point along
-                       ///< `direction_`, m
+         high_ = 0.0;  ///< along `direction_`, m: lowest point of the block, highest of the ground
   double list_valid_until_ = -1.0;  ///< displacement at which the list expires
   double displacement_ = 0.0;       ///< as passed by the caller, m
   double list_touching_ = 0.0;      ///< depth up to which contacts of edges and faces are listed, m

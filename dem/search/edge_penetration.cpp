@@ -20,8 +20,7 @@ std::optional<double> through(const SurfaceFeatures& surface, const SurfaceFace&
   return fraction;
 }
 
-/// Returns the largest depth of the midpoints between the ends of a segment and its intersections
-/// with faces.
+/// Largest depth of the midpoints between the ends of a segment and its intersections with faces.
 double deepest_middle(const IndexedSurface& surface, const Vec3& start, const Vec3& end,
                       std::vector<double> shares) {
   shares.insert(shares.end(), {0.0, 1.0});

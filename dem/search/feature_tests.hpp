@@ -23,9 +23,8 @@ enum class ContactKind : std::uint8_t {
 /// Separation of a block feature and a ground feature.
 struct FeatureSeparation {
   Vec3 separation = Vec3::Zero();  ///< from the nearest ground point to the nearest block point, m
-  /// Displacement of the block before which contact is impossible at any depth, m; 0 if unknown. It
-  /// is the translation of the block's centre plus 2 sin(angle/2) times its bounding radius for a
-  /// rotation by `angle`.
+  /// Displacement of the block before any contact, m; 0 if unknown. It is the translation of the
+  /// block's centre plus 2 sin(angle/2) times its bounding radius for a rotation by `angle`.
   double safe_displacement = 0.0;
 };
 
@@ -142,8 +141,7 @@ class FeatureTests {
   /// Returns the direction in which a vertex inside the ground is pushed out: towards the nearest
   /// point. At a border of the surface, it is the normal there.
   Vec3 push_direction(const NearestPoint& nearest, const Vec3& centre) const;
-  /// True if this vertex or edge of the block can touch the ground along `normal`, which points out
-  /// of the ground.
+  /// True if this vertex or edge of the block can touch the ground along its outward `normal`.
   bool can_vertex_touch(std::uint32_t vertex, const Vec3& normal) const;
   bool can_edge_touch(std::uint32_t edge, const Vec3& normal) const;
   /// True if a ground edge and a block edge can be in contact along `normal`.

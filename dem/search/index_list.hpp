@@ -1,6 +1,5 @@
 #pragma once
-/// List of selected indices. It is filled without branches, because the processor could not predict
-/// them.
+/// List of selected indices. It is filled without branches, which would be unpredictable.
 #include <cstddef>
 #include <cstdint>
 #include <vector>

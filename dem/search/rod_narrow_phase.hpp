@@ -11,8 +11,7 @@ class RodNarrowPhase {
  public:
   RodNarrowPhase(const IndexedSurface& ground, const IndexedSurface& block);
 
-  /// Finds the contacts in the frame of the ground in a deterministic order; the caller may modify
-  /// them.
+  /// Finds the contacts in the ground frame in a deterministic order; the caller may modify them.
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_body);
   /// Returns the distance of the bodies, m; 0 if they touch. Valid after `find_contacts`.
   double clearance() const { return clearance_; }

@@ -173,8 +173,7 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
     part_expiry_[p] = moved_ + clearance;
     return;
   }
-  // A part that was skipped is outside the ground. At the start, neither this nor its depth is
-  // known.
+  // A part that was skipped is outside the ground. At the start, this is not known.
   const bool slept = !(part_expiry_[p] < 0.0);
   const double deepest = slept ? 0.0 : part.radius - clearance - touching;
   state.near = std::make_unique<NearPart>(part);

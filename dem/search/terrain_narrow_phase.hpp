@@ -22,8 +22,7 @@ namespace clast::dem_detail {
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< present velocity of the centre, m/s
   Vec3 spin = Vec3::Zero();      ///< present angular velocity, rad/s
-  double turning = 0.0;  ///< bound of a point's acceleration due to rotation over its distance from
-                         ///< the centre, 1/s^2
+  double turning = 0.0;          ///< bound of rotational acceleration over the radius, 1/s^2
   double acceleration = 0.0;     ///< bound of the acceleration of any point, m/s^2
   double max_point_speed = 0.0;  ///< bound of the speed of any point if there were no gravity, m/s
   double gravity = 0.0;          ///< along -z, m/s^2
@@ -42,9 +41,8 @@ class TerrainNarrowPhase {
   ///                      decrease between calls
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_body, double displacement);
 
-  /// Returns the displacement before which contact is impossible, m. Valid after `find_contacts`.
-  /// If the result is small, the search is suspended for a while; calls then return the present
-  /// displacement.
+  /// Displacement before which contact is impossible, m. Valid after `find_contacts`. If it is
+  /// small, the search is suspended for a while, and the present displacement is returned.
   double safe_displacement();
   /// Returns a time of flight without contact, s. Valid after `find_contacts`. Far from the ground,
   /// it follows from the bounding sphere. Otherwise it needs a search that costs as much as several
@@ -107,8 +105,7 @@ class TerrainNarrowPhase {
   };
   struct VertexState {
     bool outside = false;  ///< true if it is known to be out of reach of the ground
-    // If `outside`: the listed face whose plane it may reach first, and the separation bound from
-    // all other features.
+    // If `outside`: the listed face whose plane it may reach first, and the bound for all others.
     std::uint32_t closest_plane = kNoFeature;
     SeparationBound others;
     std::uint32_t near_face = 0;  ///< entry of the nearest face in the part's list

@@ -26,8 +26,7 @@ namespace {
 constexpr double kLandingTime = 5e-10;
 /// Growth of the time step in the search for the first contact, if no contact was found.
 constexpr double kLookFarther = 8.0;
-/// A block at rest is lost in the ground if it lies deeper than this factor times its settled
-/// depth.
+/// A block at rest is lost if it is deeper than this factor times its settled depth.
 constexpr double kSettledSlack = 1.1;
 
 /// Run in progress.
@@ -117,8 +116,7 @@ class Release {
     return search_.find_contacts(integrator_.state().world_from_body(), displacement_);
   }
 
-  /// Flies for the contact-free time, or at least the longest step, but not beyond the first
-  /// contact.
+  /// Flies for the contact-free time or at least the longest step, not beyond the first contact.
   void advance_flight() {
     const RigidState begin = integrator_.state();
     if (!flight_) {
@@ -160,8 +158,7 @@ class Release {
     advance(begin, duration, true);
   }
 
-  /// Goes back from a time with contact to the first contact, by bracketed Newton's method on the
-  /// overlap.
+  /// Goes back from a time with contact to the first, by bracketed Newton's method on the overlap.
   /// @param clear  time of the flight without contact, s
   void land(double clear) {
     double touching = flown_, look_farther = kLandingTime;
@@ -309,8 +306,7 @@ class Release {
     const Vec3& position = integrator_.state().position;
     result_.settled_penetration = forces_.max_overlap();
     EnergyBalance& energy_balance = result_.energy;
-    // Potential energy is relative to the final height, so that the scale of the error does not
-    // depend on the datum.
+    // Potential energy is relative to the final height, to make the error independent of the datum.
     energy_balance.close_balance(
         final_energy(), energy_balance.initial - body_.mass * settings_.gravity * position.z());
     const std::optional<double> ground =

@@ -71,8 +71,7 @@ class Sequence {
 
   const RigidBody& body_of(std::size_t block) const { return shapes_[blocks_[block].shape]; }
 
-  /// Returns the smallest height above `start` at which the bounding sphere of the block is clear
-  /// of all others.
+  /// Smallest height above `start` at which the block's bounding sphere is clear of all others.
   double clear_height(const RigidBody& body, const Vec3& start) const {
     const double radius = body.bounding_radius();
     double height = start.z();
@@ -237,8 +236,7 @@ class Sequence {
     return settling() ? schedule_.is_confined(block) : !world_.is_fixed(block);
   }
 
-  /// Counts the released blocks. Called when their number changes, because progress is reported
-  /// after every step.
+  /// Counts the released blocks. Called only when their number changes.
   void count_released() {
     released_ = 0;
     for (std::size_t block = 0; block < recorders_.size(); ++block) {

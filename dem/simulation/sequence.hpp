@@ -104,9 +104,8 @@ struct SequenceProgress {
 /// Called after each step; its exceptions end the sequence.
 using SequenceProgressObserver = std::function<void(const SequenceProgress&)>;
 
-/// Observer of the energy of all blocks, called in order of time since the first release. It is
-/// called at each release, at each rest, and after the first step past each multiple of
-/// `energy_interval`.
+/// Observer of the energy of all blocks in order of time since the first release. Called at each
+/// release, at each rest, and after the first step past each multiple of `energy_interval`.
 using EnergyObserver = std::function<void(const EnergySample&)>;
 
 /// Optional observers; they do not affect the results.

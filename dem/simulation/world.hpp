@@ -130,8 +130,7 @@ class World {
   /// Returns the total momentum of the moving bodies; angular momentum is about the origin.
   Vec3 linear_momentum() const;
   Vec3 angular_momentum() const;
-  /// Returns the energy balance since the first body was added. The energy of bodies added later is
-  /// added to `initial`.
+  /// Energy balance since the first body was added; `initial` includes the energy of later bodies.
   EnergyBalance energy_balance() const;
   /// Returns the present energies and the dissipation since the first body was added.
   EnergySample energy_sample() const;

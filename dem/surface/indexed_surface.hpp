@@ -1,6 +1,5 @@
 #pragma once
-/// Contact surface: features with a plan grid. It represents the ground, and a block that other
-/// blocks hit.
+/// Contact surface: features with a plan grid. It represents the ground or a block hit by others.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -83,8 +82,7 @@ struct IndexedSurface {
   bool is_block = false;  ///< false for a terrain
   PlanGrid grid;
 
-  /// Returns the nearest point of the triangles (not of the rounded surface); empty if none is
-  /// within `reach`.
+  /// Nearest point of the triangles (not of the rounded surface); empty if none is within `reach`.
   /// @param guess  index of a face that is probably near; affects only the speed
   std::optional<NearestPoint> nearest_point(const Vec3& query, double reach,
                                             std::uint32_t guess = kNoFeature) const;

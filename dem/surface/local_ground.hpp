@@ -8,8 +8,7 @@
 
 namespace clast::dem_detail {
 
-/// Plane above all ground of a region. A point's height above it is a lower bound of its distance
-/// to the ground.
+/// Plane above all ground of a region. The height above it is at most the distance to the ground.
 struct BoundingPlane {
   Vec3 normal = Vec3::UnitZ();  ///< mean of the face normals
   double offset = -1e300;       ///< largest projection of a ground point onto `normal`, m

@@ -41,8 +41,7 @@ SegmentDistance closest_points(const Segment& a, const Segment& b) {
 double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
                                 const Vec3& centre, double radius) {
   // A segment that ends before the other's line stays on its side of the plane through that line
-  // and the common normal. The plane rotates about the line, up to pi/2 over the sine faster than
-  // the body.
+  // and the common normal, which rotates about it up to pi/2 over the sine faster than the body.
   const double turning = kHalfPi / (radius * closest.sine);
   const auto displacement_of = [&](double beyond, const Segment& of, double line,
                                    const Segment& other, double moving) {

@@ -38,15 +38,13 @@ struct SurfaceEdge {
   bool is_convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kReflex; }
 };
 
-/// Features of a surface. Other quantities are computed on demand from these, to save memory for
-/// large terrains.
+/// Features of a surface. Other quantities are computed on demand, which saves memory.
 struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
   std::vector<Vec3> vertex_normals;  ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
-  /// True for a vertex that can be in contact: the end of a convex edge without a collinear
-  /// continuation.
+  /// True for vertices that can be in contact: ends of convex edges without collinear continuation.
   std::vector<std::uint8_t> is_pointed_vertex;
   std::vector<std::uint32_t>
       edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]

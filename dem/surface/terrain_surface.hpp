@@ -28,9 +28,8 @@ class TerrainSurface {
   std::uint16_t zone_count() const;  ///< largest zone index + 1
   const Bounds& extent() const;
 
-  /// Returns the height of the surface on the vertical line through (x, y). If that line meets
-  /// several upward-facing triangles, the height nearest to `z_near` is returned; empty outside the
-  /// surveyed area.
+  /// Height of the surface at (x, y). If several upward-facing triangles are there, returns the
+  /// height nearest to `z_near`; empty outside the surveyed area.
   std::optional<double> height_at(double x, double y, double z_near) const;
   /// Returns the ground zone at the point that `height_at` finds.
   std::optional<std::uint16_t> zone_at(double x, double y, double z_near) const;

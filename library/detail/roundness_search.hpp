@@ -12,10 +12,9 @@ struct RoundedBody {
   double roundness = 0.0;     ///< measured roundness
 };
 
-/// Finds the body with a given roundness. The radius is found by regula falsi (Illinois) on the
-/// measured roundness. The interval begins at the largest radius. Its other end is the first of a
-/// descending sequence with a smaller roundness than the target, because small radii take longest
-/// to measure.
+/// Finds the body of a given roundness, by regula falsi (Illinois) on the radius. The interval
+/// begins at the largest radius. Its other end is the first of a descending sequence with a smaller
+/// roundness than the target, because small radii take longest to measure.
 /// @param rounded  function that returns the body for a ratio of radius to S
 /// @param edge_length  edge length of the mesh on which roundness is measured, m
 /// @throws GeometryError  if the target cannot be reached within `kRoundnessTolerance`; states the

@@ -16,8 +16,7 @@ std::optional<TriangleMesh> read_ply(std::string_view content);
 std::optional<TriangleMesh> read_off(std::string_view content);
 std::optional<TriangleMesh> read_tab(std::string_view content);
 
-/// Refuses glTF files whose geometry needs an extension, because assimp ignores it and returns
-/// wrong coordinates.
+/// Refuses glTF files whose geometry needs an extension, which assimp ignores without an error.
 /// @param content  content of a .gltf or .glb file
 /// @throws InputError  if there is such an extension; the message names it but not the file
 void check_gltf_extensions(std::string_view content);

@@ -280,8 +280,7 @@ void read_lists(Body& body, const Element& element, std::vector<std::vector<std:
   }
 }
 
-/// Replaces the strips from `first` on by their triangles; -1 ends a strip, every second triangle
-/// is turned.
+/// Replaces the strips from `first` on by triangles; -1 ends a strip, every second one is flipped.
 void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t first) {
   std::vector<std::vector<std::int64_t>> triangles;
   for (std::size_t s = first; s < faces.size(); ++s) {

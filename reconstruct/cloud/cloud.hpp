@@ -24,8 +24,7 @@ std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
 std::vector<std::vector<std::uint32_t>> find_clusters(std::span<const Vec3> points, double max_gap,
                                                       std::size_t min_points);
 
-/// Estimates unit normals from planes fitted to the `neighbours` nearest points. Their sign is
-/// arbitrary.
+/// Estimates unit normals from planes of the `neighbours` nearest points. Signs are arbitrary.
 std::vector<Vec3> estimate_normals(std::span<const Vec3> points, int neighbours);
 
 /// Search for nearest points with a k-d tree.

@@ -102,8 +102,7 @@ struct Body {
                       " points; check that all lie on the surface of one block");
 }
 
-/// Alternates between both: the surface shows which normals are wrong, and corrected normals
-/// improve the surface.
+/// Alternates between both: the surface shows wrong normals, and corrected normals improve it.
 /// @param spacings  of points without noise, to take in thin parts; else empty
 void find_surface(Body& body, std::span<const double> spacings = {}) {
   for (int round = 0; round < kSurfaceRounds; ++round) {

@@ -19,8 +19,7 @@ struct BodySeam {
 /// Finds the plane at which two touching bodies may be joined. The section is narrower than the
 /// body on both sides of the plane. The convex hulls of both parts together are clearly smaller
 /// than the hull of the whole. The surface is concave along most of the outline of the section,
-/// unless the section is very narrow. A notch, in contrast, is concave along a part of the outline
-/// only.
+/// unless the section is very narrow. A notch is concave along a part of the outline only.
 /// @param closed  outward
 /// @returns empty if there is no such plane
 std::optional<BodySeam> find_body_seam(const TriangleMesh& closed);

@@ -11,8 +11,7 @@ namespace clast {
 
 struct ColmapOptions {
   std::string program = "colmap";  ///< path of the program, or its name in PATH
-  /// Cache folder, in which models are stored by photo digest. If empty, `default_photo_cache` is
-  /// used.
+  /// Folder of models by photo digest. If empty, `default_photo_cache` is used.
   std::filesystem::path cache = {};
   /// Folder of masks (`find_masks`), or empty. Features are only detected in white areas.
   std::filesystem::path masks = {};
@@ -21,8 +20,7 @@ struct ColmapOptions {
   int most_pixels = 2000;  ///< maximum length of the longer side, px; larger photos are scaled down
   std::size_t exhaustive_up_to = 60;  ///< maximum number of photos for which all pairs are matched;
                                       ///< otherwise, neighbours in order are matched first
-  /// Minimum fraction of photos for which a camera is found. Otherwise, a side of the block is
-  /// missing.
+  /// Minimum fraction of photos with a camera. Otherwise, a side of the block is missing.
   double least_share = 0.6;
 
   void check() const;  ///< throws InputError naming the field and its value

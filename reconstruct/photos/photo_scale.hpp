@@ -23,14 +23,12 @@ void visit_fields(const ScaleBar& options, Visit&& visit) {
   visit("length", length);
 }
 
-/// Known lengths. Distances between markers have priority over marker sides, because they are
-/// longer.
+/// Known lengths. Marker distances have priority over marker sides, because they are longer.
 struct ScaleOptions {
   std::vector<ScaleBar> bars = {};
   std::optional<ScaleBoard> board = {};
   std::optional<double> marker_side = {};  ///< side length of the black square of all markers, m
-  /// Maximum relative deviation of a length from the others. Lengths that deviate more are excluded
-  /// and reported.
+  /// Maximum relative deviation of a length from the others. Others are excluded and reported.
   double largest_disagreement = 0.005;
 
   void check() const;  ///< throws InputError naming the field and its value

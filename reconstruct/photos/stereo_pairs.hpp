@@ -38,9 +38,8 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
   visit("fewest_pairs", fewest_pairs);
 }
 
-/// Chooses partners for each photo that shows the centre of the region. They are the photos whose
-/// angle is nearest to the best angle, on both sides if possible. Pairs are in the order of the
-/// photos.
+/// Chooses partners for each photo that shows the centre of the region. They have angles nearest to
+/// the best angle, on both sides if possible. Pairs are in the order of the photos.
 /// @param excluded  ascending indices of photos that are not used, such as blurred ones
 /// @throws InputError  if there are too few pairs; states how far the photos are apart
 std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,

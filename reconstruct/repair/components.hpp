@@ -12,17 +12,15 @@ struct Component {
   double area = 0.0;
 };
 
-/// Returns the edge-connected components without unused vertices. The component with the largest
-/// area is the first.
+/// Returns the edge-connected components without unused vertices, that of largest area first.
 std::vector<Component> connected_components(const TriangleMesh& mesh);
 
 /// True if the closed surface encloses `point`, as given by the winding number. The surface may
 /// have either orientation. The point must not lie on it.
 bool encloses(const TriangleMesh& closed, const Vec3& point);
 
-/// True if all vertices of the component are inside the block or touch it from inside. This is
-/// false for other blocks: if they overlap, they have vertices outside; if they touch, their centre
-/// is outside.
+/// True if all vertices of the component are inside the block or touch it from inside. False for
+/// other blocks: if they overlap, they have vertices outside; if they touch, their centre.
 /// @param block  closed, with either orientation
 /// @param tree  tree of `block`
 bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,

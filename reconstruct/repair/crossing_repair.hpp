@@ -17,15 +17,13 @@ TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin);
 /// Surface without self-intersections.
 struct CrossingFreeSurface {
   TriangleMesh mesh;
-  /// Relative volume by which a wrap exceeded the surface before it was scaled. Set if wrapping was
-  /// necessary.
+  /// Relative excess volume of a wrap before it was scaled. Set if wrapping was necessary.
   std::optional<double> wrap_bias;
 };
 
 /// Repairs self-intersections. Touching sheets are separated by a small distance. If intersections
 /// remain, intersecting triangles are smoothed, or they and their neighbours are removed and the
-/// holes are filled. If this fails, the surface is wrapped and the wrap is scaled to the volume of
-/// the surface.
+/// holes filled. If this fails, the surface is wrapped and the wrap scaled to its volume.
 /// @param mesh  closed, oriented 2-manifold of one component, already `snapped_to_grid`
 /// @param origin  origin of the vertex coordinates; the result is snapped to the same grid
 /// @return closed, oriented surface of one component without self-intersections; empty if no method

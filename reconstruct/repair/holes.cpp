@@ -158,8 +158,7 @@ std::vector<Vec3> normals_beyond(const mesh_detail::CgalMesh& mesh, Halfedge bor
   return normals;
 }
 
-/// Fills one hole and adds to what is known of it its area, 0 when it stays open, and how much its
-/// volume is open.
+/// Fills one hole; records its area (0 if it stays open) and the uncertainty of its volume.
 /// @param points  of the border
 void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points,
           FilledHole& hole) {

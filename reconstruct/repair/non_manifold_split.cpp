@@ -20,8 +20,7 @@ using Triangle = TriangleMesh::Triangle;
 constexpr int kCutRounds =
     8;  ///< a triangle is cut once in each, for at most three edges of its own
 
-/// The next pair of sides that part an edge's triangles: around the edge, each pair has rock
-/// between its two.
+/// Returns the pairs of adjacent sides around an edge that have rock between them.
 std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
                                                    std::span<const HalfEdge> sides) {
   const std::vector<Vec3> wing = triangle_directions(mesh, sides);

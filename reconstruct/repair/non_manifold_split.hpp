@@ -27,8 +27,7 @@ struct SplitEdges {
 /// @pre the mesh is oriented as far as possible
 SplitEdges split_non_manifold_edges(TriangleMesh& mesh);
 
-/// Splits non-manifold vertices into one vertex per fan of triangles. Returns the number of split
-/// vertices.
+/// Splits non-manifold vertices into one per fan of triangles. Returns the number of splits.
 RepairChange split_non_manifold_vertices(TriangleMesh& mesh);
 
 /// Separates coincident vertices of touching sheets by moving each of them by `distance`. A vertex

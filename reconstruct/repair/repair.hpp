@@ -13,9 +13,8 @@ struct RepairOptions {
       1e-5;  ///< distance within which vertices are merged, as a fraction of the diagonal
   bool keep_inner_shells = false;  ///< true: closed shells inside the block are kept as cavities;
                                    ///< false: they are removed
-  /// If true, missing surface is filled. If false, holes of more than four edges and non-manifold
-  /// edges are errors, and spikes and self-intersections are kept. Use false for cores, whose
-  /// vertices are exact.
+  /// Fills missing surface. If false, holes of more than four edges and non-manifold edges are
+  /// errors, and spikes and self-intersections kept. Use false for cores, whose vertices are exact.
   bool fill_missing = true;
   double largest_hole = 0.4;  ///< maximum area of a filling as a fraction of the repaired surface
   /// Converts positions for messages and report, for example to file coordinates. If empty,

@@ -59,8 +59,7 @@ enum class RetentionReason {
   kClosed,  ///< the other copy is open
 };
 
-/// Removed copy of the block's surface or of a part of it. Copies occur if a block is scanned or
-/// stored twice.
+/// Removed copy of (part of) the surface. It occurs if a scan is stored twice.
 struct DuplicateSurface {
   bool closed = false;         ///< true if the copy is closed
   double area_fraction = 0.0;  ///< area as a fraction of the area of the retained surface
@@ -73,8 +72,7 @@ struct DuplicateSurface {
   RetentionReason retention_reason = RetentionReason::kSize;
 };
 
-/// Fraction of the repaired surface above which a hole is reported separately, because its filling
-/// is uncertain.
+/// Fraction of the repaired surface above which a hole is reported separately, as uncertain.
 constexpr double kLargeHole = 0.1;
 
 struct RepairReport {
@@ -90,8 +88,7 @@ struct RepairReport {
   bool inner_shells_retained = false;
   /// Relative volume change due to the repair of self-intersections.
   double crossing_volume_change = 0.0;
-  /// Relative volume by which a wrap exceeded the surface before it was scaled. Set if wrapping was
-  /// necessary.
+  /// Relative excess volume of a wrap before it was scaled. Set if wrapping was necessary.
   std::optional<double> wrap_bias;
 
   const Defect* find_defect(DefectKind kind) const;  ///< null if there is none of that kind

@@ -14,13 +14,11 @@ namespace {
 
 constexpr std::size_t kSamples = 800;  ///< vertices of the component that are compared
 constexpr int kSteps = 30;
-/// Shares of the diagonal: a copy is no farther off, and one that fits within the second is as good
-/// as on it.
+/// Distances over the diagonal: of a copy at most, and of one that fits as well as an exact one.
 constexpr double kFarthestCopy = 0.08, kFitsCopy = 0.003;
 /// Left of the distance once a copy is fitted, at most.
 constexpr double kLeft = 0.35;
-/// Of the samples: those that must face one way, and those that count for a fit; the rest may have
-/// no counterpart.
+/// Fractions of samples: those that must face one way, and those with a counterpart, used in a fit.
 constexpr double kCopyOneWay = 0.9, kCounted = 0.9;
 constexpr double kSameWay = 0.3;  ///< cosine between the normals of copy and surface
 /// A copy with this share of the area is one of the whole block; of two such the one with so many

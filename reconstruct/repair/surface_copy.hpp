@@ -1,6 +1,5 @@
 #pragma once
-/// Detection of duplicate surfaces, which occur if a rock is scanned or stored twice with a small
-/// offset.
+/// Detection of duplicate surfaces, of rocks scanned or stored twice with a small offset.
 #include <optional>
 #include <vector>
 

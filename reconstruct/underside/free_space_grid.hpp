@@ -8,8 +8,7 @@
 
 namespace clast {
 
-/// Grid of cubes in the frame and units of a point cloud. The x index varies fastest, then y, then
-/// z.
+/// Grid of cubes in the frame and units of a point cloud. x varies fastest, then y, then z.
 struct FreeSpaceGrid {
   Vec3 origin = Vec3::Zero();                   ///< minimum corner of the grid
   double side = 0.0;                            ///< side of a cube; 0 if nothing is known

@@ -12,8 +12,7 @@ namespace clast {
 /// Returns the folder kind by which folders of `write_gallery` are recognised.
 FolderKind gallery_folder_kind();
 
-/// Writes FOLDER/gallery.html, a self-contained page with an image, the measures and an interactive
-/// view of each block.
+/// Writes FOLDER/gallery.html, self-contained, with image, measures and interactive 3-D blocks.
 /// @param title  title of the page, such as the name of the library
 /// @return path of the page
 /// @throws InputError  if the folder cannot be created or written

@@ -25,12 +25,10 @@ struct Camera {
   Vec3 seen(const Vec3& point) const;
 };
 
-/// Makes a camera that looks at its target from the direction `toward`. The z axis is as upright as
-/// possible.
+/// Makes a camera that looks at its target from the direction `toward`, z as upright as possible.
 Camera make_camera(const Vec3& toward);
 
-/// Centres the cameras on the points and sets a common scale. Without points, pixels have a side of
-/// 1 m.
+/// Centres the cameras on the points and sets a common scale. Without points, pixels are 1 m wide.
 void frame(std::span<Camera> cameras, std::span<const Vec3> points, std::uint32_t width,
            std::uint32_t height);
 
@@ -39,11 +37,9 @@ class Canvas {
  public:
   explicit Canvas(const Camera& camera);
 
-  /// Function that returns the unshaded colour of a point on a triangle. `behind` is true for back
-  /// faces.
+  /// Returns the unshaded colour of a point on a triangle. `behind` is true for back faces.
   using Paint = std::function<Rgb(std::uint32_t triangle, const Vec3& place, bool behind)>;
-  /// Draws shaded triangles, lit from the upper left. `paint` is called once per pixel and
-  /// triangle.
+  /// Draws triangles, lit from the upper left. `paint` is called once per pixel and triangle.
   /// @param ambient  fraction of ambient light, 0 to 1
   void draw(const TriangleMesh& mesh, const Paint& paint, double ambient = 0.42);
   /// Draws dots of two pixels. Nearer dots are darker.

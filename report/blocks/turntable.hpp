@@ -1,6 +1,5 @@
 #pragma once
-/// Interactive 3-D view of a block with its scan, its deviations from the scan, and its smallest
-/// box.
+/// Interactive 3-D view of a block with its scan, deviations from the scan, and smallest box.
 #include <cstddef>
 #include <string>
 
@@ -31,8 +30,7 @@ std::string format_turntable_json(const Block& block, const TurntableLimits& lim
 /// @param source  id of the packed element with the JSON; empty if a script sets it later
 std::string format_turntable_view(const std::string& source);
 
-/// Returns unpack.js, three.js and the viewer. Without three.js, returns a note on how to install
-/// it.
+/// Returns unpack.js, three.js and the viewer, or a note on how to install three.js if missing.
 std::string turntable_script();
 
 /// Formats the section "In 3-D" of the page of a block.

@@ -25,8 +25,7 @@ struct Bins {
   double edge(std::size_t bin) const { return low + width * static_cast<double>(bin); }
 };
 
-/// Chooses about 24 bins with round edges. Up to 60 bins are used if this makes all `limits` edges
-/// of bins.
+/// Chooses about 24 bins with round edges. Uses up to 60 if that makes all `limits` edges.
 Bins choose_bins(const Span& values, const std::vector<double>& limits = {});
 
 }  // namespace clast::report_detail

@@ -20,8 +20,7 @@ struct ClassFractionSeries {
   std::vector<FractionWithInterval> shares;  ///< one per class
 };
 
-/// Draws bars from zero with intervals as whiskers. There is one row per class, including empty
-/// classes.
+/// Draws bars from zero with intervals as whiskers. One row per class, including empty ones.
 std::string draw_class_fractions(const std::string& title, const std::vector<std::string>& classes,
                                  const std::vector<ClassFractionSeries>& series);
 

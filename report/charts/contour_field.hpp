@@ -8,8 +8,7 @@
 
 namespace clast::report_detail {
 
-/// Thin-plate spline: a plane plus a weighted sum of r^2 log r, where r is the distance from each
-/// point.
+/// Thin-plate spline: a plane plus a weighted sum of r^2 log r, r being the distance from a point.
 /// @cite duchon1977
 class ThinPlateSpline {
  public:

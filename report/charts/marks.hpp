@@ -8,8 +8,7 @@
 
 namespace clast::report_detail {
 
-/// Draws a mark in the colour of the class, about 8 px wide: a circle for compact blocks, otherwise
-/// a diamond.
+/// Draws a mark in the colour of the class, about 8 px wide: a circle if compact, else a diamond.
 /// @param x, y  px
 /// @param filled  if false, the inside is white
 /// @param attributes  attributes of the SVG element, such as its class

@@ -26,8 +26,7 @@ inline std::string format_colour(const Rgb& colour) {
   return text;
 }
 
-/// Mixes a colour with the fraction `share` of another colour. Mixing with "#ffffff" makes it
-/// paler.
+/// Mixes a colour with the fraction `share` of another. Mixing with "#ffffff" makes it paler.
 inline std::string mix_colours(const std::string& colour, const std::string& other, double share) {
   Rgb parts{};
   for (std::size_t i = 0; i < parts.size(); ++i) {

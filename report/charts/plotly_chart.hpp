@@ -53,8 +53,7 @@ struct IntervalMark {
   std::string note;  ///< tooltip, plain text
 };
 
-/// Formats a chart. Empty if no trace has points, or if plotly.js is not installed (see
-/// `charts_script`).
+/// Formats a chart. Empty without points, or if plotly.js is not installed (see `charts_script`).
 std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces);
 
 /// Formats a chart of horizontal intervals, the first on top, with a vertical line at zero. Empty
@@ -77,8 +76,7 @@ std::string charts_script();
 inline constexpr std::size_t kMinForCurve = 4;
 
 /// Makes the cumulative distribution of each sample, or its exceedance curve if `exceeding`. Empty
-/// samples are omitted. Large samples are reduced to about 1,500 steps. Small samples are drawn as
-/// points.
+/// samples are omitted, large ones reduced to about 1,500 steps, small ones drawn as points.
 std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples,
                                           bool exceeding = false);
 

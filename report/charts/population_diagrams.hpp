@@ -10,9 +10,8 @@ namespace clast::report_detail {
 
 /// SVG diagrams by file name.
 using Diagrams = std::map<std::string, std::string>;
-/// Draws all diagrams. Their names are "sneed_folk", "zingg" and "size" (with "_1" and "_2" for two
-/// populations), "s_c", "shares_" plus the class column of each scheme, and "sizes" for two
-/// populations.
+/// Draws all diagrams. They are "sneed_folk", "zingg" and "size" (with "_1" and "_2" for two
+/// populations), "s_c", "shares_" plus each scheme's class column, and "sizes" for two populations.
 Diagrams draw_population_diagrams(const PopulationReport& report);
 
 /// Returns the suffix of the file names of a population's diagrams. Empty for a single population.

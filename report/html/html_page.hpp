@@ -15,8 +15,7 @@ std::string escape_html(std::string_view text);
 /// Shortens a UTF-8 text to at most `most` characters. A shortened text ends with ….
 std::string shorten_text(std::string_view text, std::size_t most);
 
-/// Formats a relative path for use in href. Characters other than letters, digits and /._- become
-/// %XX.
+/// Formats a relative path for use in href. Other than letters, digits and /._- become %XX.
 std::string format_link_target(std::string_view path);
 
 /// Formats a number with fixed decimals; "-" if it is not finite.
@@ -51,8 +50,7 @@ std::string svg_text(double x, double y, std::string_view text, std::string_view
 /// Formats the opening tag of an SVG image that scales with the page.
 std::string open_svg(double width, double height, std::string_view label);
 
-/// Makes a standalone SVG file from an image of a page. Adds a white background, a font and the
-/// size in px.
+/// Makes a standalone SVG file from an image of a page. Adds white background, font and size in px.
 std::string make_svg_file(const std::string& svg);
 
 /// Replaces each {{name}} in an HTML template by its value (HTML).
@@ -63,8 +61,7 @@ std::string fill_template(std::string_view skeleton,
 std::string format_section(std::string_view title, std::string_view body);
 /// State of a collapsible section when the page is printed.
 enum class PrintedState { kLeftOut, kOpen };
-/// Formats a collapsible section: a line of plain text, and a body in HTML that is shown after a
-/// click.
+/// Formats a collapsible section: a line of plain text, and an HTML body shown after a click.
 std::string format_folded_section(std::string_view line, std::string_view body,
                                   PrintedState on_paper = PrintedState::kLeftOut);
 /// Formats a paragraph of plain text. Text in backticks is formatted as code.

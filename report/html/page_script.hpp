@@ -5,16 +5,14 @@
 
 namespace clast::report_detail {
 
-/// Formats a script element. Sequences that would end the element are replaced by equivalent
-/// JavaScript.
+/// Formats a script element. Replaces sequences that would end it by equivalent JavaScript.
 std::string format_script_element(std::string_view code);
 
 /// Formats an element with JSON data and the given attributes.
 std::string format_json_element(const std::string& attributes, std::string json);
 
 /// Formats an element with a compressed text. `clastUnpacked(id)` of unpack.js reads it. Large
-/// texts, such as JavaScript libraries and trajectories, are packed, because browsers then open a
-/// page faster.
+/// texts, such as libraries and trajectories, are packed, so that pages open faster.
 std::string format_packed_element(const std::string& id, std::string_view text);
 
 /// Returns the folder of an installed JavaScript library. It is given by the environment variable

@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Returns the main result, findings, unknowns, statistics and checks of a calibration
-/// (docs/formats.md).
+/// Returns main result, findings, unknowns, statistics and checks of a calibration.
 nlohmann::ordered_json calibration_json(const Calibration& calibration);
 
 /// Returns design, sites, unknowns and observed statistics of a study.

@@ -14,8 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json schema_of(const ValueFormat& form);
 
-/// Numbers as editors of TOML compare them: 0 is allowed apart from the range where it means
-/// something.
+/// Range of numbers for editors of TOML. If 0 has a special meaning, it is allowed too.
 Json number_schema(const NumberRange& range) {
   Json json = {{"type", "number"}};
   if (range.zero != nullptr) {

@@ -29,8 +29,7 @@ std::string draw_release_mark(double x, double y, const std::string& title);
 /// @param path  closed SVG path, px
 std::string draw_release_outline(const std::string& path, const std::string& title);
 
-/// Arrow at a barrier, which shows the counted direction: position and unit vector in map
-/// coordinates.
+/// Arrow at a barrier in the counted direction: position and unit vector in map coordinates.
 struct CountArrow {
   Vec2 root = Vec2::Zero();
   Vec2 way = Vec2::UnitX();

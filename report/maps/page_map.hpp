@@ -17,9 +17,8 @@ struct PageMapContents {
   int height = 640;  ///< height of the map, px
 };
 
-/// Formats the map with controls for layer, opacity and paths. Empty if plotly.js is not installed,
-/// or if there is nothing to show. map.js, which `make_report_page` includes, draws layers, north
-/// arrow and scale bar.
+/// Formats the map with controls for layer, opacity and paths. Empty without plotly.js or contents.
+/// map.js, which `make_report_page` includes, draws layers, north arrow and scale bar.
 /// @throws InputError  if a results file can no longer be read
 std::string format_page_map(const Comparison& comparison, const PageMapContents& contents);
 

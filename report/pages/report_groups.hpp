@@ -13,8 +13,7 @@
 namespace clast::report_detail {
 
 bool has_several_files(const Comparison& comparison);
-/// Selects the groups of one kind. If there are several files, the groups of each file are
-/// selected.
+/// Selects the groups of one kind. With several files, selects those of each file.
 std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind kind);
 /// Returns the group name without its kind.
 std::string short_group_name(const Group& group);

@@ -8,8 +8,7 @@
 
 namespace clast {
 
-/// Data for the page of a block. Blocks from .shp files have no scan, and their pages have no
-/// images of it.
+/// Data for the page of a block. Blocks from .shp files have no scan and no images of it.
 struct ScanOfBlock {
   const TriangleMesh* raw =
       nullptr;  ///< mesh as read, in units and axes of the file; null without a scan

@@ -7,8 +7,7 @@
 
 namespace clast::report_detail {
 
-/// Limits of the amount of data in a page. If they are exceeded, data are reduced, and the page
-/// states this.
+/// Limits of the amount of data in a page. Beyond them, data are reduced, and the page states it.
 struct SceneLimits {
   std::size_t frames = 100'000;  ///< maximum number of states of all runs, 32 bytes each
   std::size_t triangles =

@@ -52,8 +52,7 @@ std::vector<ComparisonRow<Item>> select_rows(const TableColumns<ComparisonRow<It
 
 /// Makes a table from columns and items.
 /// @param columns  must outlive the table
-/// @param items  function or member of the analyses or of the comparison that gives one item per
-///               row
+/// @param items  function or member of the analyses or comparison that gives one item per row
 template <class Row, class Items>
 ComparisonTable make_table(const std::string& name, const TableColumns<Row>& columns,
                            const Items& items) {

@@ -9,8 +9,7 @@ namespace clast {
 
 using ComparisonTable = ReportTable<ComparisonAnalyses>;
 
-/// Returns all tables, such as "runs", "barriers" and "crossings". "measured" is empty without
-/// observed stops.
+/// Returns all tables, such as "runs", "barriers" and "crossings". "measured" may be empty.
 const std::vector<ComparisonTable>& comparison_tables();
 
 }  // namespace clast

@@ -38,8 +38,7 @@ const std::vector<Statistic> kMeanAndStd = {{"mean", &Summary::mean}, {"std", &S
 const std::vector<Statistic> kUpper = {
     {"mean", &Summary::mean}, {"p95", &Summary::p95}, {"max", &Summary::max}};
 
-/// A column for each statistic, whose name takes the place of `*` in `name`; empty where nothing
-/// was measured.
+/// Adds a column per statistic, whose name replaces `*` in `name`; empty if not measured.
 /// @param summary  of a row, a function or a member
 template <class Row, class Get>
 TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, const std::string& name,

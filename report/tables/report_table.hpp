@@ -1,6 +1,5 @@
 #pragma once
-/// Tables of a report. Each is declared once for its CSV file, its columns in Python, and
-/// docs/formats.md.
+/// Tables of a report. Each is declared once for CSV, Python and docs/formats.md.
 #include <functional>
 #include <string>
 #include <vector>

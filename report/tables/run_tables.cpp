@@ -1,5 +1,4 @@
-// The tables with a row for a run or for something that happened in one. Rows are in order of file,
-// run and time.
+// Tables with a row per run or per event of a run, in order of file, run and time.
 #include "report/tables/comparison_columns.hpp"
 #include "study/results/stored_columns.hpp"
 

@@ -7,8 +7,7 @@
 
 namespace clast {
 
-/// Formats the contents of a study: sites, members and runs, unknowns with ranges, and observed
-/// statistics.
+/// Formats a study: sites, members and runs, unknowns with ranges, and observed statistics.
 std::string format_study_summary(const CalibrationStudy& study);
 
 /// Describes an unknown, such as "friction of blue" or "rolling length of scree, m".
@@ -21,8 +20,7 @@ std::vector<std::string> describe_calibration_findings(const Calibration& calibr
 
 /// Formats a table with prior, median, 95 % interval and relative width of each unknown.
 std::string format_unknowns_table(const Calibration& calibration);
-/// Formats a table of the observed and predicted statistics, with 95 % intervals and the quality of
-/// the surrogates.
+/// Formats a table of observed and predicted statistics, 95 % intervals and surrogate quality.
 std::string format_statistics_table(const Calibration& calibration);
 
 /// Formats tables [ground.NAME] with the posterior medians, for use in campaign files.

@@ -1,6 +1,5 @@
 #pragma once
-/// Texts of the key results of a comparison. They are the same on the page, in the terminal and in
-/// the summary.
+/// Texts of the key results of a comparison. They are equal on page, terminal and summary.
 #include <string>
 #include <vector>
 
@@ -15,8 +14,7 @@ std::vector<std::string> describe_key_results(const Comparison& comparison,
 /// Describes the runs, such as "192 runs of 3 blocks (330 to 580 kg) in 2 shape classes".
 std::string describe_runs(const Comparison& comparison);
 
-/// Describes the basis of the intervals, such as "Ranges in brackets are 95 % intervals, from 16
-/// release points."
+/// Describes the intervals: "Ranges in brackets are 95 % intervals, from 16 release points."
 std::string describe_intervals(const KeyResults& answer);
 
 /// Describes the limits of validity, such as "Not run: blocks above 580 kg, other ground."

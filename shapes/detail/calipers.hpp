@@ -19,8 +19,7 @@ struct Rectangle {
 /// or two points if the input is a single point or collinear.
 std::vector<Vec2> convex_hull_2d(std::vector<Vec2> points);
 
-/// Makes a nearly convex outline convex: removes vertices that rounding has made reflex or
-/// straight.
+/// Makes an outline convex by removal of vertices that rounding has made reflex or straight.
 /// @param loop  counter-clockwise
 std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop);
 

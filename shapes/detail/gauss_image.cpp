@@ -13,8 +13,7 @@ namespace {
 
 // Sine of the angle within which a face counts as seen on edge.
 constexpr double kOnEdge = 1e-11;
-// An arc between the normals of two faces is no shorter than this, and as much from half a turn.
-// rad
+// Minimum arc between the normals of two faces, and minimum difference from half a turn, rad.
 constexpr double kNoArc = 1e-12;
 
 }  // namespace
@@ -86,8 +85,7 @@ BoxCandidate GaussImage::best_box_about(const Vec3& direction, double limit) {
 void GaussImage::trace_outline(const Mat3& frame) {
   for (std::size_t f = 0; f < up_.size(); ++f) {
     const auto i = static_cast<Eigen::Index>(f);
-    // Faces on edge look up, all of them: decided by rounding, the loop would run to and fro on
-    // them.
+    // All faces on edge count as facing up; if rounding decided, the outline would zigzag.
     up_[f] = slopes_[i] >= -kOnEdge * areas_[i];
   }
   std::size_t count = 0;

@@ -16,8 +16,7 @@ struct BoxCandidate {
   Mat3 axes = Mat3::Identity();                             ///< columns: unit directions
 };
 
-/// Convex hull with its Gauss image, in which faces are points on the unit sphere and edges are
-/// arcs.
+/// Convex hull with its Gauss image, in which faces are points on the unit sphere and edges arcs.
 class GaussImage {
  public:
   /// Builds the Gauss image.
@@ -48,8 +47,7 @@ class GaussImage {
     std::uint32_t face, other_face;
   };
 
-  /// Traces the outline of the projection along the direction, which is the boundary of the faces
-  /// with `up_`.
+  /// Traces the outline of the projection along the direction: the boundary of faces with `up_`.
   void trace_outline(const Mat3& frame);
 
   std::vector<Vec3> vertices_;

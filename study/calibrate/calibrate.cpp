@@ -194,8 +194,7 @@ struct PreparedSites {
       const std::vector<std::string>& inputs = sites.back().inputs();
       simulator.inputs.insert(simulator.inputs.end(), inputs.begin(), inputs.end());
     }
-    // Processes are asked for one by one, so each has a core to itself unless another number is
-    // given.
+    // Processes are started one by one, so each uses one core unless another number is given.
     const bool alone = !options.team || options.team->size() == 1;
     const unsigned threads =
         options.threads == 0 && !alone ? 1 : resolve_thread_count(options.threads);

@@ -26,8 +26,7 @@ struct CalibrationDesign {
   std::size_t draws = 2000;     ///< number of posterior draws
   Kernel kernel = Kernel::kMatern52;
 
-  /// Returns the unknowns of each member as prior probabilities, in [0, 1]. The members form a
-  /// Sobol sequence.
+  /// Unknowns of each member as prior probabilities, in [0, 1]. They form a Sobol sequence.
   std::vector<std::vector<double>> places(std::size_t unknowns) const;
 };
 
@@ -55,8 +54,7 @@ struct CalibrationStudy {
 ///                     and held out; names file, line, key, value and expectation
 CalibrationStudy read_calibration_study(const std::filesystem::path& file);
 
-/// Returns the declarations of all tables and keys of a study file, in the order of
-/// docs/formats.md.
+/// Returns declarations of all tables and keys of a study file, in order of docs/formats.md.
 const std::vector<KeyTable>& calibration_key_tables();
 
 /// True if the file has tables that only studies have; false if it cannot be read.

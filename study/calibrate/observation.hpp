@@ -37,8 +37,7 @@ struct SummaryStatistic {
   double measuring_error = 0.0;
 };
 
-/// Stop position relative to the start, m: along the downslope path and lateral to it (positive to
-/// the right).
+/// Stop position relative to the start, m: along the downslope path and to the right of it.
 struct StopPosition {
   double along = 0.0;
   double aside = 0.0;
@@ -71,8 +70,7 @@ struct Observation {
 std::vector<Moment> observed_moments(const std::vector<Observation>& observations,
                                      std::size_t site);
 
-/// Outcome of a release that belongs to an observation: its stop position, or its state at the
-/// barrier or moment.
+/// Outcome of a release for an observation: stop position, or state at the barrier or moment.
 struct SelectedOutcome {
   std::uint32_t point = 0;  ///< release point; releases of one point share its ground
   double along = 0.0, aside = 0.0;
@@ -87,19 +85,16 @@ std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
                                              std::span<const ReleaseOutcome> outcomes);
 
 /// Checks that a member has enough releases of the observed blocks to estimate their scatter.
-/// @throws InputError  if there are fewer than `kMinSelectedOutcomes`; names the observation and
-/// the number
+/// @throws InputError  if there are fewer than `kMinSelectedOutcomes`; names observation and number
 void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen);
 /// Minimum number of selected releases per member, for `check_enough`.
 inline constexpr std::size_t kMinSelectedOutcomes = 8;
 
-/// Computes the stop position relative to the origin that an observation uses (see
-/// `from_own_start`).
+/// Stop position relative to the origin that an observation uses (see `from_own_start`).
 StopPosition stop_position_of(const Observation& observation, const SiteDescription& site,
                               const Vec2& start, const Vec2& stop);
 
-/// Computes a statistic of a sample. Returns NaN if it is undefined, such as the mean speed if no
-/// block passed.
+/// Computes a statistic of a sample. NaN if undefined, such as the mean speed if no block passed.
 /// @param sample  indices into `seen`; may contain repetitions
 double compute_statistic(const SummaryStatistic& figure, std::span<const SelectedOutcome> seen,
                          std::span<const std::size_t> sample);

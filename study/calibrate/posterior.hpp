@@ -20,16 +20,14 @@ struct CalibrationRuns {
 struct Marginal {
   double median = 0.0;
   double low = 0.0, high = 0.0;  ///< 95 % interval
-  /// Width of the 95 % interval divided by that of the prior. Both are measured in prior
-  /// probability.
+  /// Width of the 95 % interval divided by that of the prior. Both in prior probability.
   double width = 1.0;
   double at_low = 0.0,
          at_high = 0.0;  ///< fractions of the draws in the lowest and highest 5 % of the prior
 
   /// True if the data hardly constrain the unknown.
   bool is_undetermined() const { return width > 0.8; }
-  /// True if many draws are near a limit of the prior, so that the prior range truncates the
-  /// posterior.
+  /// True if many draws are near a limit of the prior, so that it truncates the posterior.
   bool is_cut_off_by_range() const {
     return !is_undetermined() && (at_low > 0.25 || at_high > 0.25);
   }
@@ -52,23 +50,20 @@ struct PredictedStatistic {
   bool covers(double observed) const { return low <= observed && observed <= high; }
 };
 
-/// Posterior predictive check: measures how well the calibrated simulation agrees with the observed
-/// statistics.
+/// Posterior predictive check: how well the calibrated simulation agrees with observed statistics.
 struct PredictiveCheck {
   std::size_t figures = 0;  ///< number of statistics
   std::size_t covered = 0;  ///< number of statistics inside their 95 % intervals
   double squared = 0.0;     ///< squared Mahalanobis distance of observed and predicted statistics
   double degrees_of_freedom =
       0.0;  ///< number of statistics minus number of parameters that they determine
-  /// Probability of a larger distance if the model is correct. Empty if no degrees of freedom are
-  /// left.
+  /// Probability of a larger distance if the model is correct. Empty without degrees of freedom.
   std::optional<double> p_value;
 
   bool failed() const { return p_value && *p_value < 0.05; }
 };
 
-/// Members whose statistics are nearest to the observed ones: a coarse check that uses no
-/// surrogates.
+/// Members whose statistics are nearest to the observed ones: a coarse check without surrogates.
 struct NearestMembers {
   std::size_t members = 0;
   std::vector<Marginal> unknowns;  ///< median, minimum and maximum over these members

@@ -29,8 +29,7 @@ struct Moment {
 struct OutcomeAtMoment {
   double speed = std::numeric_limits<double>::quiet_NaN();   ///< m/s
   double spin = std::numeric_limits<double>::quiet_NaN();    ///< rad/s
-  double height = std::numeric_limits<double>::quiet_NaN();  ///< height of the centre of mass above
-                                                             ///< the ground, m
+  double height = std::numeric_limits<double>::quiet_NaN();  ///< centre of mass above the ground, m
   double energy =
       std::numeric_limits<double>::quiet_NaN();  ///< kinetic energy of translation and rotation, J
   double depth = std::numeric_limits<double>::quiet_NaN();  ///< largest overlap of an impact, m

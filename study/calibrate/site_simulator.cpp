@@ -145,8 +145,7 @@ struct SiteMemberSimulator::Impl {
     return runs;
   }
 
-  /// Other blocks for each member, so that how much a few drawn blocks differ from their law shows
-  /// as scatter.
+  /// Draws other blocks for each member, so that sampling of blocks contributes to the scatter.
   void draw_blocks_of(std::uint32_t member) {
     const std::uint64_t seed = std::exchange(
         prepared.campaign.blocks.draw->seed,

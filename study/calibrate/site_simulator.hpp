@@ -9,10 +9,9 @@
 
 namespace clast {
 
-/// Simulator of one site. Loads the campaign once and sets the unknowns for each member. The
-/// releases of a member are distributed evenly over the planned runs and differ between members. If
-/// an unknown concerns sampled blocks, these are sampled again for each member. Outcomes refer to
-/// library blocks.
+/// Simulator of one site. Loads the campaign once and sets the unknowns per member. Releases are
+/// distributed evenly over the planned runs and differ between members. If an unknown concerns
+/// sampled blocks, these are sampled again for each member. Outcomes refer to library blocks.
 class SiteMemberSimulator {
  public:
   /// Prepares the campaign.

@@ -62,8 +62,7 @@ SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
   return site;
 }
 
-/// All figures of a sample of each of the blocks; of each observation the first releases, as many
-/// as it had.
+/// Computes the statistics of a sample of each block, from the first releases of each observation.
 /// @param whole  all of the sample for every observation
 VectorXd figures_of(const std::vector<const Observation*>& observations,
                     const std::vector<std::vector<SelectedOutcome>>& seen, const SiteBlocks& site,

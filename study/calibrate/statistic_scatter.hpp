@@ -26,8 +26,7 @@ struct StatisticScatter {
   Eigen::MatrixXd field;
   /// Covariance of the member's statistics under resampling of its releases.
   Eigen::MatrixXd within;
-  /// Covariance of the member's statistics under resampling of release points. Zero if there is one
-  /// point.
+  /// Covariance of the member's statistics under resampling of release points. Zero for one point.
   Eigen::MatrixXd points;
 };
 

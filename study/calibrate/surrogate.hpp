@@ -26,8 +26,7 @@ struct Surrogate {
   GaussianProcess process;
   SurrogateQuality quality;
 
-  /// Predicts means and variances. Variances include `inflation` and `roughness`, which were found
-  /// by cross-validation.
+  /// Predicts means and variances, including the cross-validated `inflation` and `roughness`.
   GaussianProcess::Prediction predict(const Eigen::MatrixXd& places) const;
 };
 

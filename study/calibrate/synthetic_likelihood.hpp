@@ -1,6 +1,5 @@
 #pragma once
-/// Synthetic likelihood: probability density of the observed statistics as a function of the
-/// unknowns.
+/// Synthetic likelihood: density of the observed statistics as a function of the unknowns.
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
@@ -36,8 +35,7 @@ class SyntheticLikelihood {
   SyntheticLikelihood(const CalibrationStudy& study, const MemberStatistics& figures,
                       unsigned threads);
 
-  /// Returns the indices of the statistics with a surrogate, either the fitted or the held-out
-  /// ones.
+  /// Returns the indices of the statistics with a surrogate, fitted or held-out.
   std::vector<Eigen::Index> known(bool fitted) const;
   /// Predicted means and surrogate variances, one row per statistic and one column per point.
   struct Expected {

@@ -23,8 +23,7 @@ std::uint64_t values_checksum(const void* bytes, std::size_t size, std::uint64_t
 /// Returns the checksum of an attribute of an object; empty if it cannot be read.
 std::optional<std::uint64_t> attribute_checksum(hid_t object, const std::string& name);
 
-/// Returns the combined checksum of all attributes except the checksum itself; empty if one cannot
-/// be read.
+/// Returns the checksum of all attributes except the checksum itself; empty if one is unreadable.
 std::optional<std::uint64_t> attributes_checksum(hid_t object);
 
 /// Returns the stored checksum; empty if there is none.

@@ -9,8 +9,7 @@ namespace {
 /// Displacement of the ball in one interval, as a fraction of the larger of cell size and radius.
 constexpr double kPieceFraction = 0.5;
 
-/// True if no ground touches the ball anywhere within `spread` of `middle` in plan and not below
-/// the height `lowest`.
+/// True if no ground touches the ball within `spread` of `middle` in plan, at or above `lowest`.
 bool clear_of(const PlanGrid& grid, const Vec2& middle, double spread, double lowest,
               double radius) {
   const double reach = radius + spread;

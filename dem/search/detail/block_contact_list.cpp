@@ -1,5 +1,4 @@
-// Candidate list of two blocks: features that may touch before the blocks have moved by the list
-// margin.
+// Candidate list of two blocks: features that may touch within motions up to the margin.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -40,8 +39,7 @@ struct PartBetween {
   std::size_t first_corner, end_corner;  ///< likewise
 };
 
-/// Temporary data for making a list, kept to save allocations. All pairs of a thread share it in
-/// turn.
+/// Temporary data for making a list, kept to save allocations. Shared by the pairs of a thread.
 struct ListScratch {
   std::vector<double> ground_heights, block_heights;  ///< of the vertices along the direction, m
   std::vector<PartBetween> ground_parts;
@@ -336,8 +334,7 @@ void BlockNarrowPhase::add_candidate_pair(ContactKind kind, std::uint32_t side,
 double BlockNarrowPhase::depth_beyond_plane(double along, double slack) const {
   const double farthest = listing_distance() + kListRounding;
   if (along < 0.0) return farthest;
-  // A block feature that penetrates the ground along such a normal lies lower than the ground
-  // feature.
+  // A block feature that penetrates the ground along such a normal is below the ground feature.
   return std::min(farthest, tests_.reach() + margin_ + kListRounding + slack * list_touching_);
 }
 

@@ -9,8 +9,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Pairs are listed up to this distance, in list margins. A ground feature gets a list once it is
-/// so near to the part.
+/// Distance up to which pairs are listed, in list margins. Ground features so near get a list.
 constexpr double kPairMargins = 1.0;
 
 }  // namespace

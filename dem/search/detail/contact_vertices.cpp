@@ -8,8 +8,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// A vertex this many margins above the bounding plane of the ground near its part needs no other
-/// test.
+/// A vertex this many margins above the bounding plane of the ground near its part needs no test.
 constexpr double kEnough = 0.25;
 /// Faces up to this many margins farther than the nearest are distinguished from it.
 constexpr double kDistinctGroundMargins = 4.0;

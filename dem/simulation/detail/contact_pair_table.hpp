@@ -64,8 +64,7 @@ class ContactPairTable {
   /// @param moved  bodies that may have moved since the last call; default: all
   void update_pairs(std::span<const WorldBody> bodies,
                     std::optional<std::span<const std::uint32_t>> moved = {});
-  /// Lists the active pairs. Must be called whenever the moving bodies or the list of pairs have
-  /// changed.
+  /// Lists the active pairs. Call it when the moving bodies or the pairs have changed.
   void update_active_list(std::span<const WorldBody> bodies);
   /// Computes contacts and loads of the active pairs at the poses after a step of `duration`. The
   /// loads of other pairs do not change.
@@ -75,8 +74,7 @@ class ContactPairTable {
                       const std::function<bool(const ContactPair&)>& is_new);
   /// Requests a broad phase at the next `update_pairs`, as the set of movable bodies has changed.
   void request_broad_phase() { broad_phase_ = {}; }
-  /// Stores the residual indentations of bodies that have left the ground, fallen asleep or left
-  /// the world.
+  /// Stores residual indentations of bodies that fell asleep or left the ground or the world.
   void store_indentations(std::span<const WorldBody> bodies, SoilMemory& soil);
   /// Ends the contacts of a body that leaves the world.
   void end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies);

@@ -15,9 +15,8 @@ bool in_impact(const WorldBody& body, double energy, double rest_energy) {
   return is_impact(energy, std::max(body.integrator.kinetic_energy(), floor));
 }
 
-/// Returns the mobility of a body at its contacts, 1/kg: with weighted springs of stiffness k
-/// there, it has no frequency above sqrt(k mobility). A spring between two moving bodies counts
-/// twice.
+/// Returns the mobility of a body at its contacts, 1/kg: with springs of stiffness k there, no
+/// frequency exceeds sqrt(k mobility). A spring between two moving bodies counts twice.
 double mobility_of(std::uint32_t index, std::span<const WorldBody> bodies,
                    const ContactPairTable& pairs) {
   const BodyShape& shape = *bodies[index].shape;

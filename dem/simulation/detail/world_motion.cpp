@@ -322,8 +322,7 @@ EnergyBalance WorldMotion::energy_balance() const {
   EnergyBalance energy_balance = losses();
   energy_balance.initial = initial_;
   double energy = pairs_.stored_energy();
-  // Potential energy is relative to the heights at the end, so that the scale of the error does not
-  // depend on the datum.
+  // Potential energy is relative to the final heights, to make the error independent of the datum.
   double datum = 0.0;
   for (const WorldBody& body : bodies_) {
     if (body.fixed) continue;

@@ -19,9 +19,8 @@
 
 #include "mesh/detail/cgal_mesh.hpp"
 
-/// The order in which CGAL refines cells of equal quality. Its own is that of their addresses,
-/// which differ from run to run (https://github.com/CGAL/cgal/issues/6240); the places of the
-/// corners do not.
+/// Order in which CGAL refines cells of equal quality, by the corners. CGAL compares addresses,
+/// which differ from run to run (https://github.com/CGAL/cgal/issues/6240).
 template <>
 struct std::less<CGAL::Poisson_reconstruction_function<
     clast::mesh_detail::CgalKernel>::Triangulation::Cell_handle> {
@@ -131,8 +130,7 @@ std::vector<TriangleMesh::Triangle> border(const Delaunay& delaunay) {
   return triangles;
 }
 
-/// Cells between points of a part too thin for the indicator have circumradii of up to so many
-/// spacings.
+/// Circumradius of cells within parts too thin for the indicator, at most, in point spacings.
 constexpr double kThin = 1.5;
 
 /// The indicator ends before the tips and ridges that are thinner than the points lie apart, and

@@ -8,8 +8,7 @@
 namespace clast::reconstruct_detail {
 
 /// Indicator function of a body: negative inside and positive outside. It is the global solution of
-/// a Poisson equation for oriented points. Therefore, it is robust against single outliers, gaps
-/// and varying density.
+/// a Poisson equation for oriented points. It is robust against outliers, gaps and varying density.
 /// @cite kazhdan2006
 class IndicatorFunction {
  public:

@@ -10,8 +10,7 @@ namespace {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// The bending of a thin plate over a grid: second differences along both axes, and the mixed one,
-/// squared.
+/// Bending energy of a thin plate on a grid: squared second differences, both axes and mixed.
 void add_bending(Entries& entries, std::size_t columns, std::size_t rows, double weight) {
   struct Term {
     std::size_t node;

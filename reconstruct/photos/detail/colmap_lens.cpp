@@ -7,8 +7,7 @@ namespace clast::photos_detail {
 
 CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
                                   const std::vector<double>& p) {
-  // Parameters of each of COLMAP's models, in its order: one focal length or two, the centre, and
-  // the distortion.
+  // Parameters of COLMAP's models, in its order: one focal length or two, centre, and distortion.
   struct Layout {
     std::size_t focals;
     std::size_t distortions;

@@ -23,8 +23,7 @@ const std::vector<std::string>& common_dictionary_names();
 int opencv_dictionary(const std::string& name);
 int dictionary_size(const std::string& name);
 
-/// Detects markers. Their corners are accurate to about a pixel. Markers that occur twice are
-/// skipped.
+/// Detects markers. Corners are accurate to about a pixel. Duplicate markers are skipped.
 std::vector<DetectedMarker> detect_markers(const cv::Mat& grey, const std::string& dictionary);
 
 /// Refines the corners as intersections of lines that are fitted to the edges in undistorted

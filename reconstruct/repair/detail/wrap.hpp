@@ -15,8 +15,7 @@ struct WrapParameters {
 inline constexpr WrapParameters kFineWrap{1.0 / 60.0, 1.0 / 1500.0},
     kCoarseWrap{1.0 / 20.0, 1.0 / 600.0};
 
-/// Computes a closed 2-manifold without self-intersections that encloses `closed` at the distance
-/// `parameters.offset`.
+/// Computes a closed 2-manifold without self-intersections around `closed`, at `parameters.offset`.
 /// @param closed  surface without holes; the wrap would enter through holes
 /// @throws GeometryError  if it has holes
 /// @cite portaneri2022

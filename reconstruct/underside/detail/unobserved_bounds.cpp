@@ -34,10 +34,9 @@ constexpr double kMaxHidden = 3.0;
 /// Distance of what is behind a closure, against that of the closure, from the middle.
 constexpr double kFarthestBehind = 10.0;
 constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's area
-/// A rim turns into the body where the surface goes on across it inwards by this sine on average:
-/// the wall of a pit, and no gap in a face. Two closures that face each other through the body may
-/// be the mouths of a tunnel unless their rims turn outward, as those of gaps in a convex surface
-/// do.
+/// Mean sine of the surface's turn inwards at a rim, beyond which it is the wall of a pit and no
+/// gap in a face. Closures that face each other through the body may be mouths of a tunnel unless
+/// their rims turn outward, as those of gaps in a convex surface do.
 constexpr double kTurnsInward = 0.3, kTurnsOutward = 0.05;
 constexpr double kMinMouth = 0.002;         ///< of the area of the surface
 constexpr double kMinLeftByHollows = 0.01;  ///< of the volume

@@ -20,8 +20,7 @@ struct PossibleHollow {
 };
 
 /// Bounds of a body if its unobserved part continues the observed flanks, in units of the mesh. For
-/// the lower volume, closures are indented like the observed surface, and possible cavities are
-/// excluded.
+/// the lower volume, closures are indented like the observed surface and cavities excluded.
 struct UnobservedBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };

@@ -20,11 +20,10 @@ struct MapLayers {
   std::size_t stored_paths = 0;  ///< number of stored paths
 };
 
-/// Makes the JSON of rasters and paths. `layers` is a list of {name, title, meaning, unit,
-/// unit_size, breaks, numbers, colours, columns, x0, y0, cell, values}. The values are float32,
-/// row-major from the top, in stored units, NaN for none. `paths` has for each shape class {name,
-/// colour, x, y}, with float32 arrays in which NaN separates paths. Positions are map coordinates
-/// minus `origin`.
+/// Makes the JSON of rasters and paths. `layers` lists {name, title, meaning, unit, unit_size,
+/// breaks, numbers, colours, columns, x0, y0, cell, values}. The values are float32, row-major from
+/// the top, in stored units, NaN for none. `paths` has for each shape class {name, colour, x, y},
+/// float32 with NaN between paths. Positions are map coordinates minus `origin`.
 /// @param with_paths  true: includes paths
 /// @throws InputError  if a results file can no longer be read
 MapLayers make_map_layers(const Comparison& comparison,

@@ -7,8 +7,7 @@
 
 namespace clast::study_detail {
 
-/// Reads a study part by part through `read`. If a part fails, the parts that depend on it are
-/// skipped.
+/// Reads a study part by part through `read`. If one fails, dependent parts are skipped.
 CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read);
 
 }  // namespace clast::study_detail
