@@ -6,7 +6,7 @@ namespace clast {
 
 namespace {
 
-/// What the validators of an option add to its type: "{auto,y,z}".
+/// Returns the choices that validators append to the type of an option: "{auto,y,z}".
 std::vector<std::string> choices_in(const std::string& type) {
   std::vector<std::string> choices;
   const std::size_t open = type.find('{'), close = type.rfind('}');

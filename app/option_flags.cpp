@@ -8,7 +8,7 @@ namespace clast {
 
 namespace {
 
-/// What stands between backticks in the messages of the libraries, and what a user types for it.
+/// Names between backticks in messages of the libraries, and the flags that users type.
 const std::map<std::string, std::string, std::less<>> kFlags = {
     {"accuracy", "--accuracy"},
     {"after", "--after"},

@@ -26,7 +26,7 @@ const CLI::App* named_command(const CLI::App* app) {
   return app;
 }
 
-/// What CLI11 says, or, where a command was expected, that there is no such command.
+/// Describes the error of CLI11, or the unknown command if a command was expected.
 std::string described(const CLI::ParseError& error, const CLI::App& command) {
   const std::vector<std::string> rest = command.remaining();
   const std::vector<const CLI::App*> known = command.get_subcommands({});

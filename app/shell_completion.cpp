@@ -15,7 +15,7 @@ void visit_commands(const CommandEntry& command, const std::string& path,
   }
 }
 
-/// In single quotes, as both shells read them.
+/// Quotes in single quotes, as both shells read them.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char character : text) {
@@ -50,7 +50,7 @@ std::vector<std::string> names_of(const std::vector<CommandEntry>& commands) {
   return names;
 }
 
-/// In an `_arguments` specification brackets and colons have a meaning.
+/// Escapes the special characters of an `_arguments` specification.
 std::string zsh_text(const std::string& text) {
   std::string result;
   for (const char character : text) {

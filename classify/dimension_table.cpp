@@ -20,8 +20,7 @@ using namespace classify_detail;
 
 namespace {
 
-// What is outside is no block and no mass of one; squares and ratios of what is inside stay far
-// from the ends of a double.
+// Plausible lengths and masses. Squares and ratios of values within are far from overflow.
 constexpr double kShortest = 1e-9, kLongest = 1e9;     // m
 constexpr double kLightest = 1e-30, kHeaviest = 1e30;  // kg
 
@@ -34,7 +33,7 @@ struct Cell {
   std::string trouble;
 };
 
-/// How much a cell may hold in its unit.
+/// Allowed range of a cell, in its unit.
 struct CellRange {
   double factor = 1.0;  ///< of the unit
   double low = 0.0;
@@ -83,9 +82,9 @@ std::optional<std::string_view> summary_in(const Record& record, const TableLayo
   return std::nullopt;
 }
 
-/// Whether rows are named means or sums in full, so that short labels such as "SD" are ones too. In
-/// a table without names they are the last rows, and words of another kind else: "media" is also a
-/// degree of weathering.
+/// Finds out if rows are named means or sums in full. If so, short labels such as "SD" are
+/// summaries too. In a table without names, summaries are the last rows; elsewhere such words mean
+/// something else: "media" is also a degree of weathering.
 void find_summary_rows(const std::string& text, TableLayout& layout) {
   DelimitedTextReader rows(text, layout.file);
   Record record;

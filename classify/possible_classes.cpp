@@ -42,7 +42,7 @@ SchemeLimit turned(const SchemeLimit& line) {
 /// if the ranges of L, I/x and S/y have a length in common, and they do if any two of them have:
 /// six inequalities that are linear in x and y, beside y <= x <= 1.
 Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
-  // As shares of L, so that rounding is the same for any size.
+  // Lengths are divided by L, so that rounding is independent of size.
   const double size = 0.5 * (lower.L + upper.L);
   const auto low = [&](double Axes::*axis) { return lower.*axis / size; };
   const auto high = [&](double Axes::*axis) { return upper.*axis / size; };
@@ -58,8 +58,8 @@ Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
   return polygon;
 }
 
-/// Where the class may change on the way along the edge of a polygon: its end, its middle, and for
-/// a curved limit the place that is nearest to it and those where the edge crosses it.
+/// Adds the points of a polygon's edge where the class may change: its end, its middle, and for a
+/// curved limit the nearest point and the crossings.
 void add_edge(const Ratios& from, const Ratios& to, const std::vector<SchemeLimit>& limits,
               std::vector<Ratios>& places) {
   places.push_back(to);

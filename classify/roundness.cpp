@@ -12,7 +12,7 @@
 namespace clast {
 namespace {
 
-/// What the triangles around a vertex add up to.
+/// Sums over the triangles around a vertex.
 struct VertexSum {
   double area = 0.0;             ///< its part of the triangles
   double angle = 0.0;            ///< of all corners at the vertex
@@ -70,7 +70,7 @@ double largest_curvature(const VertexSum& sum) {
 }
 
 double mean_edge_length(const TriangleMesh& mesh) {
-  // In a closed mesh every edge comes twice.
+  // Counts every edge of a closed mesh twice.
   double sum = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
     sum += (mesh.vertices[b] - mesh.vertices[a]).norm() +

@@ -107,7 +107,7 @@ double drawn_size(const FittedSizeLaw& law, Random& random) {
   return law.location * std::pow(-std::log1p(-random.uniform()), 1.0 / law.spread);
 }
 
-/// As it would have been read; at least one step, since no block has no size.
+/// Rounds a size to the reading step; at least one step, since no block has size 0.
 double read_to(double step, double size) {
   return step > 0.0 ? std::max(1.0, std::round(size / step)) * step : size;
 }

@@ -19,7 +19,7 @@ namespace {
 bool is_scan_file(const fs::path& path) {
   const std::string extension = lower_case_extension(path);
   if (extension == ".shp") return !is_esri_shapefile(path);
-  // In folders, .txt and .csv files are usually tables; as scans they must be named explicitly.
+  // Files .txt and .csv in folders are usually tables; as scans they must be named explicitly.
   static const std::set<std::string> kClouds = {".las", ".laz", ".pcd", ".pts", ".xyz"};
   if (kClouds.contains(extension)) return true;
   const std::vector<std::string>& known = readable_mesh_extensions();

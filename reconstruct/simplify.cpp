@@ -25,9 +25,9 @@ constexpr double kFewer[] = {1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.
 /// vertices, for which fewer than asked for leave room.
 constexpr double kRefilledAt[] = {1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 0.8, 0.6, 0.45};
 constexpr double kMost = 4.0;
-/// So many times the vertices a simplified mesh may have once what crosses was filled anew.
+/// Maximum ratio of the vertices after and before intersections are cut out and refilled.
 constexpr double kMaxRefill = 2.0;
-/// And so much of its volume may change: the body that is made of it is scaled to the scan's.
+/// Maximum relative volume change by that; the body is later scaled to the scan's volume.
 constexpr double kRefillVolume = 0.01;
 /// Triangles at one vertex of a surface that is simplified within seconds.
 constexpr std::uint32_t kMaxAround = 500;

@@ -24,7 +24,7 @@ FolderKind comparison_folder_kind() {
   const auto is_own_file = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
                                                  "report.pdf",
-                                                 // of clast 0.2 and before
+                                                 // written by clast 0.2 and before
                                                  "fabric.csv", "neighbours.csv", "sorting.csv"};
     const std::string folder = file.parent_path().string(), extension = file.extension().string();
     if (folder == "rasters") return extension == ".tif" || extension == ".qml";

@@ -31,7 +31,7 @@ struct BlockMeasuringOptions {
 /// Request for one population, or two to compare.
 struct PopulationRequest {
   PopulationFiles first = {{}, "L=L,I=I,S=S", ""};
-  /// Second population. None if without inputs. Empty columns or units are those of the first.
+  /// Second population; absent without inputs. Empty columns or units are those of the first.
   PopulationFiles against = {};
   BlockMeasuringOptions reading = {};
   PopulationOptions options = {};

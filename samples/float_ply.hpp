@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// Writes binary little-endian PLY with float coordinates rounded to `grid` (m). The rounding is
-/// far coarser than differences between mathematics libraries, so that bytes are equal.
+/// Writes binary little-endian PLY with float coordinates rounded to `grid` (m). It is far coarser
+/// than the differences between mathematics libraries, so that all machines write equal bytes.
 void write_float_ply(const std::filesystem::path& path, const TriangleMesh& mesh, double grid,
                      const std::string& comment);
 

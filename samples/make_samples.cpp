@@ -1,5 +1,5 @@
-/// make_samples FOLDER: writes the sample scans, the quarry and its release points, and a table of
-/// taped blocks, the same bytes every time.
+/// Program `make_samples FOLDER`: writes the sample scans, the quarry, its release points and a
+/// table of taped blocks, always with the same bytes.
 #include <filesystem>
 #include <iostream>
 

@@ -16,9 +16,9 @@ namespace {
 constexpr double kSameRatios = 1e-9;
 constexpr double kGoodEnough = 1e-4;  ///< a fiftieth of what is promised
 constexpr int kStretchRounds = 400;
-/// From this iteration on, three of four steps are eight times as long: if several boxes are nearly
-/// the smallest, the ratios hardly change for hundreds of steps. A step of any length keeps the
-/// volume of the box, so that the smallest box never grows.
+/// First iteration from which three of four steps are eight times as long: if several boxes are
+/// nearly the smallest, the ratios hardly change for hundreds of steps. Steps of any length keep
+/// the volume of the box, so that the smallest box never grows.
 constexpr int kFirstLongStep = 8;
 constexpr double kLongStep = 8.0;
 constexpr double kMaxFactor = 1.1;  ///< of one side, to the power of a long step
@@ -37,7 +37,7 @@ Mat3 stretch_in(const Mat3& map) {
   return eigen.operatorSqrt();
 }
 
-/// Corners of the hull after a map, and the box around them with the radius `share` times S.
+/// Box around the corners of a hull after a map, with the radius `share` times its S.
 struct MappedBox {
   OrientedBox box;
   double radius = 0.0;

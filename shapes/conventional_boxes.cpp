@@ -14,8 +14,7 @@ namespace {
 
 // Distances closer than this share are equally long.
 constexpr double kDistanceTie = 1e-11;
-// Moments closer than this share of the largest leave the axes between them free, as in
-// `principal_frame`.
+// Relative difference below which moments count as equal, as in `principal_frame`.
 constexpr double kEqualMoments = 1e-6;
 // A shadow shorter than this share of L has no direction of its own.
 constexpr double kDot = 1e-12;

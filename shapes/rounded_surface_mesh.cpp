@@ -30,8 +30,7 @@ Vec3 turned(const Vec3& a, const Vec3& b, double t) {
   return std::cos(t * angle) * a + std::sin(t * angle) * ahead;
 }
 
-/// Grows the skin: points are named by core vertex and direction, so that strips and patches that
-/// meet share them.
+/// Builds the rounded layer. Points have a core vertex and a direction, so that patches share them.
 class SkinBuilder {
  public:
   SkinBuilder(const SpheroPolyhedron& shape, int segments)

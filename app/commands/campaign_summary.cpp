@@ -50,7 +50,7 @@ std::string releases_text(const CampaignPlan& prepared) {
   return text + ground_draws_text(prepared);
 }
 
-/// What a mass starts as, from the least to the largest of the realisations.
+/// Describes a mass at its start, with ranges over the realisations.
 std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
   const std::vector<MultiBlockRelease>& plans = prepared.campaign.stay->masses;
   const auto range = [&](auto value) {

@@ -150,7 +150,6 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
       ->type_name("M");
 }
 
-/// How tables of axes are read.
 void add_table_options(CLI::App& command, PopulationRequest& request) {
   command
       .add_option("--columns", request.first.columns,

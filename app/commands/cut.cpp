@@ -111,7 +111,7 @@ void print_mass(const ReleasedMass& mass) {
             << " m before, " << format_significant(mass.edge_after, 3) << " m after\n";
 }
 
-/// What the mesh of the mass may replace.
+/// Files that the mesh of the mass may replace.
 OverwritePolicy scar_rules(const CutArgs& args) {
   return {.kind = file_kind_by_extension(args.scar), .replace = args.replace};
 }
@@ -271,7 +271,6 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
       ->type_name("FILE");
 }
 
-/// How the mass is cut and its blocks are made.
 void add_block_making_options(CLI::App& command, RockMassOptions& options) {
   command.add_option("--seed", options.cutting.seed, "Random seed of the joint positions")
       ->check(whole_number())

@@ -66,7 +66,6 @@ void run_export(const ExportArgs& args) {
             << " of " << format_count(blocks.size(), "block") << " written\n";
 }
 
-/// What the files hold.
 void add_format_options(CLI::App& command, ExportArgs& args) {
   command
       .add_option("--format", args.formats,

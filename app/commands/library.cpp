@@ -109,7 +109,7 @@ std::string against(const std::string& what, double field, double block, const s
          " " + unit + "\n";
 }
 
-/// What a tape says of the unit of an unscaled block.
+/// Describes the unit, in m, that the taped axes imply for an unscaled block.
 std::string scales_by_tape(const Axes& taped, const Axes& units) {
   std::string text = "the block is unscaled; by the taped axes one of its units is";
   const auto add = [&](const char* name, double tape, double block) {

@@ -38,7 +38,7 @@ struct MeasuredLength {
   double unit;  ///< metres per unit of the scan
 };
 
-/// From "x,y,z;x,y,z;metres". Commas, semicolons and blanks may stand for each other.
+/// Parses "x,y,z;x,y,z;metres". Commas, semicolons and blanks are equivalent.
 /// @throws CLI::ValidationError  not seven numbers, points that are one, or a length not positive
 MeasuredLength measured_length(const std::string& text) {
   std::string commas = text;
@@ -147,7 +147,6 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
                    "Also accept blocks over 20 m, over 10,000 t or under 1 mm");
 }
 
-/// What blocks are made of the scans.
 void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
   command
       .add_option("--vertices", options.vertices,
@@ -207,7 +206,6 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
       ->excludes("--convex");
 }
 
-/// Where the blocks go, and how the scans are worked through.
 void add_batch_options(CLI::App& command, ReconstructArgs& args) {
   command
       .add_option("-o,--output", args.batch.library,

@@ -28,7 +28,6 @@ struct ShowArgs {
   bool replace = false;
 };
 
-/// What the table leaves out.
 void print_details(const Block& block) {
   constexpr std::size_t kNames = 26;  // characters
   std::cout << "\n" << escape_nonprintable(block.id) << "\n";

@@ -70,7 +70,7 @@ void join_parts(const SimulateArgs& args) {
 
 constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
-/// What the campaign could distinguish, judging by the runs that were tried.
+/// Estimates which differences the campaign could detect, from the trial runs.
 PlannedPower power_of(const SimulateArgs& args, const CampaignPlan& prepared,
                       const TimeProbe& probe) {
   PlannedPower plan = planned_power(prepared, probe);
@@ -123,7 +123,7 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
   print_stiffness(prepared);
 }
 
-/// What shapes a run: that it is the same on all processes.
+/// Text that is equal on all processes if they simulate the same runs.
 std::string fingerprint(const CampaignPlan& prepared) {
   std::string text = prepared.header.program_version + prepared.header.physics_digest +
                      prepared.header.campaign_sha256;

@@ -146,7 +146,7 @@ std::vector<Vec3> release_points(const TerrainArgs& args) {
   return points;
 }
 
-/// Whether the ground suits what it is for; what does not is added to the notes.
+/// Checks the ground for its purpose; adds problems to the notes.
 void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terrain& terrain) {
   const auto note = [&](const std::optional<std::string>& warning) {
     if (warning) terrain.report.notes.push_back(*warning);
@@ -158,7 +158,7 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
   if (args.block_size) note(cell_size_warning(terrain, *args.block_size, *args.block_size));
 }
 
-/// What an export or a picture of that name may replace.
+/// Files that an export or an image of that name may replace.
 OverwritePolicy rules_of(const TerrainArgs& args, const std::string& file) {
   return {.kind = file_kind_by_extension(file), .replace = args.replace};
 }
@@ -177,7 +177,6 @@ void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
                rules_of(args, args.picture));
 }
 
-/// Whether `output` would be written over `input`.
 bool is_same_file(const std::filesystem::path& output, const std::filesystem::path& input) {
   std::error_code none;
   return std::filesystem::weakly_canonical(output, none) ==
@@ -255,7 +254,6 @@ void make_terrain(TerrainArgs args) {
   if (!args.picture.empty()) std::cout << escape_nonprintable(args.picture) << ": written\n";
 }
 
-/// How clouds and rasters become a grid.
 void add_grid_options(CLI::App& command, TerrainArgs& args) {
   TerrainOptions& options = args.options;
   command
@@ -294,7 +292,6 @@ void add_grid_options(CLI::App& command, TerrainArgs& args) {
       ->type_name("FILES");
 }
 
-/// What is checked and repaired.
 void add_repair_options(CLI::App& command, TerrainOptions& options) {
   command
       .add_option("--crack", options.crack,
@@ -323,7 +320,6 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
                    "Cut the borders of zone polygons into the triangles");
 }
 
-/// What the ground is for, and its picture.
 void add_fit_options(CLI::App& command, TerrainArgs& args) {
   CLI::Option* releases = command
                               .add_option("--release", args.releases,

@@ -63,7 +63,7 @@ FormGrid read_grid(const std::string& text, double least) {
   return {text.substr(0, colon), static_cast<int>(steps), least};
 }
 
-/// What every block is varied by, but for --like, which needs the library.
+/// Targets of all options except --like, which needs the library.
 SeriesTargets steps_wanted(const VaryArgs& args) {
   SeriesTargets steps = args.steps;
   for (const std::string& form : args.forms) steps.ratios.push_back(read_ratios(form));

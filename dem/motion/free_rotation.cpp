@@ -160,7 +160,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
     stepped_ = true;
     return;
   }
-  // In the body frame, the momentum circles the axis of the smallest or of the largest moment.
+  // The momentum circles the axis of the smallest or largest moment in the body frame.
   const double decider = upper * square(in_body[axes[0]]) - lower * square(in_body[axes[2]]);
   const bool about_smallest = decider > 0.0 || (decider == 0.0 && upper >= lower);
   if (!about_smallest) std::swap(axes[0], axes[2]);

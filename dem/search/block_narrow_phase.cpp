@@ -44,7 +44,7 @@ std::vector<ContactPoint>& BlockNarrowPhase::find_contacts(const Pose& ground_fr
   contacts.clear();
   scratch().inverted.clear();
   displacement_ = displacement;
-  // At the first call, the depth of the two bodies is unknown.
+  // The depth of the two bodies is unknown at the first call.
   if (list_valid_until_ < 0.0) allowed_.reset(size_);
   if (displacement >= list_valid_until_) build_candidate_list();
   safe_displacement_ = list_valid_until_;

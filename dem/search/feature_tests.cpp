@@ -14,7 +14,7 @@ namespace {
 constexpr double kDepthFraction = 0.5;
 /// Depths that differ by less are compared exactly, m.
 constexpr double kDepthRounding = 1e-9;
-/// By rotation, edges and faces can get deeper than all present contacts: by this fraction of their
+/// Rotation can make edges and faces deeper than all present contacts by this fraction of their
 /// depth plus this many list margins.
 constexpr double kDeeperFraction = 0.5, kDeeperMargins = 0.25;
 /// The depth limit is this factor times the needed depth. It is lowered if it exceeds the needed

@@ -1,5 +1,5 @@
-// From scans to a report: scan_to_report SCANS CAMPAIGN.toml FOLDER
-// The campaign takes its blocks from FOLDER/blocks.h5.
+// Makes a report from scans: scan_to_report SCANS CAMPAIGN.toml FOLDER. The campaign takes its
+// blocks from FOLDER/blocks.h5.
 #include <iostream>
 
 #include "core/error.hpp"

@@ -38,7 +38,7 @@ struct NormalsBy {
   NormalPropagation propagation = NormalPropagation::kParallel;
 };
 
-/// Of averaged points and of others: what to try first.
+/// Order in which normals are tried: for decimated dense clouds, and for others.
 constexpr std::array<NormalsBy, 4> kManyFirst = {
     {{18}, {10}, {30}, {10, NormalPropagation::kCircularArc}}};
 constexpr std::array<NormalsBy, 4> kFewFirst = {
@@ -175,7 +175,7 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
   return missed;
 }
 
-/// How much of the surface the points do not explain, as a share of its area.
+/// Fraction of the surface's area that the points do not explain.
 double unseen_share(const Body& body) {
   double area = 0.0;
   for (std::size_t t = 0; t < body.observed.observed.size(); ++t) {
@@ -205,7 +205,7 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
         reconstruct_detail::find_observed_surface(body.surface, body.spacings, hole_ball_radius);
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.fraction;
-    // Where normals are wrong the surface may also span what it should follow.
+    // Wrong normals also make the surface span parts that it should follow.
     const double worse = defects + unseen_share(body);
     if (worse >= least) continue;
     least = worse;

@@ -31,9 +31,9 @@ struct CloudSurface {
 };
 
 /// Reconstructs a surface. Normals are oriented by propagation [hoppe1992], the indicator function
-/// is solved [kazhdan2006], and noise is removed by moving least squares [levin2004]. It consists
-/// of the Delaunay triangles between inside and outside [amenta1999], so each vertex is a point.
-/// Parts that are farther from the points than their spacing explains are unobserved and left open.
+/// is solved [kazhdan2006], and noise is removed by moving least squares [levin2004]. The surface
+/// consists of the Delaunay triangles between inside and outside [amenta1999], so each vertex is a
+/// point. Parts farther from the points than their spacing explains are unobserved and left open.
 /// @param points  points of one block, in any length unit
 /// @throws InputError  if there are too few points
 /// @throws GeometryError  if the points are coplanar or collinear, or no surface was found

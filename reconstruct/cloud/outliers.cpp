@@ -25,8 +25,8 @@ constexpr int kSuspectNeighbours = 8;  ///< among which one shows that a point n
 constexpr double kIsolated = 1.6;
 /// It lies off the planes of the so many nearest of these
 constexpr int kWitnesses = 3;
-/// by so many of their spacings and standard deviations more, with no point as near as so many of
-/// their spacings.
+/// An outlier has no point within this many of their spacings, and its distance from their planes
+/// exceeds this many spacings plus standard deviations.
 constexpr double kAlone = 1.2;
 constexpr double kOutlierSpacings = 1.5, kOutlierDeviations = 3.0;
 /// Scattered through space, they lie so many times farther apart than most points, and off the

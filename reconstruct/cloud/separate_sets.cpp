@@ -11,10 +11,10 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// Of the diagonal: sets are separated on fewer points.
+/// Cell size over the diagonal; sets are separated on a decimated cloud.
 constexpr double kSetDecimationCell = 1.0 / 150.0;
 constexpr double kSetReach = 3.0;  ///< cells from one point of a set to the next,
-/// or so many spacings of the sparsest points: this quantile of all.
+/// or so many spacings of the sparsest points, those at this quantile.
 constexpr double kSetSpacings = 4.0, kThinnestSet = 0.98;
 constexpr double kNear = 0.25;  ///< of the largest set's diagonal
 

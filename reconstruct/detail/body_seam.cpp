@@ -59,8 +59,8 @@ struct OutlinePiece {
   Vec3 from, to;
 };
 
-/// Where a plane cuts a triangle whose corners have these heights over it; the piece runs from the
-/// side that rises to the one that falls.
+/// Intersects a triangle with a plane, given the heights of its corners above it. The piece runs
+/// from the rising to the falling side.
 std::optional<OutlinePiece> cut_triangle(const std::array<Vec3, 3>& corner,
                                          const std::array<double, 3>& height) {
   OutlinePiece piece;

@@ -31,13 +31,13 @@ double degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegreesPerRadian;
 }
 
-/// From the file's units and axes.
+/// Converts from the units and axes of the file to metres, z up.
 Vec3 in_metres(Vec3 point, const ScanOptions& options) {
   point *= options.unit;
   return options.up == "y" ? y_up_to_z_up(point) : point;
 }
 
-/// From metres, upright.
+/// Converts from metres, z up, to the units and axes of the file.
 TriangleMesh in_file_units(TriangleMesh mesh, const ScanOptions& options) {
   for (Vec3& v : mesh.vertices) {
     v = (options.up == "y" ? z_up_to_y_up(v) : v) / options.unit;
@@ -54,7 +54,7 @@ bool hardly_open(const FieldBlock& block) {
                      [](const FilledHole& hole) { return hole.border_edges > kFanEdges; });
 }
 
-/// Of a scan that was hardly open that much is said.
+/// Adds a note if hardly any surface was missing.
 FieldBlock with_doubt(FieldBlock block) {
   if (hardly_open(block)) {
     block.scan.notes.push_back(
@@ -72,7 +72,7 @@ bool was_changed(const RepairReport& report) {
                                report.find_defect(DefectKind::kSelfIntersection) != nullptr);
 }
 
-/// By the volume that the surface would have with its largest hole filled flat.
+/// Uses the volume that the surface would have with its largest hole filled flat.
 /// @returns whether it faced inwards
 bool turn_open_mesh_outward(TriangleMesh& open) {
   const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);
@@ -103,14 +103,14 @@ void flip_orientation(RepairReport& report) {
   }
 }
 
-/// Closes what is no unseen side. Of a cloud, holes are where points are missing: only the mouth of
-/// a pocket is small.
+/// Closes all holes but the unobserved side. Holes of clouds lack points, so only those with few
+/// edges are closed.
 std::vector<FilledHole> close_small_holes(OpenBlock& open, const std::string& name) {
   if (open.uncertainty != nullptr) return fill_with_fans(open.surface, kFanEdges);
   return with_error_context(name, [&] { return fill_holes(open.surface, false); });
 }
 
-/// What was scanned, where the surface has other parts too; null where it has not.
+/// Returns the scanned part of the surface; null if there are no other parts.
 std::unique_ptr<const ScannedSurface> scanned_part(const OpenBlock& open) {
   if (open.uncertainty != nullptr) {
     return std::make_unique<ScannedSurface>(std::span<const Vec3>(open.surface.vertices));

@@ -82,7 +82,7 @@ void note_copy(RepairReport& report, DuplicateSurface doubled, const Component& 
 }
 
 /// Drops copies of the first component, once that is the best of them, and notes them.
-/// @returns true if it is closed and only copies and debris are left, which repair removes
+/// @returns true if the first is closed and the others are copies or debris, which repair removes
 bool drop_copies(std::vector<Component>& components, RepairReport& report, double unit) {
   move_best_copy_first(components);
   const TriangleMesh& first = components[0].mesh;
@@ -117,7 +117,7 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
   return true;
 }
 
-/// Describes the components other than the first, which is the block, unless all are debris.
+/// Returns a note if the second component is too large for debris. The first is the block.
 std::string left_out(const std::vector<Component>& components) {
   if (components.size() < 2 || components[1].area <= kFragmentArea * components[0].area) return "";
   return "another component of the scan that stands close to this block, with " +

@@ -21,8 +21,8 @@ namespace {
 constexpr double kShellThickness = 0.1;
 /// Volume over that of the convex hull, below which a body is hollow; few rocks have 0.7.
 constexpr double kHollowFill = 0.5;
-/// Ground is nearly level; what stands on it rises from its median height by this share of what is
-/// above that.
+/// Minimum z of the normals of ground; fraction of the height above the ground's median height from
+/// which the body counts as tall.
 constexpr double kGroundLevel = 0.85, kRises = 0.35;
 /// It does not fall away from the body, as the flanks of a flat rock do: mean sine, outward.
 constexpr double kGroundFall = 0.12;
@@ -31,11 +31,11 @@ constexpr double kMinGround = 0.2;      ///< of the plan area
 /// It reaches beyond the body, by this share of the width, in so many of the sectors of the plan.
 constexpr double kMinRim = 0.1;
 constexpr std::size_t kGroundSectors = 12, kSectorsWithGround = 10;
-/// The base is as wide as the ground: this share of the plan faces down within so much of the
-/// height.
+/// The base is as wide as the ground: minimum fraction of the plan that faces down within this
+/// fraction of the height.
 constexpr double kBaseFraction = 0.7, kBaseHeight = 0.3;
 
-/// How far below the planes of a convex hull a point lies.
+/// Depth of a point below the planes of a convex hull.
 double depth_below(const std::vector<Plane>& planes, const Vec3& point) {
   double depth = std::numeric_limits<double>::infinity();
   for (const Plane& plane : planes) depth = std::min(depth, -plane.signed_distance(point));

@@ -13,17 +13,17 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// Step of the coordinates over the diagonal above which the shape is lost, and above which it is
-/// worth a note.
+/// Coordinate steps, relative to the diagonal, above which the shape is lost, and above which they
+/// are noted.
 constexpr double kShapeLost = 1e-2, kDigitsLost = 1e-4;
-/// So many vertices of a text file that all fall on the steps are no chance and no handmade model.
+/// Number of vertices of a text file that do not all fall on the steps by chance or by hand.
 constexpr std::size_t kNoChance = 100;
 
 constexpr int kFloatBits = 24, kTextDigits = 7;
-/// How far from a whole number of steps a coordinate read from text may be, by its rounding.
+/// Largest distance of a coordinate in text from a whole number of steps, by rounding.
 constexpr double kRounding = 1e-6;
 
-/// By its bits: a conversion to float and back may be optimised away.
+/// Compares bits, because a conversion to float and back may be optimised away.
 bool is_float(double value) {
   constexpr std::uint64_t kBeyond = (std::uint64_t{1} << (53 - kFloatBits)) - 1;
   return (std::bit_cast<std::uint64_t>(value) & kBeyond) == 0;

@@ -17,12 +17,12 @@ constexpr double kThinCell =
 constexpr double kComponentReach = 2.5;         ///< cells from one point of a component to the next
 constexpr double kMinFractionOfLargest = 0.05;  ///< of the points of the largest component
 constexpr double kSlenderest = 0.1;  ///< height over plan diagonal; a step in the ground has less
-/// Below that the wall is followed down in steps of this many times the roughness, by a plane
-/// through so many points of it, from a band of so many steps;
+/// Continuation of a wall to the ground: step in roughnesses, number of points of the fitted plane,
+/// and width of their band in steps.
 constexpr double kStep = 0.5;
 constexpr int kWallPoints = 24;
 constexpr int kBandSteps = 6;
-/// it is known worse by this share of the distance from these.
+/// Uncertainty of a continued wall, as a fraction of the distance from these points.
 constexpr double kWallSpread = 0.15;
 /// Cosine to the ground's normal above which it is no wall; undercut walls face down.
 constexpr double kSteep = 0.9;

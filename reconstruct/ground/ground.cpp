@@ -18,18 +18,18 @@ namespace clast {
 
 namespace {
 
-/// Planes are tried on one point for each cube of this side, so that points count by the area they
-/// stand for. Of the diagonal.
+/// Cell size over the diagonal. Planes are tried on one point per cube of this side, so that points
+/// count by area.
 constexpr double kGroundDecimationCell = 1.0 / 150.0;
-/// A ground has at least this share of the decimated points,
+/// Minimum fraction of the decimated points on a ground.
 constexpr double kMinGroundFraction = 0.1;
-/// no more than this share lies below it,
+/// Maximum fraction of the decimated points below a ground.
 constexpr double kMaxBelow = 0.1;
-/// and what of it is seen beside the things above has this share of their plan area at least. A
-/// flat side of a stone has nothing beside it.
+/// Minimum area of ground visible around the objects on it, as a fraction of their plan area. A
+/// flat side of a stone has no ground around it.
 constexpr double kMinBeside = 0.3;
-/// It is seen on so many of eight sides of the largest thing: of a flat top whose walls go down
-/// from its border, nothing is.
+/// Minimum number, of eight sides of the largest object, on which ground is visible. A flat top
+/// whose walls go down from its border has none.
 constexpr int kMinSides = 3;
 constexpr int kGridNodes = 32;      ///< of the local surface, along its longer side
 constexpr double kStiffness = 1.0;  ///< of the local surface: it averages over about two cells
@@ -37,7 +37,7 @@ constexpr int kGroundFits = 8;      ///< of the local surface, each to a narrowe
 constexpr double kNarrowing = 0.7;
 constexpr double kBand = 3.0;  ///< of the roughness; beyond it a point is not on the ground
 constexpr double kDeviationOfMad = 1.4826;
-/// Of the tolerance: a ground made by a program is no rougher than that.
+/// Minimum roughness over the tolerance, below that of any ground made by a program.
 constexpr double kSmooth = 1e-6;
 
 Plane plane_through(std::span<const Vec3> points) {
@@ -50,7 +50,7 @@ Plane plane_through(std::span<const Vec3> points) {
   return {normal, normal.dot(centre)};
 }
 
-/// How the decimated points lie about a plane.
+/// Numbers of decimated points on, above and below a plane.
 struct Sides {
   std::size_t on = 0, above = 0, below = 0;
 };
@@ -128,7 +128,7 @@ std::vector<PlanCell> largest_patch(std::set<PlanCell> cells) {
   return largest;
 }
 
-/// In how many of the eight directions from the middle of `patch` lies some of `on` beyond it?
+/// Counts the eight directions from the middle of `patch` in which cells of `on` lie beyond it.
 int sides_with_more(const std::vector<PlanCell>& patch, const std::set<PlanCell>& on) {
   Vec2 middle = Vec2::Zero();
   for (const PlanCell& at : patch) {
@@ -220,7 +220,7 @@ void GroundDetectionOptions::check() const {
 
 namespace {
 
-/// Of single points, which decimated ones have lost.
+/// Computes the roughness from single points, because decimation would smooth it.
 double roughness_of(std::span<const Vec3> points, const Ground::Surface& surface,
                     double tolerance) {
   std::vector<double> heights;
@@ -274,7 +274,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points,
     flat.push_back(rotation * (p - origin));
     extent.extend(Vec2(flat.back().head<2>()));
   }
-  // To a narrower band each time: walls leave it, and slow undulations come in.
+  // Fits narrower and narrower bands: walls are excluded, slow undulations included.
   std::vector<Vec3> held;
   std::optional<reconstruct_detail::ThinPlateGrid> grid;
   double band = 2.0 * tolerance, roughness = 0.0;

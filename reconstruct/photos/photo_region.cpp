@@ -24,14 +24,14 @@ constexpr double kDeviations = 1.5;
 /// short of the rock, and the ground is wanted on all sides.
 constexpr double kRegionMargin = 1.15;
 constexpr double kFarthestFraction = 0.995;  ///< of the block's points; the rest may be strays
-/// Of what a photo holds: a block that fills it, with the ground about it.
+/// Radius over that of the ball that fills the photos, to include the ground around a block.
 constexpr double kFilled = 0.8;
-/// How far from the middle sparse points are looked at, as shares of the cameras' distance: the
-/// nearest ground is the one wanted, but of a large block little of it may be near.
+/// Distances from the centre, over that of the cameras, up to which sparse points are used. The
+/// nearest ground is wanted, but little ground may be near a large block.
 constexpr std::array<double, 3> kForegrounds = {0.8, 3.0, 10.0};
-/// Without a ground the ball holds this share of the points in the foreground,
+/// Fraction of the foreground points in the ball if there is no ground.
 constexpr double kRetainedFraction = 0.9;
-/// and has at most this share of the cameras' distance.
+/// Maximum radius of that ball, over the distance of the cameras.
 constexpr double kLargest = 0.6;
 
 /// The place nearest to the lines that the cameras look along.

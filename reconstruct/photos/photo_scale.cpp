@@ -41,7 +41,7 @@ double mean_factor(const std::vector<ScaleMeasure>& measures, std::size_t withou
   return count > 0.0 ? sum / count : 0.0;
 }
 
-/// Of the markers that the board is made of, or as it is given.
+/// Side of the markers: as given, otherwise that of the board.
 std::optional<double> side_of_markers(const ScaleOptions& options) {
   if (options.marker_side || !options.board) return options.marker_side;
   return options.board->marker_side;
@@ -82,7 +82,7 @@ BoardLengths known_distances(const std::vector<LocatedMarker>& markers, const Sc
           : "no scale: neither a distance between markers nor their side is given");
 }
 
-/// Of measures that are off their median by more than a share, none is used.
+/// Excludes measures that differ from the median by more than the fraction `most`.
 /// @returns how many are
 std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double most) {
   std::vector<double> factors;
@@ -103,7 +103,7 @@ std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double mo
                    values + "); measure the markers again, or give only the reliable distances");
 }
 
-/// How far each measure is off the mean of the others, and the spread of those used.
+/// Computes each measure's error against the mean of the others, and the spread of those used.
 void compare_measures(PhotoScale& scale, std::size_t used, double most) {
   double squares = 0.0;
   for (std::size_t i = 0; i < scale.measures.size(); ++i) {

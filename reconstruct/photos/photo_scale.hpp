@@ -28,7 +28,7 @@ struct ScaleOptions {
   std::vector<ScaleBar> bars = {};
   std::optional<ScaleBoard> board = {};
   std::optional<double> marker_side = {};  ///< side length of the black square of all markers, m
-  /// Maximum relative deviation of a length from the others. Others are excluded and reported.
+  /// Maximum relative deviation of a length from the others. Larger ones are excluded and reported.
   double largest_disagreement = 0.005;
 
   void check() const;  ///< throws InputError naming the field and its value

@@ -25,7 +25,6 @@ std::size_t photos_directly_in(const fs::path& folder) {
   return count;
 }
 
-/// Where the photos of a folder are.
 fs::path folder_of_photos(const fs::path& folder) {
   const bool inside = photos_directly_in(folder) < kMinPhotos &&
                       photos_directly_in(folder / "images") >= kMinPhotos;

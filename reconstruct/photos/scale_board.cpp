@@ -18,7 +18,7 @@ struct BoardPoint {
   Vec3 metres, units;
 };
 
-/// How unlike board and model are.
+/// Differences between the distances of the board and of the model.
 struct Likeness {
   double rms = 0.0;    ///< of distances, m
   double worst = 0.0;  ///< m

@@ -28,7 +28,7 @@ std::vector<std::size_t> usable_photos(const PhotoModel& model, const PhotoRegio
     const std::optional<Vec2> projection = project_into_photo(model, i, region.centre);
     const bool inside = projection && projection->x() > 0.0 && projection->y() > 0.0 &&
                         projection->x() < lens.width && projection->y() < lens.height;
-    // From inside the ball there is no picture of the block.
+    // Cameras inside the ball do not show the block.
     if (inside && (model.photos[i].centre() - region.centre).norm() > 1.2 * region.radius) {
       usable.push_back(i);
     }
@@ -36,7 +36,7 @@ std::vector<std::size_t> usable_photos(const PhotoModel& model, const PhotoRegio
   return usable;
 }
 
-/// What a photo may be compared with.
+/// Photos with which a photo may be compared.
 struct Candidates {
   std::vector<Partner> partners;  ///< those whose angle is nearest to the best come first
   double smallest = kPi;          ///< angle to another photo, of those above the least; pi: to none

@@ -20,7 +20,7 @@ std::vector<Component> connected_components(const TriangleMesh& mesh);
 bool encloses(const TriangleMesh& closed, const Vec3& point);
 
 /// True if all vertices of the component are inside the block or touch it from inside. False for
-/// other blocks: if they overlap, they have vertices outside; if they touch, their centre.
+/// other blocks: if they overlap, they have vertices outside; if they touch, their centre is.
 /// @param block  closed, with either orientation
 /// @param tree  tree of `block`
 bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,

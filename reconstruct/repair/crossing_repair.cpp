@@ -55,8 +55,8 @@ class CrossingRepair {
     return mesh;
   }
 
-  /// Where the surface only touches itself, a hair's breadth is enough. Facing inwards as it may,
-  /// it is turned for the while. The vertices stay parted for what is tried next.
+  /// Separates touching sheets by a small distance, on an outward copy if necessary. The vertices
+  /// stay separated for the next methods.
   std::optional<TriangleMesh> by_parting() {
     const bool inward = signed_volume(mesh_) < 0.0;
     if (inward) flip_orientation(mesh_);

@@ -90,14 +90,14 @@ std::vector<OpenFan> in_order(const TriangleMesh& mesh, std::uint32_t vertex,
 using SideEnd =
     std::array<std::uint32_t, 3>;  ///< vertex, fan, side; one that arrives: side + count
 
-/// How many from `begin` on are at the same vertex.
+/// Returns the end of the range from `begin` at the same vertex.
 std::size_t end_of_vertex(const std::vector<SideEnd>& ends, std::size_t begin) {
   std::size_t end = begin;
   while (end < ends.size() && ends[end][0] == ends[begin][0]) ++end;
   return end;
 }
 
-/// Of each fan at a vertex that has more than one, its triangles.
+/// Triangles of the fans at vertices with more than one fan.
 class TrianglesOfFans {
  public:
   TrianglesOfFans(const std::vector<SideEnd>& ends, const std::vector<std::uint32_t>& fans)
@@ -125,8 +125,8 @@ class TrianglesOfFans {
   std::vector<std::vector<std::uint32_t>> triangles_;
 };
 
-/// For every border side that leaves its first vertex the side at which a border continues: the one
-/// at the end of the fan before it, seen around the vertex.
+/// Returns, for each border side that leaves its first vertex, the side at which the border
+/// continues: the one at the end of the previous fan around the vertex.
 std::vector<std::uint32_t> followers(const TriangleMesh& mesh, const std::vector<BorderSide>& sides,
                                      const std::vector<std::uint32_t>& fans) {
   std::vector<std::uint32_t> follower(sides.size(), kNoIndex);

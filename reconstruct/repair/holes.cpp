@@ -158,7 +158,7 @@ std::vector<Vec3> normals_beyond(const mesh_detail::CgalMesh& mesh, Halfedge bor
   return normals;
 }
 
-/// Fills one hole; records its area (0 if it stays open) and the uncertainty of its volume.
+/// Fills one hole and sets its area (0 if it stays open) and the bounds of its volume.
 /// @param points  of the border
 void fill(mesh_detail::CgalMesh& mesh, Halfedge border, const std::vector<Vec3>& points,
           FilledHole& hole) {

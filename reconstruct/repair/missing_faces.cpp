@@ -20,7 +20,7 @@ constexpr std::size_t kMaxHoleCorners = 150;
 /// Components with less of the area that touch the rest nowhere are not closed here.
 constexpr double kLooseComponent = 0.05;
 
-/// Of each vertex: does the component that it is of, connected over vertices, have enough area?
+/// Marks vertices of components, connected over vertices, with enough area.
 std::vector<bool> on_large_component(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {

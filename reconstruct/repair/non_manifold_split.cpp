@@ -20,7 +20,7 @@ using Triangle = TriangleMesh::Triangle;
 constexpr int kCutRounds =
     8;  ///< a triangle is cut once in each, for at most three edges of its own
 
-/// Returns the pairs of adjacent sides around an edge that have rock between them.
+/// Pairs up the half-edges of an edge: adjacent ones with rock between them, then the rest.
 std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
                                                    std::span<const HalfEdge> sides) {
   const std::vector<Vec3> wing = triangle_directions(mesh, sides);
@@ -99,9 +99,9 @@ void halve(TriangleMesh& mesh, const HalfEdge& side, std::uint32_t middle) {
   mesh.triangles.push_back(other);
 }
 
-/// Where more than two triangles meet at an edge, each pair that bounds rock, and each triangle
-/// without another, is given a vertex of its own in the middle. Leaves the edges of triangles that
-/// were cut in this round for the next.
+/// Splits non-manifold edges in the middle: each pair of triangles that bounds rock, and each
+/// unpaired triangle, gets its own vertex. Edges of triangles that were cut in this round are left
+/// for the next.
 /// @param source  of each triangle, the one that it is half of; extended
 /// @returns whether an edge was cut
 bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source) {
@@ -197,7 +197,7 @@ void separate_touching_vertices(TriangleMesh& mesh, double distance) {
   for (const auto& [position, vertices] : at_place) {
     for (const std::uint32_t v : vertices) touching[v] = true;
   }
-  // Of each fan the normal, and where on the whole it lies from its vertex.
+  // Normal of each fan, and its mean direction from the vertex.
   std::map<std::uint32_t, std::pair<Vec3, Vec3>> fans;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 doubled = doubled_area_vector(mesh, t), middle = centroid(mesh, t);

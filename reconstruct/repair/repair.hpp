@@ -14,7 +14,7 @@ struct RepairOptions {
   bool keep_inner_shells = false;  ///< true: closed shells inside the block are kept as cavities;
                                    ///< false: they are removed
   /// Fills missing surface. If false, holes of more than four edges and non-manifold edges are
-  /// errors, and spikes and self-intersections kept. Use false for cores, whose vertices are exact.
+  /// errors, and spikes and self-intersections are kept, as for cores with exact vertices.
   bool fill_missing = true;
   double largest_hole = 0.4;  ///< maximum area of a filling as a fraction of the repaired surface
   /// Converts positions for messages and report, for example to file coordinates. If empty,

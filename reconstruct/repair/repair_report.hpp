@@ -59,7 +59,7 @@ enum class RetentionReason {
   kClosed,  ///< the other copy is open
 };
 
-/// Removed copy of (part of) the surface. It occurs if a scan is stored twice.
+/// Removed copy of (part of) the surface, of a block scanned or stored twice.
 struct DuplicateSurface {
   bool closed = false;         ///< true if the copy is closed
   double area_fraction = 0.0;  ///< area as a fraction of the area of the retained surface

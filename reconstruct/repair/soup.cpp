@@ -62,7 +62,7 @@ struct FinVotes {
   std::map<std::uint32_t, std::vector<std::uint32_t>> kept_by;  ///< patch: those that stay instead
 };
 
-/// At each edge of more than two triangles, all but the smoothest pair are voted out.
+/// Votes out all but the smoothest pair at each non-manifold edge.
 FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   FinVotes votes{manifold_components(triangle_neighbours(mesh, sorted)), {}, {}};
@@ -98,7 +98,7 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
   return votes;
 }
 
-/// What was to stay in place of a dropped one stays in this round.
+/// Removes the patches voted out; those kept instead of a removed one stay in this round.
 RepairChange drop_voted_out(TriangleMesh& mesh, const FinVotes& votes) {
   std::vector<char> fate(mesh.triangles.size(), 0);
   enum : char { kOpen, kDrop, kStay };
@@ -218,7 +218,7 @@ SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction) {
   const TriangleMesh as_faced = mesh;
   repair.orientation = orient_consistently(mesh);
   if (!repair.orientation.orientable) {
-    // Of two sheets that touched, two triangles may be left that were never neighbours.
+    // Two sheets that touched may leave two triangles that were never adjacent.
     mesh = as_faced;
     repair.touching = drop_disagreeing(mesh);
     repair.orientation = orient_consistently(mesh);

@@ -21,7 +21,7 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-/// How clear it must be that a vertex is a spike, by how tall that is.
+/// Minimum evidence that a vertex is a spike, which depends on its height.
 struct Evidence {
   double edges;     ///< height over a typical edge of the mesh, at least
   double radii;     ///< height over the mean distance of the neighbours from their centroid
@@ -58,7 +58,7 @@ double typical(std::vector<double> lengths) {
   return 0.0;
 }
 
-/// Where a vertex would lie without its spike, and how far that is.
+/// Position of a vertex without its spike, and the height of the spike.
 struct SpikeFoot {
   Vec3 position = Vec3::Zero();
   double height = 0.0;
@@ -179,8 +179,8 @@ class Surroundings {
   }
 
   const TriangleMesh& mesh_;
-  /// Of each corner (number 3 t + k: vertex k of triangle t) the vertex of the triangle across the
-  /// opposite side that isn't on it.
+  /// For each corner 3 t + k (vertex k of triangle t), the vertex of the triangle across the
+  /// opposite side that is not on that side.
   std::vector<std::uint32_t> across_;
   std::vector<bool> at_border_;
   VertexCorners corners_;
@@ -211,7 +211,7 @@ SpikeSummary flatten_spikes(TriangleMesh& mesh) {
       moved[v] = true;
     }
   }
-  // What was put between neighbours that stood out themselves.
+  // Moved vertices may lie between neighbours that were spikes themselves.
   for (std::uint32_t v = 0; v < moved.size(); ++v) {
     if (!moved[v]) continue;
     ++result.count;

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t kSamples = 800;  ///< vertices of the component that are compared
 constexpr int kSteps = 30;
-/// Distances over the diagonal: of a copy at most, and of one that fits as well as an exact one.
+/// Largest distance of a copy, and of one that fits as well as an exact one, over the diagonal.
 constexpr double kFarthestCopy = 0.08, kFitsCopy = 0.003;
 /// Left of the distance once a copy is fitted, at most.
 constexpr double kLeft = 0.35;
-/// Fractions of samples: those that must face one way, and those with a counterpart, used in a fit.
+/// Fractions of the samples: minimum that faces one way, and those used in a fit.
 constexpr double kCopyOneWay = 0.9, kCounted = 0.9;
 constexpr double kSameWay = 0.3;  ///< cosine between the normals of copy and surface
 /// A copy with this share of the area is one of the whole block; of two such the one with so many
@@ -26,7 +26,7 @@ constexpr double kSameWay = 0.3;  ///< cosine between the normals of copy and su
 constexpr double kCompleteCopy = 0.5, kFiner = 1.25;
 constexpr double kMaxScale = 0.12;
 constexpr double kMaxTurn = 0.2;  ///< rad
-/// What holds turns and scales that nothing else decides, as of a ball or a flat patch.
+/// Damping of rotations and scales that are otherwise undetermined, as for a ball or a flat patch.
 constexpr double kDamping = 1e-6;
 
 using Vec7 = Eigen::Matrix<double, 7, 1>;

@@ -1,5 +1,5 @@
 #pragma once
-/// Detection of duplicate surfaces, of rocks scanned or stored twice with a small offset.
+/// Detection of duplicate surfaces: rocks scanned or stored twice with a small offset.
 #include <optional>
 #include <vector>
 

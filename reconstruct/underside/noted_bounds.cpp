@@ -24,7 +24,7 @@ constexpr double kWorthStating = 0.005, kSidesWorthStating = 0.0075;
 /// A cone on a whole side is three times as high as a slab of the same volume.
 constexpr double kPointed = 3.0;
 
-/// By the volume that a copy of the surface has more or less.
+/// Widens the bounds by the volume difference of a copy of the surface.
 void widen_for_copies(VolumeBracket& bounds, const RepairReport& report) {
   if (!bounds.sides || report.duplicates.empty()) return;
   const double below = report.volume_below / bounds.estimated_volume,

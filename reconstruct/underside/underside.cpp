@@ -43,9 +43,8 @@ constexpr double kEven = 0.05, kUnevenFraction = 0.35;
 /// A rim hangs down to the ground where it is no farther above it than the first share of the
 /// height, and does not from the second share on.
 constexpr double kAtGround = 0.02, kClearOfGround = 0.06;
-/// Where up to the first share of the rim hangs, the best shape sinks into the ground by `kSunk` of
-/// its height at most; where the second share and more does, it goes as deep as
-/// `max_depth_fraction`.
+/// Fractions of the rim that hangs. Up to the first, the best shape sinks into the ground by at
+/// most `kSunk` of its height; from the second on, as deep as `max_depth_fraction`.
 constexpr double kFewHang = 0.05, kManyHang = 0.15;
 constexpr double kSunk = 0.05;
 /// A block stands on a foot where photos looked under it but for this share of its plan; where all
@@ -192,7 +191,7 @@ class Closing {
     result_.filled_fraction = filling / surface_area(result_.best_estimate);
   }
 
-  /// Which triangles of `lower_mesh` were not scanned.
+  /// Marks the triangles of `lower_mesh` that were not scanned.
   std::vector<bool> closures() const {
     std::vector<bool> closure(result_.lower_mesh.triangles.size(), false);
     for (std::size_t t = 0; t < closure.size(); ++t) {
@@ -205,8 +204,8 @@ class Closing {
     return closure;
   }
 
-  /// How deep a block is buried does not follow from where the points on its flanks end. Only space
-  /// that was seen to be free under it shows that it lies on the ground.
+  /// Bounds the unobserved part. The ends of the flanks do not show how deep a block is buried.
+  /// Only observed free space below it shows that it lies on the ground.
   void bound(double highest) {
     const std::optional<reconstruct_detail::OccludedSpace> below = occupiable_space(highest);
     std::optional<double> bottom;
@@ -262,7 +261,7 @@ class Closing {
     choose_best_closure(closure, deepest);
   }
 
-  /// How deep a block that lies on the ground has sunk into it at most, m.
+  /// Maximum depth to which a block that lies on the ground has sunk, m.
   double sunk_depth(double highest) const { return kSunk * (highest - options_.ground->distance); }
 
   std::optional<reconstruct_detail::OccludedSpace> occupiable_space(double highest) const {
@@ -277,8 +276,7 @@ class Closing {
     return below.base_area / below.plan_area;
   }
 
-  /// The upper volume is no larger than all that is not free space, on a foot that has sunk
-  /// into the ground.
+  /// Limits the upper volume to all that is not free space, with the base sunk into the ground.
   void look_under(const reconstruct_detail::OccludedSpace& below, double highest) {
     const double fraction = base_fraction(below);
     const double hull = closure_volume_ + below.volume + below.base_area * sunk_depth(highest);

@@ -21,7 +21,7 @@ struct UndersideOptions {
   /// Depth of the best estimate below the rim, as a fraction of the observed height. The default is
   /// a quarter of the total height. It does not affect the bounds.
   double max_depth_fraction = 1.0 / 3.0;
-  /// Minimum area of a hole, filled flat, as a fraction of the surface. Others are ignored.
+  /// Minimum area of a hole, filled flat, as a fraction of the surface. Smaller ones are ignored.
   double smallest_share = 0.001;
   /// Maximum area of the fillings, as a fraction of the surface. Above it, the scan is a sheet
   /// rather than a block. For a hemisphere, the fraction is a third.

@@ -15,8 +15,7 @@ inline constexpr Rgb kRock{214, 205, 190};
 /// Returns the direction from a block towards the viewer, who is in front of it (-y) and above.
 inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }
 
-/// Diverging colours of deviations from a scan (RdBu of ColorBrewer): blue inside the scan, white
-/// on it, red outside.
+/// Diverging colours of deviations from a scan (ColorBrewer RdBu), from blue (inside) to red.
 inline constexpr std::array<Rgb, 5> kDeviationColours = {
     {{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
 /// Interpolates between `kDeviationColours`.

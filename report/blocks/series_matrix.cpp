@@ -21,7 +21,7 @@ constexpr std::uint32_t kMatrixWidth = 76, kMatrixHeight = 60;  ///< of a pictur
 constexpr double kVisibleFraction = 0.04;  ///< of S: a smaller radius is not seen
 constexpr int kMatrixSkinSegments = 3;
 
-/// Of a number that stands for a row or column: targets agree to this.
+/// Rounds the number of a row or column; targets agree to this.
 double rounded_ratio(double value) { return 1e-4 * std::round(1e4 * value); }
 
 struct Member {
@@ -30,7 +30,7 @@ struct Member {
   VariationRecord record;
 };
 
-/// What is seen of a block: the surface of a core has none of a large rounding.
+/// Visible surface of a block: with the rounded layer if the radius is large.
 TriangleMesh seen_surface(const Block& block) {
   const bool round = block.body.radius > kVisibleFraction * block.box.lengths[2];
   return round && !block.body.faces.empty() ? rounded_surface_mesh(block.body, kMatrixSkinSegments)

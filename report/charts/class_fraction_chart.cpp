@@ -17,7 +17,7 @@ struct BarLegend {
   double bottom = 0.0;
 };
 
-/// What the colours and the whiskers are, in as many rows as it takes from `top` on.
+/// Draws the legend of colours and whiskers, in as many rows as needed from `top` on.
 BarLegend legend_from(const std::vector<ClassFractionSeries>& series, double top) {
   constexpr std::size_t kMaxCharacters = 64;
   constexpr double kRow = 20.0;

@@ -40,7 +40,7 @@ std::vector<Vec2> above(const std::array<Corner, 3>& triangle, double level) {
   return part;
 }
 
-/// Where the level crosses the triangle: two places, or none.
+/// Returns the two points where the level crosses the triangle, or none.
 std::vector<Vec2> crossing(const std::array<Corner, 3>& triangle, double level) {
   std::vector<Vec2> places;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ bool is_on_level(const std::array<Corner, 3>& triangle, double level) {
 /// Triangles of the lattice that touch along a row, as one trapezoid.
 class WholeTriangles {
  public:
-  /// What is finished by this triangle.
+  /// Adds a triangle; returns the path of the trapezoid that it completes.
   std::string add(const std::array<Corner, 3>& triangle) {
     Row top{triangle[0].place.y()}, bottom{triangle[0].place.y()};
     for (const Corner& corner : triangle) {

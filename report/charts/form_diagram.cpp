@@ -83,7 +83,7 @@ std::string blocks_svg(const Population& population, std::size_t number,
   return svg;
 }
 
-/// What the marks mean, centred at the foot of the picture.
+/// Draws the key of the marks, centred at the bottom of the image.
 std::string mark_key(const Population& population, double y) {
   if (population.blocks.size() > kMaxSingleBlocks) {
     std::string svg;

@@ -34,7 +34,7 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-/// plotly.js reads a few HTML tags in texts, so they are escaped.
+/// Escapes HTML, because plotly.js interprets some tags in texts.
 std::string plain(std::string_view text) { return escape_html(text); }
 
 Json trace_json(const Trace& trace, const ChartAxes& axes) {

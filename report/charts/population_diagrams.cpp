@@ -46,7 +46,7 @@ FractionWithInterval share_bar(const ClassFraction& share, bool by_mass) {
   return bar;
 }
 
-/// By number and by mass for one population; the populations by number where there are two.
+/// Draws one population by number and by mass, or two populations by number.
 std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   std::vector<ClassFractionSeries> all;
   std::vector<std::string> classes;

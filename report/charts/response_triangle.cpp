@@ -38,7 +38,7 @@ Rgb response_colour(double share) {
   return colour;
 }
 
-/// Of a part of the triangle.
+/// Position in the image of a point of the triangle.
 Vec2 triangle_point(double compact, double elongate) {
   const double height = kResponseSide * std::sqrt(0.75);
   return {kResponseLeft + kResponseSide * (elongate + 0.5 * compact),
@@ -82,7 +82,7 @@ struct ResponseRange {
     }
     return levels;
   }
-  /// Of the band from this level to the next.
+  /// Colour of the band from this level to the next.
   std::string colour(double level) const {
     return format_colour(response_colour(share(std::min(most, level + 0.5 * step))));
   }
@@ -100,7 +100,7 @@ ResponseRange response_range(std::span<const ShapeResponse> forms) {
   return range;
 }
 
-/// Where values of contour lines stand, so that no two cover each other.
+/// Positions of contour labels, which do not overlap.
 class LabelPlaces {
  public:
   /// @param hull  that cuts off what lies outside
@@ -171,7 +171,7 @@ std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec
   return svg + "</g>";
 }
 
-/// What is shown, and below it the colours of the bands with the values between them.
+/// Draws the label, and below it the colours of the bands with the values between them.
 std::string legend(const ResponseRange& range, const std::string& label) {
   const std::vector<double> levels = range.levels();
   constexpr double kX = 590.0, kBottom = 270.0, kBox = 18.0;

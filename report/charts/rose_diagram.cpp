@@ -64,7 +64,7 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
   svg += svg_text(kCentre.x(), 18.0, shorten_text(name, 40),
                   "font-size=\"13\" font-weight=\"700\" fill=\"#1d2733\" text-anchor=\"middle\"");
   svg += circle(kRadius, "stroke=\"#8a94a0\"");
-  // Where all sectors would end if directions were even.
+  // Radius of all sectors for uniform directions.
   const double even = static_cast<double>(trends.size()) / static_cast<double>(kSectors);
   if (even <= static_cast<double>(most)) {
     svg += circle(radius_of(even), "stroke=\"#5b6775\" stroke-dasharray=\"3 3\"");

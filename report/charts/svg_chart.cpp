@@ -82,7 +82,7 @@ std::string x_axis(const AxisRange& range, double top, double bottom, const std:
                         std::string(kChartText) + " text-anchor=\"middle\"");
 }
 
-// In half of the chart's width.
+// Limit for half of the chart's width.
 constexpr std::size_t kMaxTitleCharacters = 24;
 
 std::string name_with_count(const Series& series) {

@@ -15,7 +15,7 @@ std::string escape_html(std::string_view text);
 /// Shortens a UTF-8 text to at most `most` characters. A shortened text ends with ….
 std::string shorten_text(std::string_view text, std::size_t most);
 
-/// Formats a relative path for use in href. Other than letters, digits and /._- become %XX.
+/// Formats a relative path for href. All characters except letters, digits and /._- become %XX.
 std::string format_link_target(std::string_view path);
 
 /// Formats a number with fixed decimals; "-" if it is not finite.

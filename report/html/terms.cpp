@@ -63,7 +63,7 @@ constexpr std::array kTerms = {
 
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Where `word` stands in `text` as a whole word, in any case; npos: nowhere.
+/// Finds `word` in `text` as a whole word, in any case; npos if absent.
 std::size_t find_word(std::string_view text, std::string_view word) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) ==
@@ -88,7 +88,7 @@ std::string marked(std::string_view text, std::set<std::string_view>& seen) {
     if (at == text.npos) continue;
     seen.insert(term.id);
     const std::string_view word = text.substr(at, term.word.size());
-    // What stands before and after the word can hold others.
+    // The text before and after the word can contain other terms.
     return marked(text.substr(0, at), seen) + "<span class=\"term\" tabindex=\"0\" " +
            "aria-describedby=\"term-" + std::string(term.id) + "\">" + std::string(word) +
            "</span>" + marked(text.substr(at + word.size()), seen);

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json schema_of(const ValueFormat& form);
 
-/// Range of numbers for editors of TOML. If 0 has a special meaning, it is allowed too.
+/// Returns the JSON schema of a number range; 0 is also allowed if it has a meaning.
 Json number_schema(const NumberRange& range) {
   Json json = {{"type", "number"}};
   if (range.zero != nullptr) {

@@ -28,10 +28,10 @@ constexpr Ramp kYellowGreen = {
 constexpr Ramp kYellowBrown = {
     {{255, 247, 188}, {254, 196, 79}, {236, 112, 20}, {153, 52, 4}, {70, 25, 3}}};
 
-/// Where limits between classes lie.
+/// Spacing of the class limits.
 enum class Limits { kThrees, kDecades, kEven };
 
-/// What a layer is a measure of; layers of one quantity have the same limits.
+/// Quantity of a layer; layers of one quantity have the same limits.
 struct Quantity {
   const char* layer;
   const char* title;
@@ -128,7 +128,7 @@ std::vector<double> limits_of(Limits limits, const Span& span, double unit) {
   return even_limits(span, unit);
 }
 
-/// So many colours evenly along a ramp.
+/// Returns evenly spaced colours of a ramp.
 std::vector<Rgb> colours_of(const Ramp& ramp, std::size_t count) {
   std::vector<Rgb> colours;
   for (std::size_t i = 0; i < count; ++i) {

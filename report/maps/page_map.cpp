@@ -35,7 +35,7 @@ Json layout_of(const SiteMap& site, int height, const Json& notes) {
   Json y = axis("y, m", window.low.y(), window.high.y());
   y["scaleanchor"] = "x";
   return {
-      // the buttons have the margin above to themselves, beside no name
+      // the buttons alone fill the margin above; there is no title
       {"height", height},
       {"margin", {{"l", 74}, {"r", 10}, {"t", 36}, {"b", 48}}},
       {"font",
@@ -59,7 +59,7 @@ Json layout_of(const SiteMap& site, int height, const Json& notes) {
          {"layer", "below"}}}}};
 }
 
-/// What can be shown, as options of a list.
+/// Formats the selectable contents as options of a list.
 std::string choices(const PageMapContents& contents) {
   std::string options;
   const auto add = [&](const std::string& value, const std::string& text) {

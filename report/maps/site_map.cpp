@@ -24,7 +24,7 @@ class MarkBox {
     box_.low = box_.low.cwiseMin(point);
     box_.high = box_.high.cwiseMax(point);
   }
-  /// With a margin, neither too long nor too thin.
+  /// Returns the window with a margin, neither too long nor too narrow.
   PlanWindow window() const {
     const double longer = std::max(box_.size().maxCoeff(), 4.0);
     const Vec2 middle = 0.5 * (box_.low + box_.high);

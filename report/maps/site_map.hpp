@@ -22,7 +22,7 @@ struct ReleaseOutline {
   std::vector<Vec2> corners;  ///< convex hull of all starts, map coordinates, m; not closed
 };
 
-/// Site map of a comparison, campaign or terrain, in map coordinates. Terrain must outlive it.
+/// Site map of a comparison, campaign or terrain, in map coordinates. The terrain must outlive it.
 struct SiteMap {
   const Terrain* terrain = nullptr;
   PlanWindow window;  ///< drawn part of the plan, m

@@ -32,7 +32,7 @@ std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& compar
   return shown;
 }
 
-/// mean, p95 and max of a summary.
+/// Appends the mean, p95 and maximum of a summary.
 void append_summary(std::vector<std::string>& cells, const Summary& summary, int decimals) {
   for (const double value : {summary.mean, summary.p95, summary.max}) {
     cells.push_back(format_measured(value, summary, decimals));
@@ -88,7 +88,7 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
   return any ? table.html() : std::string();
 }
 
-/// Which crossings of the line count, and how many went which way.
+/// Describes which crossings of the line count, and how many had each direction.
 std::string directions_of(const Comparison& comparison, std::size_t line) {
   const BarrierLine& barrier = comparison.lines[line];
   if (barrier.of_ring()) {
@@ -147,7 +147,7 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
                [](const Crossing& c) { return c.velocity.norm(); });
 }
 
-/// How often the ground is drawn, in all files together; 0 where it is not drawn.
+/// Counts the ground draws in all files; 0 if the ground is not drawn.
 std::size_t draws_of_ground(const Comparison& comparison) {
   std::vector<std::size_t> all(comparison.rows.size());
   std::iota(all.begin(), all.end(), std::size_t{0});

@@ -57,7 +57,7 @@ std::string figures_table(const Comparison& comparison, const DepositQuantityCom
   return table.html();
 }
 
-/// What a pair of files differs in, by how much, and what it does not.
+/// Describes in which quantities a pair of files differs, by how much, and in which not.
 std::string describe_pair(const Comparison& comparison,
                           const std::vector<const DepositQuantityDifference*>& pair) {
   std::map<Verdict, std::string> lists;

@@ -54,7 +54,6 @@ std::vector<Picture> pictures_of(const Comparison& comparison) {
   return pictures;
 }
 
-/// What a row of a picture is called.
 std::string row_name(const Comparison& comparison, const Difference& one) {
   const Group &first = comparison.groups[one.first], &second = comparison.groups[one.second];
   return first.kind == GroupKind::kGarcia ? quantity_text(one.quantity).name
@@ -122,7 +121,7 @@ std::string make_table(const Comparison& comparison) {
   return table.html();
 }
 
-/// How intervals and tests were made.
+/// Describes the methods of intervals and tests.
 std::string method_of(const Comparison& comparison) {
   const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
                                 [](const CampaignResults& results) { return results.stay; });

@@ -34,7 +34,7 @@ std::string trends(const ComparisonAnalyses& analyses) {
   return html;
 }
 
-/// From so many on, shares of the blocks have intervals that say something.
+/// Minimum number of blocks for meaningful intervals of fractions.
 constexpr std::size_t kMinBlocksForIntervals = 6;
 
 /// Does no file have enough of its first factor, blocks or forms?

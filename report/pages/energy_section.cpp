@@ -16,7 +16,7 @@ namespace {
 
 using EnergyRealisations = std::vector<const RealisationEnergies*>;
 
-/// What energy becomes, in the order that charts stack it.
+/// Uses of the energy, in the order of stacking in charts.
 struct Use {
   const char* words;
   const char* colour;
@@ -62,8 +62,7 @@ std::string of_file(const Comparison& comparison, std::uint32_t file) {
   return has_several_files(comparison) ? ", " + file_name(comparison, file) : "";
 }
 
-/// What the energy of a mass has become until a time, each use on top of the one before, the
-/// kinetic energy on top of all.
+/// Draws the energy of a mass against time: its uses stacked, the kinetic energy on top.
 std::string uses_chart(const Comparison& comparison, const EnergyRealisations& realisations) {
   std::vector<Trace> traces;
   std::vector<double> below;

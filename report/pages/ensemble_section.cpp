@@ -51,7 +51,7 @@ std::string effect_sentence(const Comparison& comparison,
   const auto most = std::max_element(
       effects.begin(), effects.end(),
       [&](const ParameterEffect& a, const ParameterEffect& b) { return size(a) < size(b); });
-  // Of several parameters one is likelier to seem to move it by chance (Bonferroni).
+  // Bonferroni correction for several parameters.
   const double limit = kSignificanceLevel / static_cast<double>(effects.size());
   if (!most->correlation || most->correlation->p_value > limit) {
     text += "; no single parameter is seen to move it";

@@ -10,8 +10,7 @@ namespace {
 /// A block counts as moved on from this share of its S; less is how far its contacts yield.
 constexpr double kMovedFraction = 0.1;
 
-/// What is kept of each row of the comparison; none where runs had the terrain to themselves, or
-/// all blocks came at once.
+/// Returns the record of each row; null for single blocks and for simultaneous releases.
 std::vector<const PersistentBlockRecord*> stays_of_rows(const Comparison& comparison) {
   std::vector<const PersistentBlockRecord*> stays;
   for (const RunRow& row : comparison.rows) {

@@ -128,7 +128,7 @@ std::string diagrams_section(const PopulationReport& report, const Diagrams& dia
                    html + "</div>\n");
 }
 
-/// What the choice of box decides; nothing for axes taken by tape.
+/// Describes the effect of the choice of box; empty for taped axes.
 std::string boxes_section(const PopulationReport& report) {
   std::string html;
   for (const ReportedPopulation& reported : report.populations) {

@@ -32,7 +32,7 @@ std::string stiffness_table(const CampaignResults& results) {
   return table.html();
 }
 
-/// Whether any zone has this parameter in any draw.
+/// True if any zone has this parameter in any draw.
 bool any_states(const CampaignResults& results, const GroundParameterField& field) {
   const auto states = [&](const GroundParameters& zone) { return zone.*field.value != 0.0; };
   return std::any_of(results.ground.begin(), results.ground.end(), states) ||
@@ -110,7 +110,7 @@ std::string released(const CampaignResults& results) {
                       : "");
 }
 
-/// What holds for all runs of a file.
+/// Lists the settings common to all runs of a file.
 std::string settings_of(const Comparison& comparison, const CampaignResults& results) {
   std::string html = "<dl class=\"facts\">\n";
   html += format_fact("Runs", std::to_string(results.runs.size()) + " of " +
@@ -145,7 +145,7 @@ std::string scales_of(const CampaignResults& results) {
   return text.empty() ? "" : format_paragraph(text + ".");
 }
 
-/// What else was warned of.
+/// Lists the warnings that are not among the cautions.
 std::string notes_of(const Comparison& comparison) {
   std::string items;
   std::size_t count = 0;

@@ -44,7 +44,7 @@ std::vector<LabelledLine> barrier_places(const Comparison& comparison,
   return places;
 }
 
-/// How many of the runs of every class come so far.
+/// Draws the fraction of the runs of each class that reach a distance.
 std::string share_against_distance(const Comparison& comparison,
                                    const std::vector<ProfileBin>& bins,
                                    std::optional<std::uint32_t> file, const ChartAxes& axes) {
@@ -64,7 +64,7 @@ std::string share_against_distance(const Comparison& comparison,
   return draw_plotly_chart(axes, traces);
 }
 
-/// What a barrier would meet at every distance, over all runs of a group.
+/// Tabulates the passages at each distance, over all runs of a group.
 std::string barrier_table(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                           std::size_t group) {
   HtmlTable table({"distance, m", "runs that come by", "share", "energy p95, kJ", "energy max, kJ",

@@ -97,7 +97,7 @@ std::string notes(const Block& block) {
   return "<div class=\"fine\">The scan was closed and sound; nothing was repaired.</div>\n";
 }
 
-/// How far the block is off the scan: the map and the numbers that go with it.
+/// Formats the deviation of the block from the scan: the map and its numbers.
 std::string certificate(const Block& block, const FieldBlock& found) {
   const SurfaceDeviation& d = block.deviation;
   const std::string unit = is_unscaled(block) ? " units" : " m";

@@ -38,7 +38,7 @@ std::string degrees(double angle) {
   return format_fixed(angle * kDegreesPerRadian, 0) + "\xC2\xB0";
 }
 
-/// From metres about the middle of the block to the page.
+/// Transforms metres about the middle of the block to the page.
 struct Plan {
   double pixel = 1.0;  ///< px per m
   Vec2 operator()(double x, double y) const {

@@ -144,7 +144,7 @@ std::vector<Vec3> without_strays(const std::vector<Vec3>& points) {
   return kept;
 }
 
-/// Which triangles of the closed surface no scan saw.
+/// Finds triangles of the closed surface that no scan observed.
 class Invented {
  public:
   Invented(const TriangleMesh& raw, const FieldBlock& block)

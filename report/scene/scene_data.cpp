@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 /// A radius of less than this share of the longest axis is not drawn: nobody would see it.
 constexpr double kSeenRadius = 0.03;
 
-/// To 2^-14, which is 0.06 mm: bits that nobody sees would be most of what a page can't deflate.
+/// Rounds to 2^-14 (0.06 mm): invisible bits would be most of what a page cannot compress.
 double visible_digits(double value) { return std::round(value * 16384.0) / 16384.0; }
 
 void append_vector(std::vector<float>& flat, const Vec3& v) {

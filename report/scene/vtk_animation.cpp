@@ -41,7 +41,7 @@ struct MovingBlock {
   TriangleMesh skin;           ///< body frame
   Trajectory trajectory;
 
-  /// Where it is at `time`; a run that is over stays where it stopped.
+  /// Returns the state at `time`; after its end, a run stays where it stopped.
   const RigidState& at(double time) const {
     const auto after =
         std::upper_bound(trajectory.time.begin(), trajectory.time.end(), time + 1e-9);

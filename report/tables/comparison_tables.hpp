@@ -9,7 +9,7 @@ namespace clast {
 
 using ComparisonTable = ReportTable<ComparisonAnalyses>;
 
-/// Returns all tables, such as "runs", "barriers" and "crossings". "measured" may be empty.
+/// Returns all tables, such as "runs" and "crossings". "measured" is empty without observed stops.
 const std::vector<ComparisonTable>& comparison_tables();
 
 }  // namespace clast

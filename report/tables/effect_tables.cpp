@@ -1,4 +1,4 @@
-// What moved the outcomes: factors of a design, and drawn ground parameters.
+// Tables of effects: factors of a design, and drawn ground parameters.
 #include <cmath>
 
 #include "report/tables/comparison_columns.hpp"

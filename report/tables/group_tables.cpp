@@ -38,7 +38,7 @@ const std::vector<Statistic> kMeanAndStd = {{"mean", &Summary::mean}, {"std", &S
 const std::vector<Statistic> kUpper = {
     {"mean", &Summary::mean}, {"p95", &Summary::p95}, {"max", &Summary::max}};
 
-/// Adds a column per statistic, whose name replaces `*` in `name`; empty if not measured.
+/// Makes a column per statistic, whose name replaces `*` in `name`; NaN if nothing was measured.
 /// @param summary  of a row, a function or a member
 template <class Row, class Get>
 TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, const std::string& name,

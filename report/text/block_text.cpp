@@ -11,14 +11,14 @@ namespace clast {
 
 namespace {
 
-/// What lengths of the block are in: "u" is the unit of an unscaled block's model.
+/// Length unit of the block; "u" is the unit of an unscaled block's model.
 std::string length_unit_of(const Block& block) { return is_unscaled(block) ? "u" : "m"; }
 
 std::string vector_text(const Vec3& v) {
   return format_rounded(v[0], 6) + "  " + format_rounded(v[1], 6) + "  " + format_rounded(v[2], 6);
 }
 
-/// What the unseen side leaves open, as names with values.
+/// Lists the bounds of the unobserved side, as names with values.
 NamedValues unseen_lines(const Block& block) {
   const VolumeBracket& unseen = *block.volume_bracket;
   const BlockBracket range = derive_block_bracket(block);

@@ -61,7 +61,7 @@ KeyFigure runout_figure(const Comparison& comparison, const FileSummary& stateme
                : ""};
 }
 
-/// Of each class that passes, and of all the largest: "compact 33, elongated 17 kJ; largest 37 kJ".
+/// Formats a value for each class with passages, and the largest: "compact 33; largest 37 kJ".
 std::string by_class(const Comparison& comparison, const BarrierSummary& passage,
                      double CrossingEstimate::*value, std::string (*as_limit)(double),
                      double CrossingEstimate::*largest, std::string (*format)(double)) {

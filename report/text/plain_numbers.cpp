@@ -22,7 +22,7 @@ double raised(double value, int decimals) {
 
 int decimals_of_height(double metres) { return std::abs(metres) < 0.95 ? 2 : 1; }
 
-/// Of a number of joules or kilojoules.
+/// Returns the decimals of a number in joules or kilojoules.
 int decimals_of_energy(double joules) { return joules >= 1e3 && joules < 1e4 ? 1 : 0; }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::string design_digest(const CalibrationStudy& study, const std::vector<std::
   return sha256(text);
 }
 
-/// What members are to be observed at must have been looked at when they were simulated.
+/// Checks that all moments of observations were recorded when members were simulated.
 void check_moments(const fs::path& from, const CalibrationBackend& simulator,
                    const StoredCalibration& stored) {
   for (std::size_t site = 0; site < simulator.sites.size(); ++site) {

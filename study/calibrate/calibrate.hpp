@@ -25,8 +25,7 @@ struct CalibrateOptions {
   /// Processes that share the simulation of the members; each of them calls the functions below. If
   /// null, this process runs alone.
   ProcessTeam* team = nullptr;
-  /// Called after each member of each site. An exception ends the calibration; finished members are
-  /// kept.
+  /// Called after each member of each site. An exception ends the calibration; members are kept.
   ProgressCallback progress = {};
 };
 

@@ -101,7 +101,7 @@ CalibrationDesign read_design(const TomlTable& top) {
   return design;
 }
 
-/// What the simulations of a calibration can't do.
+/// Refuses campaigns that a calibration cannot simulate.
 void check_site(const TomlTable& table, const Campaign& campaign) {
   const auto refuse = [&](const std::string& why) { table.refuse("campaign", why); };
   if (campaign.stay) {

@@ -43,7 +43,7 @@ double mean_of_values(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// With n - 1.
+/// Sample standard deviation, with n - 1.
 double deviation_of(const std::vector<double>& values) {
   if (values.size() < 2) return kNoFigure;
   const double mean = mean_of_values(values);
@@ -75,7 +75,7 @@ double figure_of_places(const SummaryStatistic& figure, std::vector<double> alon
   }
 }
 
-/// What is measured at barriers and moments; null for other figures.
+/// Returns the quantity measured at barriers and moments; null for other statistics.
 double OutcomeAtMoment::*measured_member(SummaryStatistic::Kind kind) {
   switch (kind) {
     case SummaryStatistic::Kind::kMeanSpeed:

@@ -39,7 +39,7 @@ std::vector<double> numbers_of(const DeclaredTable& table, const std::string& ke
                        form.leaf().range);
 }
 
-/// Which of the keys that exclude each other is there.
+/// Returns the only one of the mutually exclusive keys.
 /// @throws InputError  none or several of them are, or a key that has no meaning beside it
 std::string source_of(const DeclaredTable& table) {
   std::string source;

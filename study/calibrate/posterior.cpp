@@ -65,7 +65,7 @@ MatrixXd rank_correlations(const MatrixXd& draws) {
   return about * about.transpose();
 }
 
-/// What would be observed: of each known figure a draw for every draw of the unknowns.
+/// Draws the observable statistics: one draw of each for every draw of the unknowns.
 MatrixXd predictive_draws(const SyntheticLikelihood& likelihood, const std::vector<Index>& which,
                           const MatrixXd& shares, std::uint64_t seed) {
   const SyntheticLikelihood::Expected expected = likelihood.predict_statistics(shares, which);
@@ -82,7 +82,7 @@ MatrixXd predictive_draws(const SyntheticLikelihood& likelihood, const std::vect
   return draws;
 }
 
-/// Where a figure stands among the observations.
+/// Finds the observation and number of a statistic.
 PredictedStatistic place_of_figure(const CalibrationStudy& study, std::size_t figure) {
   PredictedStatistic place;
   while (figure >= study.observations[place.observation].figures.size()) {
@@ -109,14 +109,14 @@ double possible(const SummaryStatistic& figure, double value) {
   }
 }
 
-/// From the draws of a figure, one row of `draws`.
+/// Computes the interval of a statistic from its draws, one row of `draws`.
 PredictedInterval interval_of(const SummaryStatistic& figure, const MatrixXd& draws, Index row) {
   const std::vector<double> values = sorted_values(row_of(draws, row));
   return {possible(figure, quantile(values, 0.5)), possible(figure, quantile(values, 0.025)),
           possible(figure, quantile(values, 0.975))};
 }
 
-/// As many places all over the ranges as there are draws.
+/// Returns as many points over all prior ranges as there are draws.
 MatrixXd prior_places(const CalibrationStudy& study) {
   SobolSequence sequence(study.unknowns.size(), derive_seed(study.design.seed, "prior"));
   MatrixXd places(static_cast<Index>(study.unknowns.size()),
@@ -201,7 +201,7 @@ std::vector<std::vector<SobolIndices>> sensitivities_of(const CalibrationStudy& 
   return all;
 }
 
-/// By the distance of the members' own figures, in units of the scatter.
+/// Finds the members whose own statistics are nearest, in units of the scatter.
 NearestMembers nearest_members(const CalibrationStudy& study, const MemberStatistics& figures,
                                const SyntheticLikelihood& likelihood) {
   const std::vector<Index> which = likelihood.known(true);

@@ -46,7 +46,7 @@ void write_unknowns(Hdf5Group group, const CalibrationStudy& study) {
   group.write<std::uint8_t>("logarithmic", logarithmic);
 }
 
-/// What was observed, and what surrogates and prediction say of it.
+/// Writes the observed statistics, and those of surrogates and prediction.
 void write_figures(Hdf5Group group, const CalibrationStudy& study,
                    const CalibrationPosterior& posterior) {
   std::vector<std::string> observation, site, use, name;

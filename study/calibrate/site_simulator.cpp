@@ -130,7 +130,7 @@ struct SiteMemberSimulator::Impl {
   SiteDescription facts;
   std::vector<std::string> inputs;
 
-  /// So many of the planned runs, one by chance out of each equal part of them.
+  /// Chooses one planned run at random from each of `releases` equal parts.
   std::vector<RunRecord> chosen_runs(std::uint32_t member) {
     Random random(derive_seed(design.seed, name + " member " + std::to_string(member)));
     std::vector<std::uint32_t> numbers;

@@ -62,7 +62,7 @@ SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
   return site;
 }
 
-/// Computes the statistics of a sample of each block, from the first releases of each observation.
+/// Statistics of the sampled releases; each observation uses the first ones, as many as it had.
 /// @param whole  all of the sample for every observation
 VectorXd figures_of(const std::vector<const Observation*>& observations,
                     const std::vector<std::vector<SelectedOutcome>>& seen, const SiteBlocks& site,
@@ -176,9 +176,9 @@ void make_unbiased(const std::vector<const Observation*>& observations, const Si
   covariance = root.asDiagonal() * covariance * root.asDiagonal();
 }
 
-/// Of n points a bootstrap gives (n - 1)/n of the variance, which is itself an estimate: what it is
-/// to be taken for follows Student's t with n - 1 degrees of freedom, whose variance is
-/// (n - 1)/(n - 3) times as large. Below four points it is taken as of four.
+/// Factor of the variance for few points. A bootstrap of n points gives (n - 1)/n of the variance,
+/// which is itself an estimate: it follows Student's t with n - 1 degrees of freedom, whose
+/// variance is (n - 1)/(n - 3) times as large. Fewer than four points are treated as four.
 double few_points_factor(std::size_t points) {
   const auto count = static_cast<double>(std::max<std::size_t>(points, 4));
   return count / (count - 3.0);

@@ -58,7 +58,7 @@ std::optional<SegmentPassage> passage(const Vec2& from, const Vec2& to, const Ri
   return found;
 }
 
-/// What is measured of a passage; none beside surveyed ground.
+/// Measures a passage; empty outside surveyed ground.
 std::optional<Crossing> crossing_at(double time, const RigidState& state, bool forward,
                                     const RigidBody& body, const TerrainSurface& terrain) {
   const Vec3& centre = state.position;
@@ -132,7 +132,7 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
             ? interpolate_state(body, step, 0.5 * (passed[i].time + passed[i + 1].time), gravity)
             : step.end;
     if (is_inside(ring, after.position.head<2>()) == inside) continue;
-    // From the left to the right is out of a ring with its inside on the left.
+    // A crossing from left to right leaves a ring with its inside on the left.
     const bool forward = inside == inside_is_left(ring);
     inside = !inside;
     if (const std::optional<Crossing> crossing =

@@ -131,7 +131,7 @@ const MemberTable<Campaign>& run_keys() {
        {"gravity_m_s2", "m/s^2", "gravity, downwards", number({1e-2, 1e3}), &Campaign::gravity},
        {"downslope", "", "downslope direction [dx, dy], along which runout is measured",
         list(number({-1e6, 1e6}), 2, 2), &Campaign::downslope},
-       // As short as a time step, so that no more can be seen, while storage goes with its inverse.
+       // The minimum is a time step; shorter intervals need more storage and show nothing more.
        {"trajectory_interval_s", "s", "interval between stored states of trajectories",
         number({1e-4, 1e5, "s", "none is stored"}), &Campaign::trajectory_interval}});
   return keys;

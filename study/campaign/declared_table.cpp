@@ -21,8 +21,7 @@ std::string data_folder() {
   return fs::absolute(folder).lexically_normal().string();
 }
 
-/// The keys of a table, or of all tables that a value can be; a name that several have is there
-/// once.
+/// Adds the keys of a table, or of all tables that a value can be; each name once.
 void add_keys(const ValueFormat& form, std::vector<const TableKey*>& keys) {
   for (const TableKey& key : form.keys) {
     if (std::none_of(keys.begin(), keys.end(),

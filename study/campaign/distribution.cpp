@@ -30,7 +30,7 @@ double Distribution::central_value() const {
 
 double Distribution::mean() const {
   if (law == Law::kFixed || law == Law::kUniform) return central_value();
-  // Of a law cut off at both ends, in standard deviations from its middle.
+  // Limits of a truncated law, in standard deviations from its middle.
   const auto deviations = [&](double value) {
     if (law == Law::kNormal) return (value - first) / second;
     return value > 0.0 ? std::log(value / first) / second : -1e300;

@@ -15,7 +15,7 @@ constexpr double kFittedRestitution = 0.01;  ///< e_n^2 of all grounds of Garcia
 constexpr double kImpactSpeed = 10.0;        ///< normal to the ground, m/s, of usual impacts
 constexpr double kHalvingSpeed = 9.0;        ///< m/s, at which Rockyfor3D halves R_n
 
-/// e_n^2 of R_n at the speed of usual impacts, two digits.
+/// Returns e_n^2 from R_n at the usual impact speed, to two digits.
 TypicalValue restitution_of(double r_n) {
   const double slowed = r_n / (1.0 + kImpactSpeed * kImpactSpeed / (kHalvingSpeed * kHalvingSpeed));
   const auto hundredths = [](double share) {

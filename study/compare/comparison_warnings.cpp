@@ -20,13 +20,13 @@ constexpr double kNotableMassDifference = 0.01;
 /// Share of the dissipated energy that a run's balance may miss before it is named.
 constexpr double kNotableEnergyError = 0.01;
 
-/// p95 of the largest speeds of runs above which they are questioned, m/s.
+/// p95 of the runs' largest speeds above which a warning is given, m/s.
 constexpr double kSeldomSpeed = 30.0;
 
 /// Energies below this share of all that there is are rounding.
 constexpr double kRoundedEnergy = 1e-9;
 
-/// From this share of the runs on, what happened to them could turn an answer round.
+/// Fraction of the runs from which on their fate could reverse a result.
 constexpr double kTurningFraction = 0.01;
 /// The same for energy that contacts lose or gain, which cancels in part over the runs.
 constexpr double kReassignedFraction = 0.1;
@@ -56,7 +56,7 @@ void warn_of_unfinished(Comparison& comparison) {
 
 void warn_of_lost_runs(Comparison& comparison) {
   const DepositStatistics& all = comparison.deposits.front();
-  // What the caution says too, and what it leaves to the warning.
+  // The caution repeats the count; the warning adds advice.
   const auto count_of = [&](std::size_t count, const std::string& what, const std::string& advice) {
     if (count == 0) return;
     const std::string happened = of(count, all.started) + " runs " + what;
@@ -210,7 +210,7 @@ std::vector<std::optional<double>> zone_slopes(const CampaignResults& results) {
 /// Stops that show that a zone stops blocks: not a stray one.
 bool are_many(std::size_t stops, std::size_t runs) { return 50 * stops > runs; }
 
-/// How many runs came to rest on every ground zone.
+/// Counts the runs that came to rest on each ground zone.
 std::vector<std::size_t> stops_by_zone(const CampaignResults& results) {
   std::vector<std::size_t> stops(results.zone_names.size(), 0);
   if (results.terrain.surface.triangles.empty()) return stops;
@@ -370,7 +370,7 @@ void warn_of_directions(Comparison& comparison) {
 
 std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy) {
   const double dissipated = energy.normal + energy.friction + energy.rolling;
-  // Where next to nothing is dissipated both are rounding.
+  // If almost nothing is dissipated, both are rounding errors.
   const double rounding =
       kRoundedEnergy * std::max(std::abs(energy.initial), std::abs(energy.final));
   if (!(dissipated > rounding) || !std::isfinite(energy.reassigned)) return std::nullopt;
@@ -387,7 +387,7 @@ void add_warnings(Comparison& comparison) {
   warn_of_slopes(comparison);
   warn_of_changed_blocks(comparison);
   warn_of_measured(comparison);
-  // What all files warn of is said once.
+  // Warnings common to all files are given once.
   const auto in_all_files = [&](const std::string& warning) {
     return std::all_of(
         comparison.results.begin(), comparison.results.end(), [&](const CampaignResults& results) {

@@ -68,8 +68,8 @@ std::vector<FactorLevels> factors_of(const std::vector<const RunRow*>& rows,
   return factors;
 }
 
-/// Where each run stands in the full design, the last factor's level changing fastest; empty where
-/// a combination is missing or comes twice.
+/// Returns the index of each run in the full design, the last factor varying fastest; empty if a
+/// combination is missing or repeated.
 std::vector<std::size_t> places_in(const std::vector<FactorLevels>& factors, std::size_t runs) {
   std::size_t combinations = 1;
   for (const FactorLevels& factor : factors) {

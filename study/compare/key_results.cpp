@@ -17,8 +17,8 @@ namespace {
 constexpr std::uint64_t kAnswerSeed = 20220310;  // any is good; a fixed one repeats the interval
 constexpr std::size_t kMaxAnswerDrawn = 20'000'000;  // numbers for one interval
 constexpr double kSameStop = 1e-6;                   // m
-/// Where a block is met at this share of the places or realisations or more, the mean over blocks,
-/// the blocks are the same everywhere.
+/// Fraction of the release points or realisations with the same block, as a mean over blocks, from
+/// which on the blocks count as equal everywhere.
 constexpr double kSameBlocksFraction = 0.25;
 
 using File = std::optional<std::uint32_t>;
@@ -157,7 +157,7 @@ RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a
   return gap;
 }
 
-/// Of the two classes; with one file, or one for all, it is among the differences, corrected.
+/// Returns the corrected difference of two classes, or computes it if there is none.
 std::optional<Difference> class_difference(const Comparison& comparison, std::size_t a,
                                            std::size_t b) {
   for (const Difference& one : comparison.differences) {
@@ -166,7 +166,7 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
   return compute_runout_difference(comparison, a, b);
 }
 
-/// What 95 % of the passages stay below; the largest, where they are few.
+/// Returns p95 of the passages, or the largest if they are few.
 double limit_of_passages(const Summary& of, bool largest) { return largest ? of.max : of.p95; }
 
 /// Sets the ranges over the draws of the ground.
@@ -214,7 +214,7 @@ const BarrierGroupStatistics* barrier_group(const Comparison& comparison, std::s
   return nullptr;
 }
 
-/// How far down a barrier lies.
+/// Returns the mean downslope position of a barrier.
 double place_downslope(const Comparison& comparison, std::size_t line) {
   const std::vector<Vec2>& through = comparison.lines[line].through;
   Vec2 sum = Vec2::Zero();

@@ -27,7 +27,7 @@ std::set<std::string> library_blocks(const Comparison& comparison, std::uint32_t
   return blocks;
 }
 
-/// Of the runs of a file that lie where they came to rest, of these library blocks and this class.
+/// Returns the runouts of runs of a file that came to rest, for these library blocks and class.
 /// @param garcia  empty: all classes
 Runouts runouts_of(const Comparison& comparison, std::uint32_t file,
                    const std::set<std::string>& blocks, const std::string& garcia) {
@@ -47,7 +47,7 @@ Runouts runouts_of(const Comparison& comparison, std::uint32_t file,
   return runouts;
 }
 
-/// Of each cluster.
+/// Summarises a value of each cluster.
 template <class Value>
 Summary over_clusters(const Runouts& runouts, const Value& value) {
   std::vector<double> values;

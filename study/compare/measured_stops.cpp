@@ -92,7 +92,7 @@ Vec2 mean_release(const Comparison& comparison) {
   return first + sum / static_cast<double>(comparison.rows.size());
 }
 
-/// Of the cumulative shares of two samples in ascending order.
+/// Largest distance of the cumulative distributions of two samples in ascending order.
 double largest_distance(const std::vector<double>& a, const std::vector<double>& b) {
   double distance = 0.0;
   for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
@@ -169,7 +169,7 @@ BootstrapIntervals bootstrap_intervals(
 
 constexpr std::size_t kMaxCurvePoints = 100;  // of a curve
 
-/// At every value of the sample, or at so many.
+/// Computes the curve at each value of the sample, or at `kMaxCurvePoints` values.
 /// @param banded  with intervals
 StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool banded = true) {
   std::vector<double> sorted = stops.values;

@@ -81,7 +81,7 @@ class Tops {
 RigidState first_state(const RunRow& row) { return row.record->start; }
 RigidState last_state(const RunRow& row) { return row.record->result.final_state; }
 
-/// How high blocks reach above the ground, where there are any.
+/// Computes the height of blocks above the ground in each covered cell.
 /// @param state  of the block of a row
 std::map<MapCell, double> thicknesses(const CampaignResults& results, const TerrainSurface& ground,
                                       const std::vector<const RunRow*>& rows,

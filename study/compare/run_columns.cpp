@@ -24,7 +24,7 @@ std::uint64_t ensemble_member(const Row& row) {
   return set < sets.size() ? sets[set].member : 0;
 }
 
-/// What is not a column of the results file: of the block, of the comparison, and on the map.
+/// Columns that are not in the results file: of block, comparison and map.
 TableColumns<Row> own_columns() {
   const auto block = [](const Row& row) -> const BlockSummary& { return *row->block; };
   return concatenated<Row>(

@@ -85,7 +85,7 @@ bool has_crossed_masses(const std::vector<const RunRow*>& rows) {
                      [](const auto& form) { return form.second.size() > 1; });
 }
 
-/// Where the upper half of the units begins; between equal values where it is nearest to the half.
+/// Returns the start of the upper half of the units; never between equal values.
 double limit_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;

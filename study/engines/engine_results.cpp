@@ -27,7 +27,7 @@ constexpr double kSameStart = 1e-6;  ///< m
 /// Conf files repeat parameters and tracks repeat times with six digits.
 constexpr double kSixDigits = 2e-5;
 
-/// What SCENE.txt says of the campaign.
+/// Data on the campaign in SCENE.txt.
 struct SceneCampaign {
   fs::path file;
   std::string sha256;
@@ -91,7 +91,7 @@ class RockableReader {
     for (const SceneZone& zone : set_.zones) driven_ += zone.surface.triangles.empty() ? 0 : 1;
   }
 
-  /// Of the scene that begins with this run; none where it was not run.
+  /// Reads the scene that begins with this run; empty if it was not run.
   std::vector<StoredRun> read(std::uint32_t first) {
     const Scene scene = build_scene(prepared_, set_, first);
     const std::vector<fs::path> files = list_rockable_states(folder_ / scene.name);
@@ -233,7 +233,7 @@ class RockableReader {
     return run;
   }
 
-  /// How the series ends; what comes after the terrain is cut off.
+  /// Returns the end of the series; cuts off states beyond the terrain.
   RunEnd end_of(const RunRecord& planned, const std::vector<RockableConf>& confs,
                 StateSeries& series, const std::optional<double>& lost) const {
     const std::size_t off = find_first_off_terrain(prepared_, series);

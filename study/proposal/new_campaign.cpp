@@ -130,7 +130,7 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   proposal.doubts.push_back(doubt);
 }
 
-/// What is assumed, in words.
+/// Lists the assumptions as text.
 std::vector<std::string> assumptions(const CampaignProposal& proposal) {
   std::vector<std::string> doubts;
   const double slope = proposal.places.release_slope * kDegreesPerRadian;
@@ -158,7 +158,7 @@ std::vector<std::string> assumptions(const CampaignProposal& proposal) {
   return doubts;
 }
 
-/// As it is written in a campaign of this folder.
+/// Path as written in a campaign of this folder.
 std::string relative_path(const fs::path& path, const fs::path& folder) {
   return fs::weakly_canonical(fs::absolute(path)).lexically_proximate(folder).string();
 }

@@ -34,7 +34,7 @@ std::span<const GroundParameters> zones_of(const CampaignHeader& header, const R
              : std::span(header.ground);
 }
 
-/// k_r on each zone, and the turn to the limit on it.
+/// Includes k_r and the limit rotation on each zone.
 void include_rolling(BlockStiffness& block, const RunRecord& run, double smallest_side,
                      std::span<const GroundParameters> zones) {
   for (const GroundParameters& zone : zones) {
@@ -49,7 +49,7 @@ void include_rolling(BlockStiffness& block, const RunRecord& run, double smalles
 }  // namespace
 
 void ValueRange::include(double value) {
-  // In this order a comparison with what is not a number keeps what there was.
+  // This order of arguments ignores NaN.
   low = std::min(low, value);
   high = std::max(high, value);
 }

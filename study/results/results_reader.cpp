@@ -29,7 +29,7 @@ void read_shapes(const CheckedGroup& reader, CampaignHeader& results) {
   }
 }
 
-/// What zones need not state was added to schema 4 later, and is 0 where it is absent.
+/// Optional parameters were added to schema 4 later, and are 0 if absent.
 std::vector<GroundParameters> read_ground_parameters(const CheckedGroup& reader, std::size_t rows) {
   std::vector<GroundParameters> parameters(rows);
   for (const GroundParameterField& field : ground_fields()) {
@@ -53,7 +53,7 @@ void read_ground_sets(const CheckedGroup& reader, CampaignHeader& results) {
   }
 }
 
-// What no block can be, whatever its shape.
+// Refuses blocks that are impossible for any shape.
 void check_blocks(const CheckedGroup& reader, const CampaignHeader& results) {
   constexpr double kRounding = 1e-6;
   for (const BlockSummary& block : results.blocks) {
@@ -237,7 +237,7 @@ void check_runs(const CheckedGroup& reader, const CampaignResults& results) {
   }
 }
 
-// In files that have one stiffness for all runs, as attributes of /contact, without depths.
+// Reads the stiffness from attributes of /contact, if it is the same for all runs; no depths.
 std::map<std::string, double> common_stiffness(const Hdf5Group& contact) {
   std::map<std::string, double> common;
   visit_stiffness([&](const char* name, const auto&...) {

@@ -182,7 +182,7 @@ DrawPools pools_of_shares(const Campaign& campaign, const std::vector<Block>& bl
   return result;
 }
 
-/// Of the blocks that a draw gives, on average, m^3.
+/// Mean volume of drawn blocks, m^3.
 double mean_drawn_volume(const Campaign& campaign, const std::vector<Block>& blocks) {
   const std::optional<Distribution>& drawn_mass = campaign.blocks.draw->mass;
   const double mean_mass = drawn_mass ? drawn_mass->mean() : 0.0;
@@ -199,7 +199,7 @@ double mean_drawn_volume(const Campaign& campaign, const std::vector<Block>& blo
   return volume;
 }
 
-/// How many blocks have the volume that a draw asks for, on average.
+/// Mean number of blocks with the volume that a draw requests.
 std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& blocks) {
   const double asked = *campaign.blocks.draw->volume;
   const double each = mean_drawn_volume(campaign, blocks);

@@ -16,7 +16,7 @@ namespace {
 
 // Quaternions closer than this are one rotation.
 constexpr double kSameRotation = 1e-9;
-/// Of the terrain that a block may be long.
+/// Maximum length of a block over that of the terrain.
 constexpr double kMaxFraction = 0.1;
 
 // Rotations that are the same have the same |w|, so each is compared with its neighbours in that
@@ -37,7 +37,7 @@ std::size_t distinct_rotations(std::vector<Quat> orientations) {
   return distinct.size();
 }
 
-// How many release points lie where an earlier one of their set lies.
+// Counts release points at the position of an earlier one of their set.
 std::size_t repeated_points(std::vector<Vec3> points, bool plan_only) {
   for (Vec3& point : points) {
     if (plan_only) point.z() = 0.0;
@@ -83,7 +83,7 @@ void tell_of_steps(const CampaignPlan& prepared, std::vector<std::string>& warni
 
 /// Above this e_n^2, single releases have their impacts balanced, and blocks that stay are refused.
 constexpr double kMaxUnbalanced = 0.5;
-/// From this e_n^2 on, an elastic trial is meant.
+/// Limit of e_n^2 above which an elastic trial is intended.
 constexpr double kElastic = 0.95;
 
 // Friction angles in degrees that stand where coefficients belong.
@@ -161,8 +161,7 @@ void tell_of_releases(const CampaignPlan& prepared, std::vector<std::string>& wa
   }
 }
 
-/// Of places along a barrier, those where the ground falls from its left to its right, less those
-/// where it rises.
+/// Counts positions along a barrier where the ground falls to its right minus those where it rises.
 int places_that_fall_forward(const Barrier& barrier, const TerrainSurface& surface) {
   constexpr int kPlaces = 20;  ///< on each segment
   const Bounds& ground = surface.extent();

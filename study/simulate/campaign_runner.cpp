@@ -48,7 +48,7 @@ class Collector {
     runs.remove_checkpoint(first);
   }
 
-  /// Of runs that are computed together, some may have been kept before an interruption.
+  /// Some runs of a group may have been stored before an interruption.
   void add(const std::vector<StoredRun>& runs) {
     const std::lock_guard lock(one_at_a_time_);
     for (const StoredRun& run : runs) {
@@ -74,7 +74,7 @@ class Collector {
   std::mutex one_at_a_time_;
 };
 
-// What processes send each other of runs that were computed together.
+// Packs runs that were computed together, for exchange between processes.
 std::string packed_together(const std::vector<StoredRun>& runs) {
   std::string bytes;
   for (const StoredRun& run : runs) {
@@ -198,12 +198,10 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
     probe.cut_short = true;
     const double taken = spent() - whole;
     if (!at_once && released > 1) {
-      // Of blocks that follow each other, the next ones take as long as those that have come to
-      // rest.
+      // If blocks are released in sequence, the others take as long as those at rest.
       whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);
     } else {
-      // Flights cost next to nothing: the second half, as a rule without one, shows what is to
-      // come.
+      // Flights cost little, so the second half, usually without one, shows the remaining cost.
       probe.at_most = true;
       const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
       whole += taken + pace * (longest_run - reached);
@@ -255,8 +253,7 @@ void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& tar
     return;
   }
   ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
-  // Processes are asked for one by one, so each has a core to itself unless another number is
-  // given.
+  // Processes are started one by one, so each uses one core unless another number is given.
   const unsigned threads = options.threads == 0 && team ? 1 : resolve_thread_count(options.threads);
   check_memory(prepared,
                std::clamp<std::size_t>(runs / prepared.header.runs_per_realisation(), 1, threads),

@@ -12,7 +12,7 @@ namespace {
 /// piles of 500 rocks of 12 to 642 vertices (docs/benchmarks.md, Five hundred blocks falling into a
 /// pile).
 constexpr double kOfBlock = 24e3, kOfVertex = 0.19e3;
-/// Of a stored state: a time, a place, an orientation, a velocity and a spin.
+/// Bytes of a stored state: time, position, orientation, velocity and spin.
 constexpr double kOfState = 14.0 * sizeof(double);
 
 }  // namespace

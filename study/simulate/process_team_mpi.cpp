@@ -15,8 +15,8 @@ constexpr int kDone = 1;  ///< tag of a finished item on its way to the leader
 constexpr int kNext = 2;  ///< tag of the answer
 constexpr std::int64_t kNothingLeft = -1;
 
-// Whether a launcher started this process as one of several. Asked before MPI is: its start-up
-// takes a second and opens network ports, which a single process has no use for.
+// True if a launcher started this process as one of several. Checked before MPI starts, which takes
+// a second and opens network ports that a single process does not need.
 bool launched_together() {
   const auto several = [](const char* name) {
     const char* size = std::getenv(name);

@@ -21,7 +21,7 @@ namespace clast::study_detail {
 
 namespace {
 
-/// What is next to no time, s.
+/// Negligible duration, s.
 constexpr double kInstant = 1e-9;
 /// Between energies where no states are stored, s.
 constexpr double kEnergyInterval = 1.0;
@@ -50,7 +50,7 @@ class RunObserver {
     last_time = step.end_time;
   }
 
-  /// What is stored, with the state at the end where no frame falls on it.
+  /// Returns the run to store, with its final state if that is not on a frame.
   StoredRun stored(const ReleaseResult& result) {
     StoredRun run;
     run.record = planned_;
@@ -111,7 +111,7 @@ class RunObserver {
   std::uint64_t next_frame_ = 0;
 };
 
-/// What is kept of a run that failed.
+/// Makes the result of a failed run.
 ReleaseResult failed(const RunObserver& observer, const RunRecord& run, const char* message) {
   ReleaseResult result;
   result.stop_reason = StopReason::kError;
@@ -159,7 +159,7 @@ SequenceSettings sequence_settings(const CampaignPlan& prepared, const RunRecord
   return sequence;
 }
 
-/// Which blocks of which mass did not settle, and what to do.
+/// Message on the blocks that did not settle, with advice.
 std::string not_settled(const CampaignPlan& prepared, std::span<const RunRecord> planned,
                         const SettlingError& error, double settle_time) {
   const RunRecord& first = planned[error.block];
@@ -261,7 +261,7 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
   return runs;
 }
 
-/// How deep a point lies in the core of a body, m; 0 outside.
+/// Depth of a point in the core of a body, m; 0 outside.
 double depth_inside(const RigidBody& body, const RigidState& state, const Vec3& point) {
   const TriangleMesh core = core_mesh(body.shape);
   if (core.triangles.empty()) return 0.0;

@@ -62,7 +62,7 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
   double clearance = std::numeric_limits<double>::infinity();
   for (const Vec3& vertex : body.shape.vertices) {
     const Vec3 point = world_from_body * vertex;
-    // At the rim of the terrain a vertex can be beside it.
+    // Vertices at the border of the terrain may be beyond it.
     if (const std::optional<double> ground = surface.height_at(point.x(), point.y(), sky)) {
       clearance = std::min(clearance, point.z() - body.shape.radius - *ground);
     }
@@ -289,7 +289,7 @@ void check_count(const Campaign& campaign, std::size_t blocks) {
                    " runs; split it into campaigns of at most 99999999");
 }
 
-/// Of all runs of a release point.
+/// Mean start of all runs of a release point.
 Vec3 middle_of_starts(const std::vector<RunRecord>& runs, std::uint32_t point) {
   Vec3 sum = Vec3::Zero();
   double count = 0.0;
@@ -335,7 +335,7 @@ void plan_runs(CampaignPlan& prepared) {
     }
     return;
   }
-  // Where the first run of each point starts; a point that no run was drawn for stays as it is.
+  // Release points are the starts of their first runs; points without a run are unchanged.
   for (auto run = prepared.runs.rbegin(); run != prepared.runs.rend(); ++run) {
     header.release_points[run->point] = run->start.position;
   }

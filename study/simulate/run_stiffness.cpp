@@ -10,7 +10,7 @@
 namespace clast::study_detail {
 namespace {
 
-/// So many blocks are named in warnings of one campaign; drawn ones can be thousands.
+/// Maximum number of blocks named in warnings; drawn blocks can be thousands.
 constexpr std::size_t kMaxNamed = 20;
 
 /// All energy of a start, and the fall to the lowest ground, in the speed.

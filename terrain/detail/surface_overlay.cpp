@@ -143,8 +143,7 @@ std::vector<Match> matched(const TriangleMesh& divided, const TriangleMesh& othe
   return matches;
 }
 
-/// The heights of the other surface at the corners of its matches; a vertex over a step of that
-/// surface becomes two.
+/// Adds the other surface's heights at the corners of matches; duplicates vertices over its steps.
 SurfaceOverlay with_other_heights(const TriangleMesh& divided, const TriangleMesh& other,
                                   const std::vector<Match>& matches, bool divided_is_top) {
   struct Corner {

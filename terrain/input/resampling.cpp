@@ -17,8 +17,7 @@
 namespace clast::terrain_detail {
 namespace {
 
-/// Faces smaller than a cell, such as the sides of a filled crack, are ignored: a grid would not
-/// show them.
+/// Faces smaller than a cell, such as the sides of a filled crack, are ignored as invisible.
 void check_one_height(const TriangleMesh& mesh, double cell, const std::filesystem::path& path) {
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();
@@ -108,8 +107,7 @@ std::vector<std::uint16_t> sources_for(const TriangleMesh& grid, const RawSurfac
   return sources;
 }
 
-/// The largest vertical distance of the vertices of `mesh` from the new surface, where there is
-/// one.
+/// Notes the largest vertical distance between the vertices of `mesh` and the new surface.
 void note_change(const TriangleMesh& mesh, const TriangleMesh& grid, double cell,
                  TerrainReport& report) {
   const PlanIndex index(plan_boxes(grid));

@@ -215,8 +215,7 @@ std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
   return junctions;
 }
 
-/// Vertices at which the triangle can be divided: the parts keep its orientation, and no edge gets
-/// a third triangle.
+/// Vertices that can divide the triangle: orientations are kept, and no edge gets a third triangle.
 std::vector<Junction> fitting(const std::vector<Junction>& junctions, const BorderSide& at,
                               const TriangleMesh& mesh, const EdgesNearBorder& edges) {
   const Triangle& triangle = mesh.triangles[at.triangle];

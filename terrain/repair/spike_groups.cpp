@@ -245,7 +245,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
     }
     mesh.vertices[v].z() = plane->height_at((mesh.vertices[v] - first).head<2>());
   }
-  // At a cut, snaps to the other tile: first to its vertices, then to its border between them.
+  // Snaps to the other tile at a cut: first to its vertices, then to its border between them.
   for (const std::uint32_t v : moved) {
     for (const std::uint32_t copy : surroundings.copies(v)) {
       if (!loose[copy] || copy < v) mesh.vertices[v].z() = mesh.vertices[copy].z();

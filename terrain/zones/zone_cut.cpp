@@ -160,8 +160,7 @@ class CutMesh {
     link(far, with_b, b, middle);
   }
 
-  /// Divides one triangle from a point on its side k to the corner opposite; the part at the end of
-  /// the side is new.
+  /// Splits a triangle from a point on side k to the opposite corner. Returns the part at the end.
   std::uint32_t bisect(std::uint32_t t, std::size_t k, std::uint32_t middle) {
     const Triangle corners = mesh_.triangles[t];
     const std::uint32_t b = corners[(k + 1) % 3], apex = corners[(k + 2) % 3];

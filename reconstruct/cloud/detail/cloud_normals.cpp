@@ -38,7 +38,7 @@ double outward_share(std::span<const std::uint32_t> component, std::span<const V
   return fraction;
 }
 
-/// Of each point those it is compared with, on both sides.
+/// Finds the neighbours with which each point is compared; the relation is symmetric.
 std::vector<std::vector<std::uint32_t>> points_beside(std::span<const Vec3> points) {
   const PointTree tree(points);
   std::vector<std::vector<std::uint32_t>> beside(points.size());

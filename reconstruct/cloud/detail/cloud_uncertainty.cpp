@@ -53,8 +53,8 @@ class Margin {
     return near_[v];
   }
 
-  /// How far one can go from a place until a plane of the surroundings is met. A plane that the
-  /// place is beyond already bounds nothing: its normal comes from points of two sides.
+  /// Returns the distance from a position to the first plane of the surroundings. A plane that the
+  /// position is already beyond is no bound, because its normal mixes points of two sides.
   /// @param v  the vertex whose surroundings these are
   double reach(const Vec3& from, const Vec3& direction, std::uint32_t v) {
     double reach = kFarthestTip * known_.spacings[v];
@@ -82,7 +82,7 @@ class Margin {
     const Vec3& normal = known_.normals[v];
     const double noise = kNoise * known_.noise;
     margin_.outer.push_back(position + noise * normal);
-    // Where a side ends, its neighbours lie to one side of a point.
+    // At the edge of a side, the neighbours of a point lie to one side of it.
     Vec3 away = Vec3::Zero();
     for (const std::uint32_t n : near(v)) away += position - surface_.vertices[n];
     if (const double length = away.norm(); length > 0.0) {

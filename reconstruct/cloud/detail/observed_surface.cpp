@@ -12,8 +12,8 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// For n points scattered at random over a surface the largest empty ball has a radius of about
-/// sqrt(ln n / pi) spacings: 1.6 of 3,000, 1.9 of 100,000.
+/// Largest empty ball, in point spacings. For n points at random over a surface its radius is about
+/// sqrt(ln n / pi) spacings: 1.6 for 3,000 points, 1.9 for 100,000.
 constexpr double kMaxBall = 2.5;
 /// An edge of a plate that nobody saw is a strip hardly wider than the points are apart, but long:
 /// a patch that extends over so many spacings is a hole with balls of this radius.

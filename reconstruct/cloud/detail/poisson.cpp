@@ -19,8 +19,8 @@
 
 #include "mesh/detail/cgal_mesh.hpp"
 
-/// Order in which CGAL refines cells of equal quality, by the corners. CGAL compares addresses,
-/// which differ from run to run (https://github.com/CGAL/cgal/issues/6240).
+/// Order in which CGAL refines cells of equal quality: by their corners. Its default is by address,
+/// which differs from run to run (https://github.com/CGAL/cgal/issues/6240).
 template <>
 struct std::less<CGAL::Poisson_reconstruction_function<
     clast::mesh_detail::CgalKernel>::Triangulation::Cell_handle> {
@@ -58,7 +58,7 @@ bool is_flat(const DelaunayCell& cell) {
   return CGAL::determinant(p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), r.x(), r.y(), r.z()) == 0.0;
 }
 
-/// Where a cell is asked for its side: its circumcentre, or, of a flat one, its middle.
+/// Point at which the side of a cell is tested: the circumcentre, or the centroid of a flat cell.
 mesh_detail::CgalPoint asked_at(const DelaunayCell& cell) {
   const mesh_detail::CgalPoint &a = cell->vertex(0)->point(), &b = cell->vertex(1)->point(),
                                &c = cell->vertex(2)->point(), &d = cell->vertex(3)->point();
@@ -130,7 +130,7 @@ std::vector<TriangleMesh::Triangle> border(const Delaunay& delaunay) {
   return triangles;
 }
 
-/// Circumradius of cells within parts too thin for the indicator, at most, in point spacings.
+/// Maximum circumradius, in point spacings, of cells in parts too thin for the indicator.
 constexpr double kThin = 1.5;
 
 /// The indicator ends before the tips and ridges that are thinner than the points lie apart, and

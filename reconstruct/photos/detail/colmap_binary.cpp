@@ -62,7 +62,7 @@ struct KnownModel {
   const char* name;
   std::size_t parameters;
 };
-/// By COLMAP's numbers.
+/// Camera models by COLMAP's numbers.
 constexpr std::array<KnownModel, 11> kModels = {{{"SIMPLE_PINHOLE", 3},
                                                  {"PINHOLE", 4},
                                                  {"SIMPLE_RADIAL", 4},

@@ -55,7 +55,7 @@ class Lines {
     }
     return static_cast<long>(value);
   }
-  /// What is left of the line: names may hold blanks.
+  /// Returns the rest of the line, because names may contain blanks.
   std::string rest() {
     const std::size_t first = rest_.find_first_not_of(" \t");
     if (first == std::string_view::npos) refuse("has no name");

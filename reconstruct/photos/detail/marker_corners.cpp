@@ -56,8 +56,8 @@ double grey_at(const cv::Mat& grey, const Vec2& p) {
               u * grey.at<unsigned char>(y + 1, x + 1));
 }
 
-/// Where the grey rises from black inside to white outside, along `outward` through `middle`: the
-/// centroid of the rise. None where there is no clear edge.
+/// Finds the edge from black inside to white outside along `outward` through `middle`: the centroid
+/// of the rise. Empty if there is no clear edge.
 std::optional<Vec2> edge_at(const cv::Mat& grey, const Vec2& middle, const Vec2& outward,
                             double reach) {
   double weight = 0.0, moment = 0.0, lowest = 256.0, highest = -1.0;

@@ -150,7 +150,7 @@ class Lenses {
     }
   }
 
-  /// Of the lens among `lenses`, to which it is added where it is new.
+  /// Returns the index of the lens in `lenses`; adds it if it is new.
   std::size_t number(const std::string& sensor, const std::string& photo,
                      std::vector<CameraIntrinsics>& lenses) {
     const auto known = sensors_.find(sensor);

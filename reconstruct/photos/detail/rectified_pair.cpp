@@ -20,7 +20,7 @@ constexpr int kSpeckleRange = 2;  ///< px
 constexpr int kPrefilter = 31;
 constexpr int kScale = 16;  ///< of OpenCV's shifts
 
-/// What a photo shows in a rectified camera; `inside` is 0 where it shows nothing.
+/// Rectified photo; `inside` is 0 at pixels outside the photo.
 struct Rectified {
   cv::Mat colour, grey, inside;
 };
@@ -113,7 +113,7 @@ DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair,
     return masks.empty() ? std::filesystem::path() : masks[i];
   };
   Rectified l = rectified(model, left, view, view.cx, mask_of(left));
-  // u - d with d = f b / z - offset: the right camera's own middle is moved by the offset.
+  // Disparity d = f b / z - offset: the centre of the right camera is shifted by the offset.
   const Rectified r = rectified(model, right, view, view.cx + view.offset, mask_of(right));
   const auto matcher = cv::StereoSGBM::create(
       view.min_disparity, view.disparity_count, kBlock, kSmallStep * kBlock * kBlock,

@@ -24,7 +24,7 @@ struct LoopFilling {
 /// bending is the sum of dihedral angle times length over its edges, including those of the loop.
 /// The time is cubic in the number of vertices.
 /// @param loop  may visit a vertex several times
-/// @param normals  unit normals; entry i: of the triangle beyond the side from vertex i to i + 1
+/// @param normals  unit normals; entry i is for the triangle beyond the side from vertex i to i + 1
 /// @param edges  all edges of the mesh
 /// @returns empty if every triangulation repeats an edge
 /// @cite liepa2003

@@ -83,7 +83,7 @@ void remove_other_components(TriangleMesh& block, std::span<const Component> com
     const auto holds_it = [&](const TriangleMesh* shell) {
       return is_inside_block(mesh, *shell, TriangleTree(*shell));
     };
-    // What lies in a bubble has less area than the bubble, so that one comes first.
+    // A component inside a bubble is smaller than the bubble, so the bubble comes first.
     if (inside && closed && std::none_of(shells.begin(), shells.end(), holds_it)) {
       shells.push_back(&mesh);
     } else if (options.fill_missing && !closed && is_on_surface(mesh, tree, on_block)) {

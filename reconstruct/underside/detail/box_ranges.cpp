@@ -27,7 +27,7 @@ constexpr int kLooks = 3000;
 /// of the least boxes, and a body a hair outside of what is possible. No more than so many times
 /// what the unseen part adds: without one there is nothing but the least box.
 constexpr double kBoxLeeway = 0.003, kLeewayOfAdded = 3.0;
-/// What lies between the axes that are looked at: a share of the width of the bounds.
+/// Margin for directions between the tested axes, as a fraction of the width of the bounds.
 constexpr double kGaps = 0.05;
 /// Bounds are rounded outward by this share of a side: what simplified hulls, and edges that run
 /// between the points of a scan, lose of it.

@@ -36,7 +36,7 @@ class Space {
     return position;
   }
 
-  /// By which a way to the closure is to be lengthened to reach a plane; no shorter than it is.
+  /// Factor by which a ray to the closure must be lengthened to reach a plane; at least 1.
   double factor(const Vec3& way, std::size_t plane) const {
     const double along = planes_[plane].normal.dot(way);
     if (!(along > 0.0)) return std::numeric_limits<double>::infinity();

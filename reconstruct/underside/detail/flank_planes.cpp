@@ -11,13 +11,13 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// Of a patch, as a share of the root of the seen area: so large that its mean normal says how the
-/// flank leans and not how a bump on it does. See docs/benchmarks.md for what other sizes give.
+/// Radius of a patch over the root of the observed area. It is so large that the mean normal is
+/// that of the flank, not of a bump. See docs/benchmarks.md for other sizes.
 constexpr double kPatchRadius = 0.10;
 /// The planes lie outside of what was seen by so many times what stands out over tangent planes.
 constexpr double kSlack = 1.5;
-/// What stands out by more than this share of the root of the seen area, at a rim, says nothing
-/// about what lies behind.
+/// Protrusion at a rim, over the root of the observed area, above which a patch says nothing about
+/// what is behind.
 constexpr double kHeldByRim = 0.01;
 /// A patch whose triangles face apart has no normal: the share of its area that is left of it.
 constexpr double kMinNormal = 0.7;

@@ -21,7 +21,7 @@ struct HolePatch {
 };
 
 /// Fills a loop with a membrane. It is triangulated, refined to the density of the rim, and made
-/// harmonic with cotangent weights. Otherwise, a star about the rim's centre is used.
+/// harmonic with cotangent weights. Without a triangulation, a star about the rim's centre is used.
 /// @param loop  boundary loop (see `boundary_loops`)
 /// @cite liepa2003
 HolePatch fill_with_membrane(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop);

@@ -7,7 +7,7 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-/// Where the side from `a` to `b` crosses the height 0.
+/// Intersection of the side from `a` to `b` with the plane z = 0.
 Vec2 crossing(const Vec3& a, const Vec3& b) {
   const double fraction = a.z() / (a.z() - b.z());
   return a.head<2>() + fraction * (b.head<2>() - a.head<2>());

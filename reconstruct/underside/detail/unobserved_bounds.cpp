@@ -29,14 +29,14 @@ constexpr double kMinLeftByIndentation = 0.5;  ///< of the volume, by a closure 
 constexpr double kSideSlacks = 1.5;
 /// The slack holds for closures that are as wide as this share of the root of the body's area.
 constexpr double kSlackWidth = 0.1;
-/// What a small closure hides is no longer than so many of its widths, also where no flank ends it.
+/// Maximum length hidden by a small closure, in its widths, also if no flank ends it.
 constexpr double kMaxHidden = 3.0;
 /// Distance of what is behind a closure, against that of the closure, from the middle.
 constexpr double kFarthestBehind = 10.0;
 constexpr double kSmallClosure = 0.2;  ///< width against the root of the body's area
-/// Mean sine of the surface's turn inwards at a rim, beyond which it is the wall of a pit and no
-/// gap in a face. Closures that face each other through the body may be mouths of a tunnel unless
-/// their rims turn outward, as those of gaps in a convex surface do.
+/// Mean sine of the surface's turn at a rim. An inward turn is the wall of a pit, not a gap in a
+/// face. Closures that face each other through the body may be mouths of a tunnel unless their rims
+/// turn outward, as those of gaps in a convex surface do.
 constexpr double kTurnsInward = 0.3, kTurnsOutward = 0.05;
 constexpr double kMinMouth = 0.002;         ///< of the area of the surface
 constexpr double kMinLeftByHollows = 0.01;  ///< of the volume
@@ -128,20 +128,20 @@ std::vector<Closure> collect_closures(const TriangleMesh& all,
   return closures;
 }
 
-/// What may lie behind all closures together.
+/// Space that may lie behind all closures.
 class Behind {
  public:
   Behind(const std::vector<Closure>& closures, const FlankPlanes& flanks,
          const std::optional<Plane>& floor, const Middle& middle, double size)
       : closures_(closures), flanks_(flanks), floor_(floor), middle_(middle), size_(size) {}
 
-  /// What a closure may be dented by, or stand out over the planes of the flanks: roughness grows
-  /// with the width over which it is looked at, and was measured over patches.
+  /// Depth by which a closure may be indented, or protrude over the planes of the flanks. Roughness
+  /// grows with the width considered; it was measured over patches.
   double slack(const Closure& closure) const {
     return flanks_.slack * std::min(1.0, closure.width() / (kSlackWidth * size_));
   }
 
-  /// What closures of no area hide is nothing.
+  /// Closures without area hide nothing.
   /// @param slacks  by which the planes lie outside of what was seen
   /// @returns for each closure; none where one of them is not bounded
   std::optional<std::vector<EnclosedSpace>> within(double slacks) const {
@@ -171,8 +171,8 @@ class Behind {
     return planes;
   }
 
-  /// From close before a closure more of what lies beyond its rim is seen through it: of a concave
-  /// body that may widen behind the closure.
+  /// Start of rays close before a closure, from where more of the space behind its rim is visible.
+  /// This space may widen in a concave body.
   Vec3 place_before(const Closure& closure, const std::vector<Plane>& planes) const {
     if (!closure.faces()) return middle_.position;
     const Vec3 position =
@@ -190,9 +190,9 @@ class Behind {
   double size_;
 };
 
-/// Where the flanks around a small closure draw together, a tip may stand behind it that is more
-/// slender than they announce: up to twice as far out as their planes meet, by no more than the
-/// closure is wide, and the less the larger the closure is.
+/// Adds a tip behind a small closure whose flanks converge. It may be more slender than they
+/// suggest: up to twice as far out as the planes meet, at most the closure's width, and less for
+/// larger closures.
 /// @param space  behind the closure
 /// @param slack  of the planes that its places lie on, m
 /// @param size   root of the area of the body, m
@@ -238,7 +238,7 @@ std::vector<double> outward_turns(const Parted& parts, const std::vector<Closure
   return turns;
 }
 
-/// What lies straight behind a mouth: as a volume, and the closure that most of it ends at.
+/// Space straight behind a mouth: its volume, and the closure at which most of it ends.
 struct Column {
   double volume = 0.0;
   std::optional<std::uint32_t> ends_at;

@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To 13 binary digits, 0.01 %: bits that nobody sees would be most of what a page can't deflate.
-/// Whole numbers up to 8192 stay as they are.
+/// Rounds to 13 binary digits (0.01 %), because invisible bits would be most of what a page cannot
+/// compress. Whole numbers up to 8192 are exact.
 float visible_on_map(float value) {
   constexpr std::uint32_t kHidden = 0x7ff, kHalf = 0x400;
   if (!std::isfinite(value)) return NAN;

@@ -15,7 +15,7 @@ namespace {
 /// Shares that add up to 1 may be written with few digits.
 constexpr double kMassShareSlack = 1e-6;
 
-/// What holds for all masses together is given once.
+/// Refuses keys that hold for all masses in any but the first.
 void refuse_repeated(const std::vector<DeclaredTable>& tables) {
   for (std::size_t i = 1; i < tables.size(); ++i) {
     for (const char* key : {"realisations", "seed"}) {

@@ -111,7 +111,7 @@ std::vector<BarrierCrossing> collect_crossings(const std::vector<CampaignResults
   return crossings;
 }
 
-/// How far from its centre a block reaches at most, m, for every row.
+/// Largest distance of a block's surface from its centre, m, for each row.
 std::vector<double> farthest_skin_points(const std::vector<CampaignResults>& results,
                                          const std::vector<RunRow>& rows) {
   std::map<const BlockSummary*, double> of_block;
@@ -188,7 +188,7 @@ std::optional<BarrierGroupStatistics> group_at_line(const std::vector<CampaignRe
   ClusteredValues hits;
   for (const std::size_t row : members) {
     if (!line.is_in(rows[row].file)) continue;
-    // Whether a run that failed would have passed is not known.
+    // Failed runs are excluded, because they might have passed.
     if (rows[row].record->result.stop_reason == StopReason::kError) continue;
     ++started;
     const Crossing* first = of_line.first[row];

@@ -39,7 +39,7 @@ class WordLines {
     throw InputError(file_ + ":" + std::to_string(line_) + ": " + what);
   }
 
-  /// What flew apart is "nan" there.
+  /// Parses a number; diverged values are "nan".
   double number(const Words& words, std::size_t at) const {
     const std::optional<double> value = at < words.size() ? parse_number(words[at]) : std::nullopt;
     if (!value) {

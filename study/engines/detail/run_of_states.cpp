@@ -11,8 +11,7 @@ constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 /// A flight leads from one state to the next within these, m and m/s: far above the rounding of
 /// other engines' steps, far below what a contact does.
 constexpr double kSameState = 1e-5, kSameVelocity = 1e-5;
-/// The same of the turn, rad: engines that integrate rotations to first order are farther off than
-/// in place.
+/// Same for the rotation, rad: larger, because other engines integrate it to first order.
 constexpr double kFlightTurn = 1e-2;
 constexpr int kPathPieces = 8;  ///< of the path between two states
 

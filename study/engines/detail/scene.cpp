@@ -12,7 +12,7 @@ namespace clast::study_detail {
 namespace {
 
 constexpr std::size_t kMaxNameLength = 15;  ///< that ExaDEM keeps of a shape
-/// Of half the period of the lightest block on its contact spring.
+/// Steps per half period of the lightest block on its contact spring.
 constexpr double kStepsPerContact = 350.0;
 constexpr double kSceneMarginFraction = 0.05;  ///< of S of the smallest block
 constexpr double kMinMargin = 0.01;            ///< m

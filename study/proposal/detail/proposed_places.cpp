@@ -153,7 +153,7 @@ Start best_start(const UpperGround& ground, std::vector<Start> starts) {
   });
 }
 
-/// How far one can go from a place both ways and stay where `good` holds, at most `most`.
+/// Largest distance from a position, both ways, at which `good` holds; at most `most`.
 template <typename Good>
 double reach(const Vec2& place, const Vec2& direction, double step, double most, const Good& good) {
   double way = 0.0;

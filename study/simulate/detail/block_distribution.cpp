@@ -11,7 +11,7 @@
 namespace clast::study_detail {
 namespace {
 
-/// Of the blocks of a realisation: shares that add up to 1 may be written with few digits.
+/// Tolerance of the sum of fractions, which may be written with few digits.
 constexpr double kMemberShareSlack = 1e-6;
 
 /// The mass in place that a block belongs to.

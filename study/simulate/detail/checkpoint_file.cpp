@@ -22,7 +22,7 @@ const std::string kCheckpointMagic = kFormat + "2\n";
 constexpr std::size_t kCheckpointDigestLength = 64;
 const std::string kInTheWay = "has the name of a checkpoint; move it elsewhere";
 
-/// Of the files of all realisations, before the number.
+/// Common beginning of the names of all checkpoints, before the number.
 std::string name_begin(const fs::path& target) {
   return journal_path(target).filename().string() + ".";
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// Places along a side at which the ground is looked for.
 constexpr int kGroundSamples = 65;
-/// Of no matter for a fixed body, but not 0, kg/m^3.
+/// Density of fixed bodies, which has no effect but must not be 0, kg/m^3.
 constexpr double kDensity = 1000.0;
 
 /// A heap at its start and the outline around it.
@@ -77,7 +77,7 @@ Heap heap_of(const CampaignPlan& prepared, std::span<const RunRecord> runs, std:
   return heap;
 }
 
-/// How far blocks reach over a side of the outline, m; 0 where none does.
+/// Largest protrusion of blocks over a side of the outline, m; 0 if there is none.
 double reach_over(const CampaignPlan& prepared, std::span<const RunRecord> runs, const Heap& heap,
                   std::size_t side) {
   const Vec2 outwards = heap.outwards(side);
@@ -93,7 +93,7 @@ double reach_over(const CampaignPlan& prepared, std::span<const RunRecord> runs,
   return reach;
 }
 
-/// How far a face goes on beyond a corner, so that it meets the next one, m.
+/// Length by which a face extends beyond a corner to meet the next one, m.
 /// @param reach  that no face is farther out
 double beyond_corner(const Heap& heap, std::size_t corner, double reach) {
   const std::size_t sides = heap.outline.size();

@@ -12,12 +12,11 @@
 namespace clast::study_detail {
 namespace {
 
-/// Width of the cells that a heap is put together in, as a share of the smallest S, unless they
-/// were too many.
+/// Cell width of heaps over the smallest S, unless there were too many cells.
 constexpr double kStartCellFraction = 1.0 / 6.0;
 constexpr double kMaxStartCells = 1e6;
 
-/// Of each mass, local frame.
+/// Outline of each mass, local frame.
 std::vector<std::vector<Vec2>> outlines(const CampaignPlan& prepared) {
   std::vector<std::vector<Vec2>> outlines;
   for (const MultiBlockRelease& mass : prepared.campaign.stay->masses) {

@@ -22,7 +22,7 @@ std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
                                            const TerrainSurface& surface, const RigidBody& body,
                                            const RigidState& state) {
   const double overlap = ground_overlap.max_overlap(state);
-  // What the dynamics will refuse.
+  // The simulation would refuse this overlap.
   if (overlap > MotionSettings{}.start_overlap * body.smallest_side) return overlap;
   // A block that is buried whole touches no face of the ground.
   const Vec3& centre = state.position;
