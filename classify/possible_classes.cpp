@@ -9,7 +9,6 @@ namespace {
 // An axis is never assumed thinner than this share of itself, however large the error.
 constexpr double kThinnest = 1e-6;
 
-/// The ratios of a block.
 using Ratios = Vec2;  // I/L, S/L
 
 /// Corners of a convex polygon, in order; two or one where it has no area.

@@ -46,7 +46,6 @@ std::vector<std::string> blott_pye_names() {
   return names;
 }
 
-/// A scheme by its name.
 struct Scheme {
   std::string name;
   std::vector<std::string> classes;

@@ -54,7 +54,6 @@ struct ParsedSystem {
   }
 };
 
-/// The axes of a system, with their units.
 struct SystemAxes {
   PJ_COORDINATE_SYSTEM_TYPE type = PJ_CS_TYPE_UNKNOWN;
   std::vector<DeclaredUnit> units;

@@ -31,7 +31,6 @@ namespace {
 
 using SharedResults = std::shared_ptr<CampaignResults>;
 
-/// A comparison with its analyses.
 struct ComparisonHolder {
   explicit ComparisonHolder(Comparison compared) : comparison(std::move(compared)) {}
 

@@ -95,7 +95,6 @@ std::vector<const Block*> pointers(const Blocks& blocks) {
   return all;
 }
 
-/// Resolves a name.
 template <class Value>
 void take_choice(Keywords& given, const char* name, const std::map<std::string, Value>& choices,
                  Value& field) {

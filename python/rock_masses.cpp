@@ -18,7 +18,6 @@ namespace py = pybind11;
 
 namespace {
 
-/// Options of a cut.
 struct CutRequest {
   RockMassFile file;  ///< of a closed mesh; empty: the difference of two terrains
   BeforeAfterTerrains terrains;

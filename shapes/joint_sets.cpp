@@ -65,7 +65,6 @@ double polygon_area(const std::vector<Vec3>& polygon) {
   return 0.5 * sum.norm();
 }
 
-/// The cutting of one mass.
 class Cutting {
  public:
   Cutting(const TriangleMesh& mass, const CuttingOptions& options)

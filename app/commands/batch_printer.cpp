@@ -18,7 +18,6 @@ namespace clast {
 
 namespace {
 
-/// Describes the scale of a scan for its page.
 std::string describe_block_scale(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + format_significant(options.scan.unit, 6) + " m";
   text += options.scale_points ? " (from a measured length" : " (--units " + options.units;

@@ -36,7 +36,7 @@ char detect_separator(std::string_view line);
 std::optional<double> parse_number_field(std::string_view field,
                                          char separator);  ///< empty: detected from the first row
 
-/// True if a quoted field of a comma-separated table has a comma: "1,234", which is 1.234 or 1234.
+/// True if a quoted field of a comma-separated table is a number such as "1,234" (1.234 or 1234).
 bool is_ambiguous_number(std::string_view field, char separator);
 
 /// End of messages about decimal commas in comma-separated tables.

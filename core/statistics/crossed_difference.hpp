@@ -42,7 +42,6 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
 /// @cite schuirmann1987
 double equivalence_p_value(const Contrast& contrast, double margin);
 
-/// Default statistical power.
 inline constexpr double kDefaultPower = 0.8;
 
 /// Power of a two-sided test at 5 % for a true difference, from the non-central t distribution.

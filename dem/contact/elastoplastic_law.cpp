@@ -3,7 +3,7 @@
 namespace clast {
 namespace {
 
-/// Relative distance of forces that count as on a line of the law; event corrections are smaller.
+/// Relative distance within which a force is on a line of the law; event corrections are smaller.
 constexpr double kOnLine = 1e-5;
 
 /// Returns the time at which the overlap passes `level`. It must be monotonic from `from` to `to`.

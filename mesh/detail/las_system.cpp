@@ -30,7 +30,6 @@ std::string bytes_from(std::istream& stream, std::uint64_t at, std::uint64_t cou
   return bytes;
 }
 
-/// The contents of the projection records.
 struct ProjectionRecords {
   GeoTiffKeys keys;
   std::string wkt;

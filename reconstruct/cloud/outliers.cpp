@@ -97,7 +97,7 @@ class Isolation {
   Isolation(std::vector<Vec3> points, std::vector<double> spacings, double usual)
       : points_(std::move(points)), tree_(points_), spacings_(std::move(spacings)), usual_(usual) {}
 
-  /// May the point be an outlier, now or when others are gone? Nearly all of a surface may not.
+  /// True if the point may be an outlier, now or once others are gone; false for most of a surface.
   bool is_suspect(std::uint32_t point) const {
     if (spacings_[point] > kIsolated * usual_) return true;
     const auto near = tree_.nearest_neighbours(points_[point], kSuspectNeighbours);

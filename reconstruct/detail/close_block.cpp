@@ -45,7 +45,7 @@ TriangleMesh in_file_units(TriangleMesh mesh, const ScanOptions& options) {
   return mesh;
 }
 
-/// Was a little missing, and more than a fan closes?
+/// True if little surface was missing, but more than a fan closes.
 bool hardly_open(const FieldBlock& block) {
   if (block.underside) return block.underside->filled_fraction < kHardlyOpen;
   const RepairReport& report = block.scan.report;
@@ -65,14 +65,14 @@ FieldBlock with_doubt(FieldBlock block) {
   return block;
 }
 
-/// Is a part of the surface not as it was read? A wrap is off it everywhere, and says so.
+/// True if repair changed a part of the surface. False for wraps, which change all of it.
 bool was_changed(const RepairReport& report) {
   return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.duplicates.empty() ||
                                report.find_defect(DefectKind::kSpike) != nullptr ||
                                report.find_defect(DefectKind::kSelfIntersection) != nullptr);
 }
 
-/// Uses the volume that the surface would have with its largest hole filled flat.
+/// Flips a mesh that faces inwards, judging by the volume with its largest hole filled flat.
 /// @returns whether it faced inwards
 bool turn_open_mesh_outward(TriangleMesh& open) {
   const std::vector<std::vector<std::uint32_t>> loops = boundary_loops(open);

@@ -106,7 +106,7 @@ bool drop_copies(std::vector<Component>& components, RepairReport& report, doubl
   return !others && inspect_mesh(components[0].mesh).is_closed();
 }
 
-/// Are all holes of the sheet so small that none is an unseen side?
+/// True if no hole of the sheet is large enough to be an unobserved side.
 bool has_only_small_holes(const TriangleMesh& sheet) {
   const double area = surface_area(sheet);
   for (const std::vector<std::uint32_t>& loop : boundary_loops(sheet)) {

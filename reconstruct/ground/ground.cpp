@@ -153,7 +153,7 @@ int sides_with_more(const std::vector<PlanCell>& patch, const std::set<PlanCell>
   return static_cast<int>(std::count(more.begin(), more.end(), true));
 }
 
-/// Is a good part of what lies on the plane seen beside and around what is above it?
+/// True if enough of the plane is visible beside and around the objects above it.
 bool goes_on_around(std::span<const Vec3> points, const Plane& plane, double tolerance,
                     double cell) {
   const Quat rotation = Quat::FromTwoVectors(plane.normal, Vec3::UnitZ());

@@ -11,7 +11,7 @@ namespace clast {
 
 struct ColmapOptions {
   std::string program = "colmap";  ///< path of the program, or its name in PATH
-  /// Folder of models by photo digest. If empty, `default_photo_cache` is used.
+  /// Cache folder of models by photo digest. If empty, `default_photo_cache` is used.
   std::filesystem::path cache = {};
   /// Folder of masks (`find_masks`), or empty. Features are only detected in white areas.
   std::filesystem::path masks = {};

@@ -47,7 +47,7 @@ std::optional<double> side_of_markers(const ScaleOptions& options) {
   return options.board->marker_side;
 }
 
-/// Bars, and all of a board.
+/// Known distances: of scale bars, and all of a board.
 BoardLengths known_distances(const std::vector<LocatedMarker>& markers, const ScaleOptions& options,
                              const std::vector<BoardCorner>& corners) {
   BoardLengths known;

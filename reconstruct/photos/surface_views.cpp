@@ -61,7 +61,7 @@ class DepthBuffer {
     }
   }
 
-  /// Has the middle of a triangle nothing before it?
+  /// True if nothing occludes the centre of the triangle.
   bool shows(const TriangleMesh::Triangle& t, double tolerance) const {
     const Vec2 p = (*pixels_[t[0]] + *pixels_[t[1]] + *pixels_[t[2]]) / 3.0;
     const int x = std::clamp(static_cast<int>(p.x()), 0, kSide - 1);

@@ -94,7 +94,7 @@ double root_mean_square(const std::vector<SurfaceFoot>& feet) {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// Does the component face as the surface does there, or the other way, nearly throughout?
+/// True if nearly all normals of the component agree with the surface, or nearly all oppose it.
 bool faces_one_way(const std::vector<Sample>& samples, const std::vector<SurfaceFoot>& feet) {
   std::size_t same = 0, other = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -310,7 +310,7 @@ class Closing {
             above + kBestFraction * cone_below(rim, narrowing(kBestBand), deepest)};
   }
 
-  /// Ascending.
+  /// Returns the heights in ascending order.
   std::vector<double> rim_heights(const Rim& rim) const {
     std::vector<double> heights;
     for (const std::uint32_t v : rim.loop) {

@@ -28,7 +28,6 @@ constexpr Ramp kYellowGreen = {
 constexpr Ramp kYellowBrown = {
     {{255, 247, 188}, {254, 196, 79}, {236, 112, 20}, {153, 52, 4}, {70, 25, 3}}};
 
-/// Spacing of the class limits.
 enum class Limits { kThrees, kDecades, kEven };
 
 /// Quantity of a layer; layers of one quantity have the same limits.

@@ -37,7 +37,7 @@ std::string trends(const ComparisonAnalyses& analyses) {
 /// Minimum number of blocks for meaningful intervals of fractions.
 constexpr std::size_t kMinBlocksForIntervals = 6;
 
-/// Does no file have enough of its first factor, blocks or forms?
+/// True if no file has enough levels of its first factor, blocks or forms.
 bool few_blocks(const std::vector<DesignEffects>& effects) {
   return std::all_of(effects.begin(), effects.end(), [](const DesignEffects& file) {
     return file.factors.empty() || file.factors.front().levels < kMinBlocksForIntervals;

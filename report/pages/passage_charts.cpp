@@ -16,7 +16,6 @@ namespace {
 
 using PassageRealisations = std::vector<const RealisationCrossings*>;
 
-/// The realisations of a barrier by file.
 std::vector<PassageRealisations> passages_by_file(const std::vector<RealisationCrossings>& all,
                                                   std::size_t line) {
   std::vector<PassageRealisations> files;

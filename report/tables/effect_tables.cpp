@@ -23,7 +23,6 @@ struct TrendOfFile {
   const ShapeTrend& trend;
 };
 
-/// An outcome of one form.
 struct ResponseOfForm {
   const OutcomeByShape& outcome;
   const ShapeOutcome& form;

@@ -7,7 +7,6 @@ namespace clast {
 using namespace report_detail;
 namespace {
 
-/// An impact and its run.
 struct RunImpact {
   const RunRow& run;
   const Impact& impact;

@@ -336,7 +336,7 @@ double impact_of(const Observation& observation) {
   return moment && moment->kind == Moment::Kind::kImpact ? moment->value : 0.0;
 }
 
-/// Are the same blocks behind both?
+/// True if both observations have the same blocks.
 bool share_blocks(const Observation& a, const Observation& b) {
   return a.site == b.site && a.barrier == b.barrier && a.sha256 == b.sha256 &&
          impact_of(a) == impact_of(b) && overlap(a.shape, b.shape) && overlap(a.block, b.block) &&

@@ -17,7 +17,7 @@ using Eigen::Index;
 
 constexpr double kNotStored = std::numeric_limits<double>::quiet_NaN();
 
-/// Row by row.
+/// Writes a matrix row by row.
 void write_matrix(Hdf5Group& group, const std::string& name, const Eigen::MatrixXd& matrix) {
   std::vector<double> values;
   for (Index i = 0; i < matrix.rows(); ++i) {

@@ -31,7 +31,7 @@ Campaign with_middles(Campaign campaign, const std::vector<Unknown>& unknowns) {
   return campaign;
 }
 
-/// Does the campaign have an unknown of this kind?
+/// True if the campaign has an unknown of this kind.
 bool has_any(const Campaign& campaign, const std::vector<Unknown>& unknowns,
              bool (*kind)(const std::string&)) {
   return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) {

@@ -49,7 +49,7 @@ bool has_height(const Campaign& campaign) {
                      [](const ReleaseSet& release) { return release.drop_height.has_value(); });
 }
 
-/// Are the masses of drawn blocks of this law?
+/// True if the masses of drawn blocks have this law.
 template <Distribution::Law law>
 bool has_mass(const Campaign& campaign) {
   const std::optional<BlockSampling>& draw = campaign.blocks.draw;

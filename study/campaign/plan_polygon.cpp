@@ -13,7 +13,7 @@ namespace {
 /// Sine of an angle that counts as none.
 constexpr double kStraight = 1e-9;
 
-/// Does the way turn to the right there, seen along `way`?
+/// True if the path turns right from `way` to `next`.
 bool turns_right(const Vec2& way, const Vec2& next) {
   return cross(way, next) < -kStraight * way.norm() * next.norm();
 }

@@ -89,9 +89,9 @@ std::vector<std::size_t> places_in(const std::vector<FactorLevels>& factors, std
   return places;
 }
 
-/// Do runs of one block with one orientation number start differently turned? Then orientations
-/// were drawn anew for each point. Of one point only the campaign says so: blocks may differ, since
-/// a file of orientations turns their scans and not their principal axes.
+/// True if runs of one block and orientation number start with different orientations, which were
+/// drawn for each point. With a single point, only the campaign shows this: blocks may differ,
+/// because a file of orientations rotates scans, not principal axes.
 bool has_fresh_orientations(const std::vector<const RunRow*>& rows,
                             const CampaignResults& results) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Quat> known;

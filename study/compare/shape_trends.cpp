@@ -74,7 +74,7 @@ struct Grouping {
   double limit = 0.0;    ///< first of the upper half
 };
 
-/// Is every block of the library there with several masses?
+/// True if every library block occurs with several masses.
 bool has_crossed_masses(const std::vector<const RunRow*>& rows) {
   const std::vector<double> masses = find_distinct_masses(rows);
   std::map<std::string, std::set<std::size_t>> of_form;
@@ -128,7 +128,7 @@ Grouping grouping_by(const ShapeProperty& property, const std::vector<const RunR
   return grouping;
 }
 
-/// Does the property differ between blocks by more than measuring does?
+/// True if the property differs between blocks by more than the measurement error.
 bool differs(const ShapeProperty& property, const TrendSample& sample) {
   const auto [least, most] = std::minmax_element(sample.property.begin(), sample.property.end());
   const double range =

@@ -1,4 +1,4 @@
-// Candidate list of two blocks: features that may touch within motions up to the margin.
+// Candidate list of two blocks: features that may touch within displacements up to the margin.
 #include <algorithm>
 #include <cstddef>
 #include <optional>

@@ -77,8 +77,8 @@ Fit fit_of(const QuadricPatch& patch) {
   return {found[0], std::sqrt(squares / (weight * std::max(1.0, used - Terms) / used))};
 }
 
-/// Is the place of the patch so far off the plane of its points, and one of these beside it as
-/// well? Of two outliers beside one another, each makes the other's neighbours look rough.
+/// True if the patch's position is this far off the plane of its points, and one of these is as
+/// well. Two adjacent outliers make each other's neighbours look rough.
 bool is_one_of_two_outliers(QuadricPatch patch, double least) {
   const auto off = [](const Coefficients<3>& plane, double height, const Row& row) {
     return height - plane.dot(row.head<3>());

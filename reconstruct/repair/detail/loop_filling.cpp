@@ -148,8 +148,8 @@ class Triangulations {
   double longest_side_ = 0.0;
 };
 
-/// Does a chord of the filling join two vertices that another joins too? Where a loop passes a
-/// vertex twice, the search by corners does not see it.
+/// True if two chords of the filling join the same vertices. If a loop passes a vertex twice, the
+/// search by corners does not notice this.
 bool repeats_an_edge(const std::vector<TriangleMesh::Triangle>& triangles) {
   std::vector<EdgeKey> keys;
   for (const TriangleMesh::Triangle& t : triangles) {

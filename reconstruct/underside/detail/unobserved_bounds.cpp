@@ -89,7 +89,6 @@ Parted parted(const TriangleMesh& closed, const std::vector<bool>& closure) {
   return parts;
 }
 
-/// One connected closure.
 struct Closure {
   std::vector<TriangleCorners> triangles;
   Vec3 vector_area = Vec3::Zero(), centre = Vec3::Zero();
@@ -99,7 +98,6 @@ struct Closure {
   bool faces() const { return vector_area.norm() > 0.0; }  ///< has a way that it faces
 };
 
-/// Triangles of the closures alone.
 TriangleMesh closures_alone(const Parted& parts) {
   TriangleMesh all{parts.closed.vertices, {}};
   all.triangles.assign(parts.closed.triangles.begin() + static_cast<std::ptrdiff_t>(parts.first),

@@ -91,7 +91,6 @@ void check_settling(const DeclaredTable& table, const MultiBlockRelease& mass) {
   }
 }
 
-/// Checks a heap.
 void check_heap(const DeclaredTable& table, const MultiBlockRelease& mass) {
   table.refuse_if_present("height_m", "applies to blocks in place; a heap lies on the ground");
   table.require_key("polygon", "[[x, y], ...]; or give in_place = true");

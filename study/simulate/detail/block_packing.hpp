@@ -28,7 +28,6 @@ class BlockPacking {
   /// @throws InputError  if the outline has no area, contains no cell centre, or leaves the terrain
   BlockPacking(const TerrainSurface& ground, std::span<const Vec2> outline, double width);
 
-  /// Removes all blocks.
   void clear();
 
   /// Places a block on the heap.

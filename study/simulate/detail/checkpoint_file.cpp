@@ -30,7 +30,7 @@ std::string name_begin(const fs::path& target) {
 /// While it is written.
 fs::path unfinished(fs::path path) { return path += ".new"; }
 
-/// May a file with such a name be a checkpoint?
+/// True if a file of this name may be a checkpoint.
 bool is_checkpoint_name(std::string name, const std::string& begin) {
   if (!name.starts_with(begin)) return false;
   name.erase(0, begin.size());

@@ -19,7 +19,6 @@ class EsriGrid {
   EsriGrid(const EsriGrid&) = delete;
   EsriGrid& operator=(const EsriGrid&) = delete;
 
-  /// Returns the path for GDAL.
   const std::string& path() const { return path_; }
 
  private:
