@@ -8,8 +8,7 @@ namespace clast {
 class InterruptionWatch {
  public:
   /// Installs the signal handlers.
-  /// @param said  message that is written to stderr at the first signal; may be empty; must outlive
-  ///              this object
+  /// @param said  message written to stderr at the first signal; may be empty; must outlive it
   explicit InterruptionWatch(const char* said = "");
   ~InterruptionWatch();
   InterruptionWatch(const InterruptionWatch&) = delete;

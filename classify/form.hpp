@@ -37,8 +37,7 @@ double williams_shape_index(const Axes& axes);
 /// q^2))) with p = S/I, q = I/L.
 /// @cite aschenbrenner1956
 double aschenbrenner_working_sphericity(const Axes& axes);
-/// Oblate-prolate index 10 ((L - I)/(L - S) - 0.5) / (S/L). It is negative for discs and positive
-/// for rods. Empty if L = S.
+/// Oblate-prolate index 10 ((L - I)/(L - S) - 0.5)/(S/L), negative for discs; empty if L = S.
 /// @cite dobkins1970
 std::optional<double> oblate_prolate_index(const Axes& axes);
 

@@ -49,8 +49,7 @@ struct SampledSeries {
 /// Samples bodies. For each sampled shape, one of the three parents with the nearest shape is
 /// chosen at random and stretched to it. Ids are PREFIX and a number.
 /// @param parents  scanned blocks, not balls or capsules
-/// @param population  sizes and shapes from which is sampled, of a library (`block_forms`) or of a
-///                    table
+/// @param population  sampled sizes and shapes, of a library (`block_forms`) or a table
 /// @throws InputError  if there is no parent, or if `FormCopula` cannot be fitted
 SampledSeries sample_series(std::span<const Block* const> parents,
                             std::span<const BlockForm> population, std::size_t count,

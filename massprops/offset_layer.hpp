@@ -44,9 +44,8 @@ struct OffsetLayer {
 
 /// Decomposes the layer.
 /// @param core  closed, consistently oriented, with an origin near its centre
-/// @param clear_radius  radius for which overlaps must be clear of the far edges, at least
-///                      `radius`. With a common value, several radii have overlaps at the same
-///                      edges
+/// @param clear_radius  radius, at least `radius`, for which overlaps must be clear of the far
+///                      edges; radii with a common value have overlaps at the same edges
 OffsetLayer decompose_offset_layer(const TriangleMesh& core, double radius, double clear_radius);
 
 }  // namespace clast::massprops_detail

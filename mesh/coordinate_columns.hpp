@@ -32,8 +32,7 @@ std::optional<CoordinateColumns> find_coordinate_columns(
 
 /// Selects columns by name or by number from 1, in the order x, y, z.
 /// @param headings  headings of the table; empty if it has none
-/// @throws InputError  if there are not three different existing columns; the message does not name
-///                     the file
+/// @throws InputError  if there are not three different columns; does not name the file
 CoordinateColumns select_coordinate_columns(const std::vector<std::string>& columns,
                                             const std::vector<std::string_view>& headings,
                                             std::size_t fields);

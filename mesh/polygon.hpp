@@ -13,8 +13,7 @@ inline constexpr std::size_t kMaxEarClippingVertices = 1000;
 
 /// Appends the triangles of a polygon to `mesh`. Ear clipping preserves concave polygons. Quads are
 /// split along the better diagonal.
-/// @throws InputError  if there are fewer than three vertices, or if an index (from 0) is out of
-///                     range
+/// @throws InputError  if there are fewer than three vertices or an index (from 0) is out of range
 void append_polygon(TriangleMesh& mesh, std::span<const std::int64_t> corners);
 
 }  // namespace clast

@@ -179,8 +179,7 @@ class Batch {
         " of an earlier split; if it is obsolete, remove it with clast library remove");
   }
 
-  /// Adds what was made since the last time to the library as it is now, which other processes may
-  /// have written to meanwhile.
+  /// Adds new blocks to the current library, to which other processes may have written meanwhile.
   void save() {
     if (unsaved_.empty()) return;
     std::vector<std::pair<Unsaved, std::string>> refused;

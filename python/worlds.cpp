@@ -47,8 +47,7 @@ struct Waiting {
   bool fixed;
 };
 
-/// A world with the terrain it stands on. Stiffness and time step follow from all blocks that are
-/// there at the first step.
+/// World with its terrain. Stiffness and time step are chosen for all blocks at the first step.
 class Experiment {
  public:
   Experiment(std::shared_ptr<Terrain> terrain, const py::dict& keywords)

@@ -44,8 +44,7 @@ struct Scan {
 };
 
 /// Reads, repairs, scales and rotates a scan to z up.
-/// @throws InputError  if `read_mesh` throws, or if the file stores too few digits for the shape of
-///                     the block
+/// @throws InputError  if `read_mesh` throws, or if the file stores too few digits for the shape
 /// @throws GeometryError  if `repair_mesh` throws; names the file
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 

@@ -12,8 +12,7 @@ inline constexpr double kFileFlatness = 1e-7;
 /// a hole or touch themselves at a vertex are not merged.
 ///
 /// The largest face defines the plane. Polygons may be concave. Each starts at a convex vertex with
-/// two non-degenerate sides, because some readers compute the normal there. Shapes without faces
-/// are unchanged.
+/// non-degenerate sides, where some readers compute the normal. Shapes without faces are unchanged.
 /// @param flatness  largest distance of a vertex from its plane or straight edge, relative to the
 ///                  diagonal of the core; the default changes the volume by less than 1e-11 of it
 SpheroPolyhedron merge_coplanar_faces(const SpheroPolyhedron& shape, double flatness = 1e-12);

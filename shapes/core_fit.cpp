@@ -33,8 +33,7 @@ constexpr std::size_t kScanVertices = 25000;
 constexpr double kProgress = 0.99;
 constexpr int kRoundsWithoutProgress = 12;
 constexpr double kMaxPower = 8.0, kPowerPerRound = 0.5;
-/// Regularisation, as a fraction of the mean diagonal: keeps unobserved vertices in place and
-/// neighbours moving together.
+/// Damping over the mean diagonal: unobserved vertices stay in place, neighbours move together.
 constexpr double kDamping = 1e-3, kSmoothing = 0.3;
 /// A core this many times worse than the best is given up, and the step from the best cut.
 constexpr double kWorse = 1.1;

@@ -27,8 +27,7 @@ OrientedBox smallest_box(std::span<const Vec3> points, double radius = 0.0);
 
 OrientedBox smallest_box(const SpheroPolyhedron& body);
 
-/// Returns the box along given axes, with sides sorted L >= I >= S. Sides below 1e-12 of the
-/// largest are set to zero.
+/// Returns the box along given axes, with sides sorted L >= I >= S. Sides below 1e-12 L are zero.
 /// @param axes  columns, orthonormal
 OrientedBox box_with_axes(std::span<const Vec3> points, const Mat3& axes, double radius = 0.0);
 

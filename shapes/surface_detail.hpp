@@ -27,8 +27,7 @@ struct DetailedSurface {
 /// along their rays. For other surfaces, the coarse shape is found by the filter 1/(1 + (k/k0)^2)
 /// for Laplacian eigenvalue k, where k0 is the eigenvalue of `degree` on a sphere of equal area.
 /// @param mesh  closed, outward, one component
-/// @throws InputError  as `SurfaceDetailOptions::check`, and if there are too few vertices for the
-///                     degree
+/// @throws InputError  as `SurfaceDetailOptions::check`, and for too few vertices for the degree
 /// @throws GeometryError  if a vertex would come too near the centre, or if the surface would
 ///                        intersect itself
 /// @cite garboczi2002

@@ -35,8 +35,7 @@ inline constexpr Rgb kContourColour = {122, 98, 69};
 Rgb zone_colour(const std::string& name, std::size_t n);
 
 /// Renders the relief as a PNG file with zone colours and contour lines. Light comes from the
-/// north-west at 45 degrees; slopes are computed by Horn's method. Cells without ground are
-/// transparent.
+/// north-west at 45 degrees; slopes by Horn's method. Empty cells are transparent.
 /// @param first_height  map z of local z = 0, m; contours are at round map heights
 /// @param contour_interval  m
 /// @cite horn1981

@@ -18,8 +18,7 @@ struct TerrainOptions {
   /// Ground zones in one of four forms. If empty, there is one zone, "ground".
   /// - One name per mesh.
   /// - A file of polygons (GeoJSON, GeoPackage, Shapefile) with the property "zone".
-  /// - A raster of class numbers. The numbers are the names unless "zones.asc:1=blue,2=gray" maps
-  ///   them.
+  /// - A raster of class numbers. They are the names unless "zones.asc:1=blue,2=gray" maps them.
   /// - Rules "rock=slope>60", "scree=height<1450&slope>=30", "soil=else". The first match applies.
   std::vector<std::string> zones = {};
   /// Up axis of meshes and clouds: "z"; "y", which rotates (x, y, z) to (x, -z, y); or "auto",
@@ -34,8 +33,7 @@ struct TerrainOptions {
   /// highest. If empty, their mean is used.
   std::optional<double> percentile = {};
   /// Largest distance of a cloud's point from the median of the surrounding 5 x 5 cells, m; other
-  /// points are outliers. It must exceed the relief within a cell. If empty, no point is an
-  /// outlier.
+  /// points are outliers. It must exceed the relief within a cell. If empty, none is.
   std::optional<double> outliers = {};
   /// Largest length and width of holes that are filled, m. If empty: three cells for clouds, three
   /// median edges for meshes; holes of rasters are not filled.
@@ -90,8 +88,7 @@ bool are_zone_rules(const std::vector<std::string>& zones);
 ///                        position
 Terrain read_terrain(const TerrainOptions& options);
 
-/// Reads the vertices of GeoJSON, GeoPackage or Shapefile lines, in the terrain's map coordinates,
-/// m.
+/// Reads vertices of GeoJSON, GeoPackage or Shapefile lines, in the terrain's map coordinates, m.
 /// @throws InputError  if the file cannot be read, is empty, or has geometries other than lines
 std::vector<std::vector<Vec2>> read_barrier_lines(const std::filesystem::path& path,
                                                   const Terrain& terrain);

@@ -31,8 +31,7 @@ class BatchPrinter : public BatchObserver {
   void on_scan_failed(const ScanFile& scan, const std::string& reason) override;
   void on_note(const std::string& text) override;
 
-  /// Updates the progress bar. Slow steps have a line of their own, unless several scans are
-  /// processed in parallel.
+  /// Updates the progress bar. Slow steps have their own line unless scans run in parallel.
   void show(const ProgressUpdate& step) {
     bar_.update(step.done, step.activity, step.is_slow && options_.jobs == 1);
   }

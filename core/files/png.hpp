@@ -12,8 +12,7 @@ namespace clast {
 /// Colour: red, green, blue.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Encodes an image of palette indices as a PNG file. Pixels are row-major from the top; colour 0
-/// of the palette is transparent.
+/// Encodes palette indices as PNG, row-major from the top; colour 0 of the palette is transparent.
 /// @param palette  1 to 256 colours
 /// @cite png3
 std::string encode_palette_png(std::uint32_t width, std::uint32_t height,

@@ -7,8 +7,7 @@
 
 namespace clast {
 
-/// Resolves the up axis to "y" or "z". "auto" is y for .glb and .gltf files (glTF 2.0, section
-/// 3.4), and z for others.
+/// Resolves "auto" to "y" for .glb and .gltf files (glTF 2.0, section 3.4), otherwise to "z".
 /// @param up  "auto", "y" or "z"
 /// @throws InputError  if `up` is any other text
 std::string resolve_up_axis(const std::string& up, const std::filesystem::path& file);

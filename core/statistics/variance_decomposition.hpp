@@ -33,8 +33,7 @@ struct VarianceDecomposition {
 /// of the mean squares. They are exact for normal effects in large samples; their coverage was
 /// verified (docs/theory.md).
 /// @param values  one per combination; the level of the last factor varies fastest
-/// @param levels  number of levels of each factor, at least two; their product is the number of
-///                values
+/// @param levels  number of levels per factor, at least two; their product is the number of values
 /// @return decomposition; all members are zero if all values are equal
 /// @throws InputError  if there is no factor or more than six, if a factor has only one level, or
 ///                     if the sizes differ

@@ -9,8 +9,7 @@
 namespace clast::dem_detail {
 namespace {
 
-/// Largest distance over which a contact may continue on other features, as a fraction of the
-/// block's smallest side.
+/// Largest distance over which a contact may continue on other features, over the smallest side.
 constexpr double kNearFraction = 0.03;
 /// Spare capacity of a list of contacts: half its size, or up to this number in total.
 constexpr std::size_t kFewContacts = 2;

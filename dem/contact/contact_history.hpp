@@ -29,8 +29,7 @@ struct Contact {
   }
 };
 
-/// Matches contacts of two consecutive steps. It keeps no state between matches, so that one object
-/// can serve many pairs.
+/// Matches contacts of two consecutive steps. It is stateless, so that it can serve many pairs.
 class ContactHistory {
  public:
   /// Matches each point with at most one contact of the previous step.

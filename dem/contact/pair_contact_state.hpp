@@ -41,8 +41,7 @@ class PairContactState {
       soil.merge(*indentations_);
   }
 
-  /// Clears the event impulse of the last step once it has been applied. The other loads stay valid
-  /// while neither body moves.
+  /// Clears the applied event impulse. The other loads stay valid while neither body moves.
   void clear_event_impulse() { load_.event.reset(); }
 
   /// Returns the relative displacement before the bodies can touch, m; 0 if unknown.

@@ -69,8 +69,7 @@ struct StiffnessChoice {
 /// - Time step: short enough for the fastest contact oscillation.
 ///
 /// Touching bodies share one stiffness. Bodies that touch only the ground are passed alone.
-/// @param fastest  upper bound of the speed of any block, from release heights and the lowest
-///                 ground, m/s
+/// @param fastest  upper bound of the speed of any block, from release and lowest heights, m/s
 /// @throws SimulationError  if there are no bodies, or if the user's time step exceeds the
 ///                          stability limit or lets a body move by more than S/4 at `fastest`
 StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,

@@ -27,9 +27,8 @@ class BlockNarrowPhase {
   /// Finds the contacts, in a deterministic order. The caller may modify the returned list. It is
   /// valid until the next search in this thread.
   /// @param displacement  bound of the displacement of any block point relative to the ground, m;
-  ///                      between calls it must grow by at least the translation of the block's
-  ///                      centre plus 2 sin(angle/2) times its bounding radius for a rotation by
-  ///                      `angle`
+  ///                      it must grow by at least the translation of the block's centre plus 2
+  ///                      sin(angle/2) times its bounding radius for a rotation by `angle`
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_block, double displacement);
 
   /// Returns the displacement before which contact is impossible, m. Valid only after a call of

@@ -17,8 +17,7 @@ constexpr double kDepthRounding = 1e-9;
 /// Rotation can make edges and faces deeper than all present contacts by this fraction of their
 /// depth plus this many list margins.
 constexpr double kDeeperFraction = 0.5, kDeeperMargins = 0.25;
-/// The depth limit is this factor times the needed depth. It is lowered if it exceeds the needed
-/// depth by the second factor.
+/// Depth limit over the needed depth: value when set, and value above which it is lowered.
 constexpr double kAllowedFraction = 1.5, kTooDeepFraction = 4.0;
 
 }  // namespace

@@ -7,8 +7,7 @@
 
 namespace clast {
 
-/// Measures the overlap of one body with one terrain at any number of poses. The precomputed data
-/// are shared by all poses.
+/// Measures the overlap of a body with a terrain at many poses. Poses share precomputed data.
 class GroundOverlap {
  public:
   /// Stores references; both arguments must outlive this object.

@@ -10,8 +10,7 @@ constexpr double kConeSlack = 1e-9;
 /// Slack at an edge or vertex, as a fraction of the distance between its unit normals. It is 3
 /// degrees at a right angle, the tilt of a block at the settled depth.
 constexpr double kGiveFraction = 0.037;
-/// Largest possible slack, for opposite normals. Only for directions closer to the limit than this
-/// must the slack be computed.
+/// Largest slack, for opposite normals. It is computed only for directions closer to the limit.
 constexpr double kMaxGive = 2.0 * kGiveFraction;
 
 double give_of(const Vec3& normal, const Vec3& other) {

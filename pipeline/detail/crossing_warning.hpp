@@ -4,8 +4,7 @@
 
 namespace clast::pipeline_detail {
 
-/// Adds a warning to `block` if `surface` intersects itself. The block must have been made from
-/// `surface` without repair.
+/// Adds a warning if `surface`, from which `block` was made without repair, intersects itself.
 void warn_of_self_intersections(Block& block, const TriangleMesh& surface);
 
 }  // namespace clast::pipeline_detail

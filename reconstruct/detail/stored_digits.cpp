@@ -16,7 +16,7 @@ namespace {
 /// Coordinate steps, relative to the diagonal, above which the shape is lost, and above which they
 /// are noted.
 constexpr double kShapeLost = 1e-2, kDigitsLost = 1e-4;
-/// Number of vertices of a text file that do not all fall on the steps by chance or by hand.
+/// Number of vertices that cannot all fall on the steps of a text file by chance or by hand.
 constexpr std::size_t kNoChance = 100;
 
 constexpr int kFloatBits = 24, kTextDigits = 7;

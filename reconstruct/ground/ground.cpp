@@ -18,8 +18,7 @@ namespace clast {
 
 namespace {
 
-/// Cell size over the diagonal. Planes are tried on one point per cube of this side, so that points
-/// count by area.
+/// Cells over the diagonal. Planes are tried on one point per cell, so that points count by area.
 constexpr double kGroundDecimationCell = 1.0 / 150.0;
 /// Minimum fraction of the decimated points on a ground.
 constexpr double kMinGroundFraction = 0.1;

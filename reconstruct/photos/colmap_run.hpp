@@ -55,8 +55,7 @@ std::string compute_photo_digest(const std::filesystem::path& folder);
 /// Returns the largest connected group of photos, with their files.
 /// @param stage  called with the current step
 /// @throws InputError  if `find_masks` throws, COLMAP is not installed, there are fewer than three
-///                     photos, the photos are not connected, or COLMAP fails or exceeds its time
-///                     limit
+///                     photos, they are not connected, or COLMAP fails or exceeds its limit
 /// @cite schoenberger2016
 PhotoModel run_colmap(const std::filesystem::path& folder, const ColmapOptions& options = {},
                       const std::function<void(const std::string&)>& stage = {});

@@ -58,8 +58,7 @@ struct DenseCloud {
 /// averaged over the agreeing pairs (docs/theory.md).
 /// @param model  camera model whose photo files are located
 /// @param progress  called with the finished and total number of steps, from one thread at a time
-/// @throws InputError  if `stereo_pairs` throws, if masks are missing, or if the photos do not
-///                     agree
+/// @throws InputError  if `stereo_pairs` throws, masks are missing, or the photos do not agree
 DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& options = {},
                                const std::function<void(std::size_t, std::size_t)>& progress = {});
 

@@ -13,8 +13,7 @@ namespace clast {
 ///
 /// A folder may also hold one of these files, or a model in `sparse/0`, `sparse` or `colmap`.
 /// Photos without a pose are counted and omitted.
-/// @throws InputError  if there is no model, a file is truncated or damaged, or a lens model is
-///                     unknown
+/// @throws InputError  if there is no model, a file is damaged, or a lens model is unknown
 PhotoModel read_photo_model(const std::filesystem::path& path);
 
 /// True if a folder contains a model that `read_photo_model` can read.

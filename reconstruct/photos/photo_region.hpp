@@ -15,8 +15,7 @@ struct PhotoRegion {
 /// Finds the region of the block from the sparse points. The block is the one above the ground that
 /// is nearest to the viewing centre of the cameras. Without a ground, the region is the sphere
 /// about the viewing centre that most photos contain.
-/// @throws InputError  if there are fewer than two photos, or cameras without a common viewing
-///                     centre
+/// @throws InputError  for fewer than two photos, or cameras without a common viewing centre
 PhotoRegion find_photo_region(const PhotoModel& model);
 
 /// Returns the angle between two photos at the region's centre, rad.

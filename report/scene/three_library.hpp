@@ -5,8 +5,7 @@
 
 namespace clast::report_detail {
 
-/// Returns the folder of three.js (Debian package libjs-three). It is named by CLAST_THREE, or was
-/// found at configuration.
+/// Folder of three.js (Debian package libjs-three): CLAST_THREE, or found at configuration.
 std::filesystem::path find_three_folder();
 bool three_is_installed();
 

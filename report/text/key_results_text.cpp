@@ -33,8 +33,7 @@ std::string blocks_of(const Comparison& comparison, std::size_t group) {
 /// "3 to 12 m": " over draws of the ground parameters" where the range is over draws, and "" else.
 std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
 
-/// Describes what a range covers: " over draws of the ground parameters, for runs of these 3 blocks
-/// only".
+/// Describes what a range covers, such as ", for runs of these 3 blocks only".
 /// @param named  the sentence names the one block there is
 std::string covered_by(const FileSummary& statement, bool named) {
   if (named || statement.samples_blocks) return by_draw(statement.draws);

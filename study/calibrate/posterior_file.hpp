@@ -15,8 +15,7 @@ namespace clast {
 /// Stored members of a finished or interrupted calibration.
 struct StoredCalibration {
   std::vector<std::string> inputs;  ///< "path sha256" of all files that were read
-  /// Digest of all inputs of the simulations: sites, unknowns, design and program version.
-  /// Observations are not included.
+  /// Digest of the simulation inputs: sites, unknowns, design, program version; not observations.
   std::string design_sha256;
   /// Physics digest of the program. Empty if an older program simulated some of the members.
   std::string physics_digest = {};

@@ -17,9 +17,8 @@ CountedDirection parse_counted_direction(const std::string& name);
 std::string name_of(CountedDirection crossings);
 
 /// Barrier: vertical planes through the segments of a line in plan. A forward crossing is from left
-/// to right of the line, looking from its first to its last point. A line that ends at its first
-/// point is a ring, with entries and exits. Exits of a counter-clockwise ring are forward
-/// crossings.
+/// to right of the line, looking from first to last point. A line that ends at its first point is a
+/// ring, with entries and exits. Exits of a counter-clockwise ring are forward crossings.
 struct Barrier {
   std::string name;
   std::vector<Vec2> through;  ///< local frame, m; satisfies `check_barrier_line`

@@ -15,8 +15,7 @@
 namespace clast {
 namespace {
 
-// Segments nearer than this touch, m; far above the rounding of map coordinates, far below what
-// anyone surveys.
+// Segments nearer than this touch, m; far above the rounding of coordinates, below survey accuracy.
 constexpr double kTouch = 1e-6;
 
 struct Segment {

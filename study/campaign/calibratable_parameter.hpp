@@ -42,8 +42,7 @@ std::string explain_missing_parameter(const std::string& parameter);
 /// @param campaign  must have the parameter
 void set_parameter(Campaign& campaign, const std::string& parameter, double value);
 
-/// True if the parameter affects the ground only, so that starts and contacts between blocks are
-/// unchanged.
+/// True if the parameter affects the ground only, not starts and contacts between blocks.
 bool is_ground_parameter(const std::string& parameter);
 /// True if the parameter changes release positions or velocities.
 bool is_of_release(const std::string& parameter);

@@ -55,8 +55,7 @@ struct BlockSelection {
   BlockFilter filter;
   BlockScale scale;
   std::optional<BlockSampling> draw;
-  /// Series of varied bodies that replaces the selected blocks. It uses `library` and the ids of
-  /// `filter`.
+  /// Series of bodies that replaces the selected blocks. It uses `library` and the ids of `filter`.
   std::optional<SeriesRequest> vary;
   bool any_size = false;  ///< true: blocks of unusual size, or large for the terrain, are accepted
 };
@@ -92,13 +91,11 @@ struct Ensemble {
   std::uint32_t members = 1;
   std::uint64_t seed = 1;
   Design design = Design::kRandom;
-  /// Posterior draws, of which one is used per member. Other parameters keep the values of the
-  /// campaign.
+  /// Posterior draws, one per member. Other parameters keep the values of the campaign.
   std::optional<PosteriorDraws> posterior;
 };
 
-/// Release points, orientations and initial velocities. Points are centres of mass in map
-/// coordinates, z up.
+/// Release points (centres of mass, map coordinates, z up), orientations and initial velocities.
 struct ReleaseSet {
   std::string name;  ///< empty if there is only one set
   std::vector<Vec3> points;
@@ -127,16 +124,14 @@ struct MultiBlockRelease {
   /// contains the centres of the blocks.
   std::vector<Vec2> polygon;
   std::optional<double> thickness;  ///< maximum height of the heap above the ground, m
-  /// Fraction of the blocks of a realisation. If `count` is also empty, the number is proportional
-  /// to the polygon area.
+  /// Fraction of the blocks of a realisation. If `count` is empty too, it is by polygon area.
   std::optional<double> share;
   std::optional<std::uint32_t> count;  ///< number of blocks in each realisation
   double release_time = 0.0;  ///< time since the first release until which the blocks are fixed, s
   bool settle = false;  ///< true: the blocks settle behind confining walls at the sides of the
                         ///< polygon before the release
   double settle_time = 20.0;  ///< time limit for settling, s
-  /// Interval between the removals of the confining walls at the release, s. If 0, all walls are
-  /// removed at once.
+  /// Interval between removals of confining walls at the release, s. If 0, all are removed at once.
   double face_interval = 0.0;
 };
 
@@ -151,8 +146,7 @@ struct PersistentBlocksPlan {
   std::vector<std::string> cleared_zones;  ///< zones in which blocks at rest are removed
   GroundParameters between_blocks;         ///< contact parameters between two blocks
 
-  /// Returns the time from the first release to the last release or wall removal, s. It is 0
-  /// without multi-block releases.
+  /// Time from the first to the last release or wall removal, s; 0 without multi-block releases.
   double last_release_time() const;
   /// Returns the longest settling time limit, s; 0 if no release settles.
   double settling_time() const;
@@ -167,8 +161,7 @@ struct Campaign {
   BlockSelection blocks;
   TerrainOptions terrain;
   double terrain_radius = 0.0;  ///< m
-  /// Minimum distance of release points from the terrain border, m. Smaller distances cause a
-  /// warning.
+  /// Minimum distance of release points from the terrain border, m. Smaller ones cause a warning.
   std::optional<double> border_distance;
   std::map<std::string, GroundDistributions> ground;  ///< parameters by zone, complete
   std::vector<BlockGroup> groups;                     ///< groups; each block is in at most one

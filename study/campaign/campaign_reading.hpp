@@ -34,13 +34,11 @@ inline bool read_at_once(const std::function<void()>& part) {
   return true;
 }
 
-/// Makes the top-level table of a file. Undeclared tables are errors, which are thrown inside
-/// `read`.
+/// Makes the top-level table of a file. Undeclared tables are errors, thrown inside `read`.
 TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::path& file,
                                 const std::vector<KeyTable>& declared, const PartReader& read);
 
-/// Reads a campaign part by part through `read`. If a part fails, the parts that depend on it are
-/// skipped.
+/// Reads a campaign part by part through `read`. If one fails, dependent parts are skipped.
 /// @param text  if set, used instead of the contents of the file
 Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
                        const PartReader& read);

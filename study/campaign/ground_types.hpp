@@ -41,8 +41,7 @@ const GroundType& ground_type(const std::string& name);
 /// type ("blue") or more than one type matches.
 const GroundType* find_ground_type(const std::string& zone);
 
-/// Returns the type assumed for zones with other names. Its parameters are between those of rock
-/// and soil.
+/// Returns the type assumed for zones with other names. Its parameters are between rock and soil.
 const GroundType& default_ground_type();
 
 }  // namespace clast

@@ -29,8 +29,7 @@ struct ValueFormat {
   NumberRange range = {0.0, 0.0};
   std::vector<ValueFormat> items = {};
   std::vector<TableKey> keys = {};
-  /// Description of the value for the error message if it is missing. If empty, the key is
-  /// optional.
+  /// Description of the value, for the error if it is missing. If empty, the key is optional.
   std::string required = {};
 
   /// Returns the innermost of the first items, which has words, range and limits.

@@ -23,8 +23,7 @@ struct MemberKey : TableKey {
       : TableKey{std::move(key), in_unit, std::move(means), with_unit(std::move(takes), in_unit)},
         read(std::move(reader)) {}
 
-  /// Stores the value in a data member, which is given as a path such as `&Campaign::stiffness,
-  /// &StiffnessOptions::normal`.
+  /// Stores the value in a data member, such as `&Campaign::stiffness, &StiffnessOptions::normal`.
   template <class Member, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
             Member Target::*member, Path... path)

@@ -5,8 +5,7 @@
 
 namespace clast::study_detail {
 
-/// Derives the seed of the random sequence called `name`. It is independent of the other sequences
-/// derived from `seed`.
+/// Derives the seed of the random sequence `name`, which is independent of others from `seed`.
 std::uint64_t derive_seed(std::uint64_t seed, std::string_view name);
 
 }  // namespace clast::study_detail

@@ -16,8 +16,7 @@ double assume_design_effect(std::size_t runs, std::size_t blocks);
 /// Minimum number of blocks for which two halves are compared.
 inline constexpr std::size_t kMinBlocksOfPower = 4;
 
-/// Planned statistical power: the smallest runout difference between two halves of the blocks that
-/// a campaign can detect.
+/// Planned power: smallest detectable runout difference between two halves of the blocks.
 struct PlannedPower {
   std::size_t runs = 0, blocks = 0;
   std::size_t trial_runs = 0;    ///< number of trial runs from which `scatter` was estimated

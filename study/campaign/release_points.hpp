@@ -13,8 +13,7 @@ namespace clast {
 /// Reads a table of points with columns x, y and z in m (`core/files/number_table.hpp`). Columns
 /// are found by heading (x or easting, y or northing, z, height or elevation). Without a heading,
 /// there must be three columns.
-/// @throws InputError  if the file is missing or empty, or a line is invalid; names file, line and
-///                     text
+/// @throws InputError  if the file is missing or empty, or a line is invalid; names file and line
 std::vector<Vec3> read_points(const std::filesystem::path& file);
 
 /// Reads a table of unit quaternions with columns w, x, y and z (or qw, q0, ... in a heading).
@@ -25,8 +24,7 @@ std::vector<Quat> read_orientations(const std::filesystem::path& file);
 /// Converts the rotation world_from_source from a y-up to a z-up world (`core/files/up_axis.hpp`).
 Quat y_up_to_z_up(const Quat& orientation);
 
-/// Returns `count` equally spaced points on a polyline, including both ends. If `count` is 1, it is
-/// the midpoint.
+/// Returns `count` equally spaced points on a polyline, including both ends; for 1, its midpoint.
 std::vector<Vec3> space_points_on_line(std::span<const Vec3> line, std::size_t count);
 
 /// Returns `count` points distributed uniformly at random over a plan polygon, z = 0.

@@ -83,8 +83,7 @@ struct BarrierGroupStatistics {
   std::size_t crossed = 0;      ///< number of runs with a counted crossing
   std::size_t backward = 0;     ///< number of runs whose first crossing is backward; 0 for rings
   double probability = 0.0;
-  /// 95 % interval of the probability (`clustered_proportion_interval`); empty for a single
-  /// realisation.
+  /// 95 % interval of probability (`clustered_proportion_interval`); empty for one realisation.
   std::optional<Interval> interval;
   Summary height, clearance, speed;  ///< m, m, m/s
   Summary top;  ///< height of the centre plus largest radius of the block, m: an upper bound of the

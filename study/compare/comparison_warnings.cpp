@@ -174,8 +174,7 @@ void warn_of_masses(Comparison& comparison) {
   }
 }
 
-/// Area-weighted mean slope of every ground zone where the runs were, rad; none for zones
-/// elsewhere.
+/// Area-weighted mean slope of each ground zone along the runs, rad; empty for zones elsewhere.
 std::vector<std::optional<double>> zone_slopes(const CampaignResults& results) {
   Bounds runs;
   for (const RunRecord& run : results.runs) {

@@ -18,8 +18,7 @@ struct DesignFactor {
 };
 
 struct OutcomeEffects {
-  /// Outcome: "runout", "lateral angle", "largest energy" (kinetic energy of translation), or
-  /// "passing BARRIER".
+  /// Outcome: "runout", "lateral angle", "largest energy" (of translation), or "passing BARRIER".
   std::string outcome;
   std::string unit;              ///< "m", "rad", "J"; empty for a proportion of runs
   double mean = 0.0;             ///< mean of all runs
@@ -40,10 +39,9 @@ struct DesignEffects {
 /// Computes the design effects of each file. The factors for blocks are "form" and "mass" if each
 /// library block occurs with each mass (to 0.5 %). The factor is "form" if all blocks have the same
 /// mass, and "block" otherwise. Fractions are estimated (core/statistics/unbalanced_variance.hpp)
-/// if combinations are missing or repeated, or if orientations are drawn independently for each
-/// release point. Campaigns with persistent blocks, or with a single level of every factor, have no
-/// effects; `refusal` gives the reason. Runs that left the terrain are included with their last
-/// position.
+/// if combinations are missing or repeated, or if orientations are drawn for each release point.
+/// Campaigns with persistent blocks, or with a single level of every factor, have no effects;
+/// `refusal` gives the reason. Runs that left the terrain are included with their last position.
 std::vector<DesignEffects> compute_design_effects(const Comparison& comparison);
 
 }  // namespace clast

@@ -13,8 +13,7 @@ struct Comparison;
 
 /// Difference of two groups of one kind in one quantity: first mean minus second mean. It is tested
 /// by a clustered Kolmogorov-Smirnov test (`clustered_ks_test`). The p-value is corrected for the
-/// number of differences between groups of that kind. There is no test if a group consists of a
-/// single realisation.
+/// number of differences between groups of that kind. No test if a group is a single realisation.
 struct Difference : Contrast {
   std::size_t first = 0;  ///< index into Comparison::groups
   std::size_t second = 0;
@@ -39,8 +38,7 @@ inline constexpr std::size_t kMaxGroups = 12;
 /// barrier. Pairs with fewer than three values in a group are omitted.
 std::vector<Difference> compute_differences(const Comparison& comparison);
 
-/// Computes the runout difference of two groups as a single test, so that `p_holm` equals
-/// `p_value`.
+/// Computes the runout difference of two groups as a single test (`p_holm` equals `p_value`).
 /// @return empty if a group has fewer than three runs at rest
 std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
                                                     std::size_t second);

@@ -55,8 +55,7 @@ struct CrossingEstimate {
   bool largest = false;  ///< true if there are fewer than `kMinPassages` passages
   double largest_energy = 0.0;  ///< maximum over the passages, J
   double largest_top = 0.0;     ///< m
-  /// Ranges of `energy`, `speed` and `top` over the ground draws with passages. Empty for a single
-  /// draw.
+  /// Ranges of `energy`, `speed` and `top` over the ground draws with passages. Empty for one draw.
   std::optional<Interval> energy_range, speed_range, top_range;
 };
 
@@ -86,11 +85,9 @@ struct FileSummary {
 };
 
 struct KeyResults {
-  /// One entry per file. If each file has blocks of one class only, there is a single entry for all
-  /// files.
+  /// One entry per file. If each file has blocks of one class only, one entry for all files.
   std::vector<FileSummary> statements;
-  /// Runout difference between the files. Only given if exactly two files with equal release points
-  /// are compared.
+  /// Runout difference between the files. Only for exactly two files with equal release points.
   std::optional<RunoutContrast> files;
 
   /// True if any entry has more than one ground draw.

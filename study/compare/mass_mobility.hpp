@@ -13,8 +13,7 @@
 namespace clast {
 
 /// Runout of persistent blocks in the realisations of one file, compared with single-block runs of
-/// another file. The runout of a block at rest is measured along the downslope direction from its
-/// start.
+/// another file. The runout of a block at rest is measured downslope from its start.
 struct DepositMobility {
   std::uint32_t file = 0;   ///< index of the file with realisations
   std::uint32_t alone = 0;  ///< index of the file with single-block runs

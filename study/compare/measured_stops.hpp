@@ -47,8 +47,7 @@ struct MeasuredGroup {
   double simulated_runout = 0.0;  ///< mean of the simulated runouts, m
   Quartiles simulated_quartiles;
   /// Observed minus simulated median of the runout, m. The p-value is that of a Kolmogorov-Smirnov
-  /// test, corrected for the number of groups. There is no test if the runs belong to one
-  /// realisation.
+  /// test, corrected for the number of groups. No test for a single realisation.
   Contrast medians;
   double cliffs_delta = 0.0;  ///< Cliff's delta of the observed against the simulated runouts
   double ks_distance = 0.0;

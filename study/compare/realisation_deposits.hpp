@@ -49,8 +49,7 @@ struct DepositResults {
   std::vector<DepositMeasures>
       realisations;  ///< ordered by file; empty if no file has persistent blocks
   /// Layers: mean and maximum of the deposit thickness over the realisations, and the fraction of
-  /// realisations with a block in the cell. The cell size is at most a third of the mean short axis
-  /// S.
+  /// realisations with a block in the cell. The cells are at most a third of the mean short axis S.
   MapRasterSet rasters;
 };
 

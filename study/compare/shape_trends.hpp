@@ -27,8 +27,7 @@ struct ShapeTrend {
   CrossedDifference halves;
   double smallest = 0.0;  ///< minimum difference that this design detects with 80 % power
   /// The p-value of the equivalence test (`equivalence_p_value`), and the number of runs needed to
-  /// detect a difference as large as the margin. Only given for the runout, and if there is a
-  /// margin.
+  /// detect a difference as large as the margin. Only for the runout, and if there is a margin.
   std::optional<double> equivalence;
   std::optional<double> runs_needed;
 };

@@ -15,8 +15,7 @@ const std::vector<std::string>& exportable_engines();
 
 struct EngineSceneOptions {
   std::string engine = "rockable";
-  /// Indices of the exported runs, or of the realisations for multi-block releases. If empty, all
-  /// are exported.
+  /// Indices of the exported runs, or realisations of multi-block releases. If empty, all.
   std::vector<std::uint32_t> runs;
 
   void check() const;  ///< throws InputError naming the field and its value

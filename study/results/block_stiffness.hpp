@@ -26,8 +26,7 @@ struct StiffnessRange {
 };
 
 /// Stiffness quantities of the runs of a block. They vary if ground parameters vary between
-/// ensemble members, or if a fall from one of the release points can be too fast for the automatic
-/// stiffness.
+/// ensemble members, or if a fall from a release point can be too fast for the automatic stiffness.
 struct BlockStiffness {
   std::string block;
   std::size_t runs = 0;
@@ -37,8 +36,7 @@ struct BlockStiffness {
   std::vector<StiffnessRange> values;
 };
 
-/// Collects the ranges for each block, in the order of the blocks. They are empty if a block has no
-/// runs.
+/// Collects the ranges for each block, in the order of the blocks. Empty for blocks without runs.
 /// @param header  header with blocks and ground
 /// @param runs  planned or finished runs
 std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,

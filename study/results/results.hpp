@@ -185,8 +185,7 @@ class TrajectoryFile {
   std::unique_ptr<Impl> impl_;
 };
 /// Reads one trajectory of a results file.
-/// @throws InputError  if the file cannot be read, the run does not exist, or no trajectories were
-///                     stored
+/// @throws InputError  if the file cannot be read, the run does not exist, or has no trajectory
 Trajectory read_trajectory(const std::filesystem::path& path, std::uint32_t run);
 
 /// Merges the results of all shards of a campaign. The datasets are those that a single process

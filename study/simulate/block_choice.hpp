@@ -55,8 +55,7 @@ std::vector<CampaignBlock> sample_blocks(const Campaign& campaign, const std::ve
 
 /// Returns the class fractions of a sampling, with sum 1. If empty, those of the selection are
 /// used. Fractions in `set_shares` are kept; the other classes share the rest in their proportions.
-/// @throws InputError  if the fractions in `set_shares` exceed 1, or are below 1 without another
-///                     class
+/// @throws InputError  if fractions in `set_shares` exceed 1, or are below 1 without another class
 std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling& draw);
 
 /// Divides `count` items by fractions, using the largest-remainder method.

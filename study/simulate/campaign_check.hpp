@@ -16,8 +16,7 @@ struct CampaignCheck {
   std::optional<CampaignPlan> prepared;  ///< the prepared campaign; empty if there are errors
 };
 
-/// Checks a campaign file. Errors in the campaign and in files that it names are returned, not
-/// thrown.
+/// Checks a campaign file. Errors in the campaign and files that it names are returned, not thrown.
 CampaignCheck check_campaign(const std::filesystem::path& file);
 /// Checks a campaign given as text.
 /// @param text, file  see `parse_campaign`

@@ -24,8 +24,7 @@ struct MultiBlockStart {
   double mean_thickness = 0.0;     ///< mean height above the ground over the polygon, m
   double largest_thickness = 0.0;  ///< largest height above the ground, m
 
-  /// Returns the solid fraction of the heap: volume of the blocks divided by the volume between
-  /// ground and top.
+  /// Solid fraction of the heap: volume of the blocks over the volume between ground and top.
   double solid_fraction() const { return volume / (area * mean_thickness); }
 };
 
@@ -43,17 +42,14 @@ struct CampaignPlan {
   std::vector<MultiBlockStart> masses;  ///< multi-block releases of each realisation
 };
 
-/// Returns the settings of the dynamics of a run: settings of the campaign, and stiffness and time
-/// step of the run.
+/// Returns the settings of the campaign with stiffness and time step of a run.
 MotionSettings motion_settings(const Campaign& campaign, const RunRecord& run);
 ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run);
 
-/// Prepares a campaign: loads library and terrain, makes varied bodies, places all blocks and
-/// checks all starts.
+/// Prepares a campaign: loads library and terrain, varies and places blocks, and checks all starts.
 /// @throws InputError  if inputs are inconsistent, for example if a zone has no parameters or a
 ///                     point is outside the terrain
-/// @throws SimulationError  if a start is inside the ground; names block, point, orientation and
-///                          depth
+/// @throws SimulationError  if a start is in the ground; names block, point, orientation and depth
 /// @throws GeometryError  if a body of `vary` in [blocks] cannot be made
 CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOptions& making = {});
 
@@ -62,8 +58,7 @@ CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOp
 /// @throws InputError  if `sample_blocks` throws
 void resample_blocks(CampaignPlan& prepared);
 
-/// Shard of a campaign: every n-th run or realisation, for n independent jobs. `merge_results`
-/// joins their results.
+/// Shard: every n-th run or realisation, for n independent jobs. `merge_results` joins the results.
 struct Shard {
   std::uint32_t index = 1;  ///< number of this shard, from 1 to `count`
   std::uint32_t count = 1;
@@ -83,16 +78,14 @@ struct TimeProbe {
   bool cut_short = false;  ///< true if the last trial run was stopped early
   /// Message of the first failed trial run; empty if none failed.
   std::string failure = {};
-  /// True if the time of the stopped run was extrapolated to its time limit, so that `each` is an
-  /// upper bound.
+  /// True if a stopped run was extrapolated to its time limit, so that `each` is an upper bound.
   bool at_most = false;
   /// Runouts of the completed trial runs, m. They are measured along `downslope` if given;
   /// otherwise, they are horizontal distances.
   std::vector<double> runouts = {};
 };
-/// Measures the computing time of a sample of runs. It simulates at least one run, and ends when
-/// `budget` (s) is exceeded. A run that takes several times the budget is stopped. Results are
-/// discarded.
+/// Measures the computing time of a sample of runs. It simulates at least one run until `budget`
+/// (s) is exceeded. A run of several times the budget is stopped. Results are discarded.
 /// @throws InputError  if more memory is needed than is free
 TimeProbe probe_time(const CampaignPlan& prepared, double budget);
 /// Computes the planned power from the trial runs. Empty for persistent blocks.
@@ -110,8 +103,7 @@ struct RunOptions {
   /// finished campaign has no effect.
   bool replace = false;
   Shard shard = {};
-  /// Processes that share the runs, of which only the leader writes results. If null, this process
-  /// runs alone.
+  /// Processes that share the runs; only the leader writes results. If null, this process is alone.
   ProcessTeam* team = nullptr;
   /// Called with the numbers of finished and planned runs after each run, and during long
   /// realisations. Calls may come from any thread, one at a time.
@@ -124,10 +116,9 @@ struct RunOptions {
 
 /// Simulates all runs that are not stored yet and writes `target`. Failed runs are stored with stop
 /// reason `error` and their message. The datasets do not depend on the number of threads or
-/// processes, or on interruptions. If `progress` throws, the current runs are finished and kept,
-/// and checkpoints of current realisations are written. `resume` continues from these. In a team,
-/// only the leader calls `progress`, and the checkpoints of other processes need a shared file
-/// system.
+/// processes, or on interruptions. If `progress` throws, current runs are finished and kept, and
+/// checkpoints of realisations are written. `resume` continues from these. In a team, only the
+/// leader calls `progress`, and the checkpoints of other processes need a shared file system.
 /// @throws InputError  if the target cannot be written or has results that must be kept, if the
 ///                     journal belongs to another campaign or shard, if a checkpoint is damaged, or
 ///                     if more memory is needed than is free

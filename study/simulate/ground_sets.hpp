@@ -1,6 +1,5 @@
 #pragma once
-/// Ground parameters of a campaign, drawn for each ensemble member, in the order of the terrain
-/// zones.
+/// Ground parameters of a campaign, drawn for each ensemble member, in the order of the zones.
 #include <string>
 #include <vector>
 
@@ -10,8 +9,7 @@
 namespace clast::study_detail {
 
 /// Draws one set per block group and ensemble member. Sets are ordered by group, blocks in no group
-/// first, then by member. Parameters that a group does not state are equal for all groups of a
-/// member.
+/// first, then by member. Parameters that a group omits are equal for all groups of a member.
 /// @param zones  names of the zones, in the order of the terrain
 /// @throws InputError  if a zone has no parameters, or parameters have no zone
 std::vector<GroundParameterSet> sample_ground_sets(const Campaign& campaign,

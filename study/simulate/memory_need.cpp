@@ -9,8 +9,7 @@ namespace clast {
 namespace {
 
 /// Bytes of a block, with its contacts, and of each vertex: at least 1.5 times what was measured in
-/// piles of 500 rocks of 12 to 642 vertices (docs/benchmarks.md, Five hundred blocks falling into a
-/// pile).
+/// piles of 500 rocks of 12 to 642 vertices (docs/benchmarks.md).
 constexpr double kOfBlock = 24e3, kOfVertex = 0.19e3;
 /// Bytes of a stored state: time, position, orientation, velocity and spin.
 constexpr double kOfState = 14.0 * sizeof(double);

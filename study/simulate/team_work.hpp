@@ -21,8 +21,7 @@ void distribute_work(ProcessTeam& team, const std::vector<std::uint32_t>& items,
                      const std::function<void(const std::string& done)>& accept);
 
 /// Computes the items received from the leader until none is left.
-/// @param compute  function that returns the bytes for `accept`, not empty; called from several
-///                 threads
+/// @param compute  returns the bytes for `accept`, not empty; called from several threads
 void process_received_work(ProcessTeam& team, unsigned threads,
                            const std::function<std::string(std::uint32_t item)>& compute);
 

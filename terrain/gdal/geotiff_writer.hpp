@@ -21,9 +21,8 @@ struct GeoTiffBand {
 };
 
 /// Writes a tiled and compressed file of 32-bit floats, with nodata -9999.
-/// @param crs  coordinate system, "EPSG:2154" or WKT; if it is empty or unknown, a local system in
-///             metres is written, because other programs read coordinates without a system as
-///             degrees
+/// @param crs  coordinate system, "EPSG:2154" or WKT; if empty or unknown, a local system in metres
+///             is written, because other programs read coordinates without a system as degrees
 /// @throws InputError  if GDAL cannot write the file; or as `OutputFile`
 void write_geotiff(const std::filesystem::path& path, const GeoTiffBand& band,
                    const std::string& crs, const OverwritePolicy& rules = {});

@@ -14,8 +14,7 @@ struct MapLine {
   std::string name;  ///< for messages: "lines.geojson: feature 3"
 };
 
-/// Reads GeoJSON, GeoPackage or Shapefile lines and transforms them to the terrain's coordinate
-/// system.
+/// Reads GeoJSON, GeoPackage or Shapefile lines and transforms them to the terrain's system.
 /// @param crs  coordinate system of the terrain; empty if unknown
 /// @throws InputError  if the file cannot be read, is empty, or has geometries other than lines
 std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std::string& crs);

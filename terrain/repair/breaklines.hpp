@@ -9,8 +9,7 @@
 namespace clast::terrain_detail {
 
 /// Inserts lines as edges of a grid surface, at the heights of the lines. Vertices within a quarter
-/// of a cell are moved onto the line, if no triangle flips. Other triangles under the line are
-/// split.
+/// of a cell are moved onto it if no triangle flips. Other triangles under the line are split.
 /// @param cell  smaller cell size of the grid, m
 /// @throws InputError  if a line has no heights, if lines intersect at different heights, or if no
 ///                     line is over the terrain

@@ -5,10 +5,9 @@
 
 namespace clast::terrain_detail {
 
-/// Closes gaps up to `width` between border edges. Border vertices near each other are merged. A
-/// border vertex near a border edge splits the triangle of that edge (T-junction). Only border
-/// vertices move, by at most `width`. None moves if a triangle would flip or an edge become
-/// non-manifold.
+/// Closes gaps up to `width` between border edges. Close border vertices are merged. A border
+/// vertex near a border edge splits the triangle of that edge (T-junction). Only border vertices
+/// move, by at most `width`. None moves if a triangle flips or an edge becomes non-manifold.
 void close_cracks(RawSurface& surface, double width, TerrainReport& report);
 
 /// Notes gaps and steps between tiles that remain open: border vertices within `reach` in plan of

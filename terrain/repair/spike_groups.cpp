@@ -195,9 +195,8 @@ struct Levelled {
   Vec3 at = Vec3::Zero();
 };
 
-/// True if a vertex of the group protrudes more steeply than `steepness` from the surrounding ring,
-/// and by more than the roughness of the ground. @param off distance of a vertex from the plane of
-/// the ground, m
+/// True if a vertex of the group protrudes more steeply than `steepness` from its ring, and by more
+/// than the ground's roughness. @param off distance of a vertex from the plane of the ground, m
 template <class Off>
 bool stands_out(const TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
                 const std::set<std::uint32_t>& ring, const Surroundings& surroundings,

@@ -18,8 +18,7 @@ constexpr short kBlocked = 32767;
 /// Half the diagonal of a cube of side 1.
 const double kHalfDiagonal = 0.5 * std::sqrt(3.0);
 
-/// Returns for each pixel the disparity of the nearest surface within `reach` pixels, or `kBlocked`
-/// if too few pixels agree.
+/// Disparity of the nearest surface within `reach` of each pixel; `kBlocked` if few pixels agree.
 cv::Mat nearest_shifts(const cv::Mat& disparity, const cv::Mat& agreed, int reach) {
   const cv::Size window(2 * reach + 1, 2 * reach + 1);
   cv::Mat nearest, fraction;

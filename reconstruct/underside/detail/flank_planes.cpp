@@ -16,8 +16,7 @@ namespace {
 constexpr double kPatchRadius = 0.10;
 /// The planes lie outside of what was seen by so many times what stands out over tangent planes.
 constexpr double kSlack = 1.5;
-/// Protrusion at a rim, over the root of the observed area, above which a patch says nothing about
-/// what is behind.
+/// Protrusion at a rim, over the root of the observed area, above which a patch is ignored.
 constexpr double kHeldByRim = 0.01;
 /// A patch whose triangles face apart has no normal: the share of its area that is left of it.
 constexpr double kMinNormal = 0.7;

@@ -188,9 +188,8 @@ class Behind {
   double size_;
 };
 
-/// Adds a tip behind a small closure whose flanks converge. It may be more slender than they
-/// suggest: up to twice as far out as the planes meet, at most the closure's width, and less for
-/// larger closures.
+/// Adds a tip behind a small closure whose flanks converge. It may be up to twice as far out as
+/// their planes meet, at most the closure's width, and less for larger closures.
 /// @param space  behind the closure
 /// @param slack  of the planes that its places lie on, m
 /// @param size   root of the area of the body, m

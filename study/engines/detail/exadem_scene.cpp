@@ -1,5 +1,4 @@
-// Scenes for ExaDEM: shapes, bodies as a conf file of Rockable, terrain as STL files, and an input
-// file.
+// Scenes for ExaDEM: shapes, bodies as a Rockable conf file, terrain as STL files, and input file.
 #include <cmath>
 
 #include "core/files/output_file.hpp"

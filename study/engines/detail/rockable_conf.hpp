@@ -45,8 +45,7 @@ struct RockfallTracker {
   double rest_spin = 0.0;   ///< maximum angular speed at rest, rad/s
   std::string file;         ///< name of the track file
 };
-/// Reads the stop criterion. Empty if the folder has no dataExtractors.txt, or if that has another
-/// extractor.
+/// Reads the stop criterion. Empty without dataExtractors.txt, or with another extractor.
 std::optional<RockfallTracker> read_rockfall_tracker(const std::filesystem::path& folder);
 
 struct TrackedState {

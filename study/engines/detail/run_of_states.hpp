@@ -23,8 +23,7 @@ struct RunEnd {
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
                                const StateSeries& series, const RunEnd& end);
 
-/// Returns the index of the first state whose centre is outside the terrain, or the number of
-/// states if there is none.
+/// Index of the first state whose centre is outside the terrain; the number of states if none is.
 std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
 
 /// True if the block is at rest at the end of the series, according to rest_energy_j_kg and

@@ -3,8 +3,7 @@
 /// tables and docs/formats.md.
 ///
 /// `visit_columns` calls visit(name, unit, meaning, field) for each column, in the order of file
-/// and journal. `std::invoke(field, row)` returns an assignable reference to the value of the
-/// column in a row.
+/// and journal. `std::invoke(field, row)` returns an assignable reference to the value in a row.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -286,8 +285,7 @@ inline std::size_t trajectory_row_count() {
   return rows;
 }
 
-/// Returns the dataset name of the trajectory of a run, such as "00000012". It is zero-padded, so
-/// names sort like numbers.
+/// Dataset name of a run's trajectory, zero-padded so that names sort like numbers: "00000012".
 std::string trajectory_dataset_name(std::uint32_t run);
 
 }  // namespace clast::study_detail

@@ -10,14 +10,12 @@
 
 namespace clast::study_detail {
 
-/// Places the blocks of a realisation one by one, at their positions in the library frame or on a
-/// heap.
+/// Places the blocks of a realisation one by one, at positions in the library frame or on a heap.
 class MultiBlockPlacement {
  public:
   /// Makes the packings of all heaps.
   /// @param prepared  plan with campaign, blocks, terrain and header; must outlive this object
-  /// @throws InputError  if a polygon has no area, leaves the terrain, or overlaps that of another
-  ///                     heap
+  /// @throws InputError  if a polygon has no area, leaves the terrain, or overlaps another
   explicit MultiBlockPlacement(const CampaignPlan& prepared);
 
   /// Starts a realisation.

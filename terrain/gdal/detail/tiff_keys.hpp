@@ -1,6 +1,5 @@
 #pragma once
-/// GeoTIFF keys of a file. They are read directly, because GDAL's reference system does not show
-/// contradictory units.
+/// GeoTIFF keys of a file. Read directly, because GDAL's system hides contradictory units.
 #include <filesystem>
 
 #include "mesh/geotiff_keys.hpp"

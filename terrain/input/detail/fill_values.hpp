@@ -25,8 +25,7 @@ struct NoDataRules {
 /// suspicious ones are only noted. Extremes and fill values with steps of ten times the mean step
 /// around them are noted, too.
 /// @return notes
-/// @throws InputError  if a height is impossible or suspicious; the message gives value and
-///                     position
+/// @throws InputError  if a height is impossible or suspicious; names value and position
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
                                            const NoDataRules& rules);
