@@ -18,8 +18,7 @@ struct VariationRequest {
   std::string id;
 };
 
-/// Combines all parents with all variations. Ids are PARENT_LABEL. The requests are ordered by
-/// parent, then by variation.
+/// Combines all parents with all variations, in this order. Ids are PARENT_LABEL.
 std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
                                                  std::span<const Variation> variations);
 

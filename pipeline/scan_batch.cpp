@@ -22,8 +22,7 @@ namespace {
 /// A batch that is killed loses little; a write for every block would copy the library each time.
 constexpr std::chrono::seconds kBetweenWrites{60};
 
-/// Outcome of a scan: blocks, or the reasons why blocks are missing, or neither if the library
-/// already has the block.
+/// Outcome of a scan: blocks, reasons for missing blocks, or neither if the library has the block.
 struct Outcome {
   std::vector<Block> blocks;
   std::vector<std::string> failures;

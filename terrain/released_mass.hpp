@@ -49,8 +49,7 @@ struct ReleasedMass {
 /// both surfaces become edges of the bodies. Along their outline the bodies have walls as high as
 /// the minimum thickness. Their volume is the integral of the vertical thickness over the plan, so
 /// that overhangs cannot be represented.
-/// @param before, after  surfaces in one map coordinate system, with one height at each plan point,
-///                z up
+/// @param before, after  surfaces in one coordinate system, with one height per plan point, z up
 /// @throws InputError  if map systems differ, if the surfaces do not overlap, if no difference is
 ///                     thick enough, if the polygon file is invalid (`read_outline_polygons`), or
 ///                     if selected bodies do not exist

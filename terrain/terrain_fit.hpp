@@ -9,8 +9,7 @@
 
 namespace clast {
 
-/// Returns the horizontal distance from a map position to the nearest border edge, m. Edges of
-/// holes count.
+/// Returns the horizontal distance from a map position to the nearest edge of border or hole, m.
 double border_distance(const Terrain& terrain, const Vec2& position);
 
 /// Checks that positions are over the terrain.
@@ -28,8 +27,7 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
 void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
                        const std::string& name);
 
-/// Returns a warning if positions are closer to the border than `distance`, where blocks may leave
-/// the terrain.
+/// Returns a warning if positions are closer to the border than `distance`; blocks may leave.
 std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> positions,
                                           double distance);
 

@@ -2,8 +2,7 @@
 /// Commands of the program, one file each. Each function adds a subcommand that runs when the
 /// command line is parsed.
 ///
-/// Commands throw clast::Error on failure (exit code 1) and CLI::ValidationError for invalid option
-/// values (exit code 2).
+/// Commands throw clast::Error on failure (exit code 1), CLI::ValidationError on misuse (2).
 #include <CLI/CLI.hpp>
 #include <functional>
 

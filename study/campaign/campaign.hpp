@@ -30,8 +30,7 @@ struct BlockFilter {
 struct BlockScale {
   enum class Kind { kNone, kMass, kVolume, kEqualMass };
   Kind kind = Kind::kNone;
-  double value = 0.0;  ///< mass, kg, or volume, m^3; unused for kEqualMass, which scales blocks to
-                       ///< their mean mass
+  double value = 0.0;  ///< mass, kg, or volume, m^3; unused for kEqualMass (mean mass)
 };
 
 /// Random sampling of the selected blocks by class. Each sampled block is scaled to a random mass.

@@ -1,6 +1,5 @@
 #pragma once
-/// Checks of user-drawn plan polygons. Vertices may be in either order, and the first may be
-/// repeated at the end.
+/// Checks of user-drawn plan polygons. Either orientation; the first vertex may also be the last.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -9,8 +8,7 @@
 
 namespace clast {
 
-/// Finds the first reflex vertex; empty if the polygon is convex. Collinear vertices and a repeated
-/// first vertex are allowed.
+/// Finds the first reflex vertex; empty if the polygon is convex, also with collinear vertices.
 std::optional<std::size_t> find_reflex_vertex(std::span<const Vec2> polygon);
 
 /// Checks that the polygon has an area.

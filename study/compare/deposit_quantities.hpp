@@ -45,8 +45,7 @@ struct DepositQuantityDifference : Contrast {
 struct DepositQuantityComparison {
   std::vector<DepositQuantitySummary>
       files;  ///< ordered by file, then quantity; quantities without a value are omitted
-  /// Differences of each pair of files, in the order of the quantities; empty if there are more
-  /// than `kMaxGroups` files.
+  /// Differences of each pair of files, ordered by quantity; empty above `kMaxGroups` files.
   std::vector<DepositQuantityDifference> differences;
 };
 /// Summarises the deposit quantities by file and compares all pairs of files.

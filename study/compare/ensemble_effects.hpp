@@ -36,8 +36,7 @@ struct ParameterEffect {
 std::optional<double> estimate_first_order_index(std::span<const double> x,
                                                  std::span<const double> y);
 
-/// Computes all effects, ordered by file, block group, outcome, zone and parameter. Empty if no
-/// file has an ensemble.
+/// Computes all effects, ordered by file, block group, outcome, zone and parameter.
 std::vector<ParameterEffect> compute_ensemble_effects(const Comparison& comparison);
 
 /// Returns the number of ground draws of a campaign; 1 without an ensemble.

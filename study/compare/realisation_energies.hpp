@@ -17,8 +17,7 @@ struct RealisationEnergies {
   std::vector<EnergySample> samples;  ///< in order of time, not empty
 };
 
-/// Collects the energies, ordered by file and realisation. Results of older versions and of other
-/// engines have none.
+/// Collects energies by file and realisation. Older versions and other engines have none.
 std::vector<RealisationEnergies> collect_realisation_energies(const Comparison& comparison);
 
 /// Function that computes a quantity from the energies at one time.

@@ -64,8 +64,7 @@ struct PersistentBlockRecord {
   double raise_height = 0.0;  ///< height by which the start was raised above the planned start, m
   double later_displacement = 0.0;  ///< displacement by later blocks after the block stopped, m
   std::uint32_t blocks_hit = 0;     ///< number of other blocks that it touched before it stopped
-  /// Time at which it was removed from a cleared zone, since the first release, s. NaN if it was
-  /// not removed.
+  /// Time of its removal from a cleared zone, since the first release, s; otherwise NaN.
   double removed_at = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -217,8 +216,7 @@ std::filesystem::path journal_path(const std::filesystem::path& target);
 /// lifetime of the writer (core/files/file_lock.hpp).
 class ResultsWriter {
  public:
-  /// Starts a new journal. Replaces the journal of an interrupted campaign. Creates missing parent
-  /// folders.
+  /// Starts a new journal, in place of that of an interrupted campaign. Creates missing folders.
   /// @param runs  number of runs of the complete file
   /// @throws InputError  if `check_results_target` throws, another program writes to the target, or
   ///                     the disk has too little space for that many runs

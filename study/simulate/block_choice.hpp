@@ -34,8 +34,7 @@ struct BlockPreparationOptions {
       {};  ///< called for each finished body, from any thread, one call at a time
 };
 
-/// Selects, varies, samples and scales blocks as requested by [blocks] and [[block_group]]. Varied
-/// bodies are ordered by id.
+/// Selects, varies, samples and scales blocks for [blocks] and [[block_group]]; varied ones by id.
 /// @throws InputError  if an id is missing, nothing is selected, a block without scale gets no mass
 ///                     or volume, a sampled class has no block, a group has no block, names an
 ///                     unknown block or shares one with another group, or a body is requested twice

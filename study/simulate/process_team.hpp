@@ -17,8 +17,7 @@ class ProcessTeam {
   /// Joins the processes started together with this one.
   /// @throws InputError  if there are several processes, but clast was built without MPI
   ProcessTeam();
-  /// Aborts the whole team if `begin` was called without `end`, because the other processes would
-  /// wait forever.
+  /// Aborts the team if `begin` was called without `end`, because the others would wait forever.
   ~ProcessTeam();
   ProcessTeam(const ProcessTeam&) = delete;
   ProcessTeam& operator=(const ProcessTeam&) = delete;
@@ -37,8 +36,7 @@ class ProcessTeam {
   /// Marks the end of the section that `begin` starts.
   void end() { busy_ = false; }
 
-  /// Sends the bytes of a finished item to the leader and receives the next item. The first call
-  /// sends no bytes.
+  /// Sends the bytes of a finished item (none at first) to the leader and receives the next item.
   /// @return empty if no item is left
   std::optional<std::size_t> exchange_item(const std::string& done);
 

@@ -45,8 +45,7 @@ std::vector<bool> copies_of_triangles(const RawSurface& surface,
   return is_copy;
 }
 
-/// True if the consistently oriented component faces up over most of its plan area; empty if it is
-/// vertical.
+/// True if an oriented component faces up over most of its plan area; empty if vertical.
 std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::uint32_t>& component,
                              const std::vector<bool>& against) {
   double plan = 0.0, area = 0.0;

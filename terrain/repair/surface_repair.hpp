@@ -11,11 +11,9 @@ namespace clast::terrain_detail {
 /// Merges vertices within 1e-6 m. Surveys can have edges below 1 mm, which are kept.
 void weld_surface(RawSurface& surface, TerrainReport& report);
 
-/// Removes triangles with a repeated vertex or a height below 1e-9 m, duplicate triangles, and
-/// unused vertices.
+/// Removes duplicate triangles, repeated vertices, heights below 1e-9 m, and unused vertices.
 /// @param files  names of the files to which `RawSurface::source` refers, for messages
-/// @throws GeometryError  if two files have the same triangle in different zones, or if no triangle
-///                        is left
+/// @throws GeometryError  if a triangle is in two files with different zones, or none is left
 void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
                               const std::vector<std::uint16_t>& zone_of_file,
                               TerrainReport& report);

@@ -4,8 +4,7 @@
 
 namespace clast::terrain_detail {
 
-/// Assigns each triangle the zone that covers most of its plan area. A vertical triangle gets the
-/// zone at its centroid.
+/// Assigns each triangle the zone of most of its plan area, or of its centroid if vertical.
 /// @param terrain  receives `zone` and `zone_names`. Only used zones are listed, in order of class
 ///                 number or first appearance
 /// @param cut  true to make polygon borders edges of the terrain first

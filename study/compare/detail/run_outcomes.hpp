@@ -17,8 +17,7 @@ struct RunOutcome {
 
 std::vector<const RunRow*> select_rows_of_file(const Comparison& comparison, std::uint32_t file);
 
-/// Collects the outcomes of runs, runout first. Runs that left the terrain are included with their
-/// last position.
+/// Collects the outcomes of runs, runout first. Runs off the terrain have their last position.
 /// @param rows  runs of the file
 std::vector<RunOutcome> collect_run_outcomes(const Comparison& comparison, std::uint32_t file,
                                              const std::vector<const RunRow*>& rows);

@@ -1,6 +1,5 @@
 #pragma once
-/// Scenes for other discrete element codes. A scene has bodies in groups, and contact parameters
-/// for pairs of groups.
+/// Scenes for other discrete element codes: groups of bodies, contact parameters of group pairs.
 #include <cstdint>
 #include <filesystem>
 #include <string>

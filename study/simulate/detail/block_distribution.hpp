@@ -9,8 +9,7 @@
 
 namespace clast::study_detail {
 
-/// Returns the name of a release for messages: "[mass] upper", or "[mass]" for a single unnamed
-/// release.
+/// Returns the name of a release for messages: "[mass] upper", or "[mass]" if it has none.
 std::string multi_block_release_name(const Campaign& campaign, std::size_t mass);
 
 /// Returns the number of blocks of each heap, as given by its count, its fraction or its polygon

@@ -16,8 +16,7 @@ struct CoveredCell {
 };
 
 /// Computes conservative bounds of the height of a block in each covered cell. They exceed the
-/// exact bounds by at most `radius`, because each core triangle is clipped to the cell enlarged by
-/// the radius.
+/// exact ones by at most `radius`, because core triangles are clipped to enlarged cells.
 /// @param core  closed surface of the core, body frame
 /// @param place  world_from_body
 /// @param width  width of a cell, m
