@@ -31,7 +31,8 @@ struct ClassCertainty {
 ClassCertainty class_certainty(const std::string& scheme, const Axes& axes, double axis_error,
                                const SchemeOptions& options = {});
 
-/// Formats "S/L 0.698 is 0.002 from 0.7; C possible", or only its first part if no class is.
+/// Formats the certainty as "S/L 0.698 is 0.002 from 0.7; C possible". The second part is omitted
+/// if no other class is possible.
 std::string describe_certainty(const ClassCertainty& certainty);
 
 }  // namespace clast

@@ -18,7 +18,7 @@ struct VariationRequest {
   std::string id;
 };
 
-/// Combines all parents with all variations, in this order. Ids are PARENT_LABEL.
+/// Combines all parents with all variations, by parent, then variation. Ids are PARENT_LABEL.
 std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
                                                  std::span<const Variation> variations);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxRasterCells = 1e9;
 
-/// Writes the height of the highest surface at cell centres; borders are multiples of `cell`.
+/// Writes the height of the highest surface at cell centres; cell borders are multiples of `cell`.
 void write_heights(const std::filesystem::path& path, const Terrain& terrain, double cell,
                    const OverwritePolicy& rules) {
   const Bounds box = bounds(terrain.surface);

@@ -27,7 +27,7 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
 void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
                        const std::string& name);
 
-/// Returns a warning if positions are closer to the border than `distance`; blocks may leave.
+/// Returns a warning of positions closer to the border than `distance`, where blocks may leave.
 std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> positions,
                                           double distance);
 

@@ -123,7 +123,8 @@ struct MultiBlockRelease {
   /// contains the centres of the blocks.
   std::vector<Vec2> polygon;
   std::optional<double> thickness;  ///< maximum height of the heap above the ground, m
-  /// Fraction of the blocks of a realisation. If `count` is empty too, it is by polygon area.
+  /// Fraction of the blocks of a realisation; if `count` is empty too, proportional to polygon
+  /// area.
   std::optional<double> share;
   std::optional<std::uint32_t> count;  ///< number of blocks in each realisation
   double release_time = 0.0;  ///< time since the first release until which the blocks are fixed, s

@@ -18,7 +18,7 @@ struct DesignFactor {
 };
 
 struct OutcomeEffects {
-  /// Outcome: "runout", "lateral angle", "largest energy" (of translation), or "passing BARRIER".
+  /// Outcome: "runout", "lateral angle", "largest energy" (translational), or "passing BARRIER".
   std::string outcome;
   std::string unit;              ///< "m", "rad", "J"; empty for a proportion of runs
   double mean = 0.0;             ///< mean of all runs

@@ -21,7 +21,7 @@ struct ComparisonRow {
 const TableColumns<ComparisonRow<RunRow>>& run_columns();
 
 /// Adds one group per value of a column, over all files, in ascending order. Numeric columns with
-/// more than `kMaxValues` values are divided at their quartiles, such as "mass_kg 120 to 250".
+/// more than `kMaxValues` values are divided at their quartiles: "mass_kg 120 to 250".
 /// @throws InputError  if the column does not exist; the message lists the columns
 void append_column_groups(Comparison& comparison, const std::string& column);
 

@@ -11,7 +11,8 @@ namespace clast::terrain_detail {
 /// Merges vertices within 1e-6 m. Surveys can have edges below 1 mm, which are kept.
 void weld_surface(RawSurface& surface, TerrainReport& report);
 
-/// Removes duplicate triangles, repeated vertices, heights below 1e-9 m, and unused vertices.
+/// Removes triangles that have a repeated vertex, are lower than 1e-9 m or duplicate, and unused
+/// vertices.
 /// @param files  names of the files to which `RawSurface::source` refers, for messages
 /// @throws GeometryError  if a triangle is in two files with different zones, or none is left
 void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
