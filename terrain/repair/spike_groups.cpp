@@ -196,7 +196,8 @@ struct Levelled {
 };
 
 /// True if a vertex of the group protrudes more steeply than `steepness` from its ring, and by more
-/// than the ground's roughness. @param off distance of a vertex from the plane of the ground, m
+/// than the ground's roughness.
+/// @param off  distance of a vertex from the plane of the ground, m
 template <class Off>
 bool stands_out(const TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
                 const std::set<std::uint32_t>& ring, const Surroundings& surroundings,
