@@ -68,7 +68,7 @@ SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double ini
   if (std::abs(target - initial_convexity) <= kSameConvexity) return body;
   if (!(target <= 1.0 && target > initial_convexity)) {
     throw GeometryError("a convexity of " + format_significant(target, 4) +
-                        " can't be reached: filling hollows gives values from its own, " +
+                        " can't be reached: filling hollows gives values from its own " +
                         format_significant(initial_convexity, 4) + " to 1");
   }
   const SpheroPolyhedron hull = make_sphero_polyhedron(convex_hull(body.vertices), body.radius);

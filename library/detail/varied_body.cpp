@@ -101,8 +101,8 @@ VariedBody vary_body(const Block& parent, const VertexCountVariation& target) {
   const std::size_t own = parent.body.vertices.size();
   if (target.vertices < kMinVariedVertices || target.vertices > own) {
     throw InputError(format_count(target.vertices, "vertex", "vertices") + " can't be reached: " +
-                     std::to_string(kMinVariedVertices) + " to " + std::to_string(own) +
-                     " (its own number); for more, reconstruct it from its scan");
+                     std::to_string(kMinVariedVertices) + " to the " + std::to_string(own) +
+                     " of the block can; for more, reconstruct it from its scan");
   }
   const std::string figures = "parent_vertices=" + std::to_string(own);
   if (target.vertices == own) return {parent.body, figures};

@@ -62,7 +62,7 @@ TEST_F(Talus, NotesComeInTheWordsOfTheCommandLine) {
       run_clast({"classify", "cm.csv", "--axis-error", "60", "--scheme", "garcia"}, folder.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(contains(run.err, "cm.csv: axes were read in metres"));
-  EXPECT_TRUE(contains(run.err, "with --units") && contains(run.err, "as --axis-error"));
+  EXPECT_TRUE(contains(run.err, "as --units") && contains(run.err, "as --axis-error"));
   EXPECT_TRUE(contains(run.out, "1 row skipped")) << run.out;
   expect_refused(folder, {"classify", "east.csv", "--against", "south.csv"}, 1, "south.csv");
   expect_refused(folder, {"classify", "east.csv", "-o", "west.csv"}, 1, "west.csv");

@@ -72,7 +72,7 @@ TEST_F(Misuse, OfReconstruct) {
     options.insert(options.begin(), {"reconstruct", "a.obj"});
     expect_misuse(options, item);
   };
-  refuse({"--units", "parsec"}, "--units: \"parsec\" is no unit");
+  refuse({"--units", "parsec"}, "--units: \"parsec\" is not a length unit");
   refuse({"--units", "-1"}, "-1");
   refuse({"--up", "x"}, "--up");
   refuse({"--ground", "flat"}, "--ground");

@@ -73,7 +73,7 @@ TEST_F(UnscaledBlock, HasNoMetricKeysInJson) {
       << "the density is the rock's";
   EXPECT_TRUE(blocks[1]["mass_kg"].is_null());
   EXPECT_NEAR(double(blocks[1]["box_units"][0]), 1.24, 1e-9);
-  EXPECT_TRUE(contains(std::string(blocks[1]["unscaled"]), "no mass"));
+  EXPECT_TRUE(contains(std::string(blocks[1]["unscaled"]), "the mass is unknown"));
   EXPECT_FALSE(blocks[0].contains("unscaled"));
   EXPECT_GT(double(blocks[0]["mass_kg"]), 0.0);
 }

@@ -89,7 +89,7 @@ TEST(FormCopula, KeepsWhatIsTheSameOfAllBlocksAndRefusesTooFew) {
   const BlockForm block = copula.sample(random);
   EXPECT_NEAR(block.axes.S, 0.4, 1e-12);
   EXPECT_NEAR(block.convexity.value(), 0.95, 1e-12);
-  EXPECT_TRUE(contains(refusal([&] { FormCopula{{same.data(), 9}}; }), "and there are 9"));
+  EXPECT_TRUE(contains(refusal([&] { FormCopula{{same.data(), 9}}; }), "but there are 9"));
   same[3].axes.S = NAN;
   EXPECT_TRUE(contains(refusal([&] { FormCopula{same}; }), "nan"));
 }

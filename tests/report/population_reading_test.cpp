@@ -177,7 +177,7 @@ TEST_F(Talus, OptionsThatCantBeUnderstoodAreRefusedByTheirFields) {
   EXPECT_TRUE(contains(refused("east.csv", "L=1,weight=2"), "`columns`: \"weight=2\""));
   EXPECT_TRUE(contains(
       refusal([&] { PopulationRequest{.first = tables({"east.csv"}, "", "ell")}.check(); }),
-      "`units`: \"ell\" is no unit"));
+      "`units`: \"ell\" is not a length unit"));
   EXPECT_TRUE(contains(refusal([&] {
                          PopulationRequest{.options = {.schemes = {"zingg", "zingg"}}}.check();
                        }),

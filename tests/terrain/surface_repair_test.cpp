@@ -150,7 +150,7 @@ TEST_F(Mending, SpikesAndPitsAreLevelled) {
     const Terrain terrain = read(mesh);
     EXPECT_EQ(terrain.report.levelled_spikes, 1u);
     for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane(v.x(), v.y()), 1e-9);
-    EXPECT_TRUE(contains(notes(terrain), "the farthest, by 6 m, at x 7.000, y 5.000"));
+    EXPECT_TRUE(contains(notes(terrain), "the farthest by 6 m, at x 7.000, y 5.000"));
     EXPECT_EQ(read(mesh, {.spike_steepness = 0.0}).report.levelled_spikes, 0u);
   }
 }

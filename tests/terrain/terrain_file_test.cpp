@@ -90,7 +90,7 @@ TEST_F(TerrainFile, DamageIsRefused) {
   EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
                          replace(root, "triangles", std::vector<std::uint32_t>{0, 1, 9999}, {1, 3});
                        }),
-                       "names vertex 9999"));
+                       "refers to vertex 9999"));
   EXPECT_TRUE(contains(damaged([&](Hdf5Group& root) {
                          replace(root, "zone", std::vector<std::uint16_t>{0, 1});
                        }),

@@ -62,8 +62,8 @@ std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_
     throw InputError(campaign.file.string() + ": count and share of [mass] make " +
                      format_significant(counted_blocks + shared, 6) + " of " +
                      format_count(blocks, "block") +
-                     (by_area.empty() ? " of a realisation; make it equal to that number, or leave "
-                                        "count and share out of one mass"
+                     (by_area.empty() ? " of a realisation; change them to add up to this number, "
+                                        "or leave count and share out of one mass"
                                       : " of a realisation and leave none for " + by_area +
                                             "; give smaller values, or draw more blocks"));
   }

@@ -20,7 +20,7 @@ namespace {
 const std::string kFormat = "clast checkpoint ";
 const std::string kCheckpointMagic = kFormat + "2\n";
 constexpr std::size_t kCheckpointDigestLength = 64;
-const std::string kInTheWay = "has the name of a checkpoint; move it elsewhere";
+const std::string kInTheWay = "has the name of a checkpoint but is not one; move it elsewhere";
 
 /// Common beginning of the names of all checkpoints, before the number.
 std::string name_begin(const fs::path& target) {

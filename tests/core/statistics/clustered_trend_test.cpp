@@ -110,7 +110,8 @@ TEST(ClusteredTrend, IsNoneWithoutUnitsThatDiffer) {
   sample.values = {2, 2, 2};
   EXPECT_FALSE(clustered_trend_test(sample, 1));
   sample.units[2] = 7;
-  EXPECT_TRUE(contains(refusal([&] { clustered_trend_test(sample, 1); }), "no unit 7 among 3"));
+  EXPECT_TRUE(
+      contains(refusal([&] { clustered_trend_test(sample, 1); }), "no unit number 7 among 3"));
   sample.clusters.pop_back();
   EXPECT_TRUE(contains(refusal([&] { clustered_trend_test(sample, 1); }), "each of its 3 values"));
 }

@@ -94,7 +94,7 @@ TEST(PhotoScale, WhatCantSetAScaleIsRefused) {
   EXPECT_TRUE(contains(refusal([&] {
                          estimate_scale_from_markers(markers, {.bars = {{0, 1, -1.0}}});
                        }),
-                       "no distance"));
+                       "can't be a distance"));
   EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(markers, {.marker_side = 0.0}); }),
                        "can't be the side"));
 }

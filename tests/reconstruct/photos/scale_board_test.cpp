@@ -79,7 +79,7 @@ TEST(ScaleBoard, MarkersThatWereNotFoundAreNamed) {
   markers.erase(markers.begin() + 1, markers.begin() + 3);
   const PhotoScale scale = estimate_scale_from_markers(markers, {.board = plate()});
   EXPECT_NEAR(scale.metres_per_unit, kBoardUnit, 1e-12);
-  EXPECT_TRUE(contains(scale.notes.at(0), "show marker 1, 2 whole"));
+  EXPECT_TRUE(contains(scale.notes.at(0), "show marker 1, 2 of the board completely"));
   markers.resize(1);
   EXPECT_TRUE(contains(refusal([&] { estimate_scale_from_markers(markers, {.board = plate()}); }),
                        "no two of the board"));

@@ -108,7 +108,7 @@ TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
   }
   EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
             "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
-            "32 have it, and 8 are needed; widen the ranges, simulate more releases, or set use = "
+            "32 have it, but 8 are needed; widen the ranges, simulate more releases, or set use = "
             "\"keep\"");
 }
 
