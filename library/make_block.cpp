@@ -30,8 +30,9 @@ constexpr double kMaxRadiusFraction =
 constexpr double kMaxMassGap = 0.05;  ///< relative; scales and densities are not that far off
 constexpr double kLightestRock = 500.0, kMaxRockMass = 8000.0;  ///< kg/m^3
 constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
-/// Share of the tolerance at which a fit ends: the scaling to the volume takes the rest.
-constexpr double kFitFraction = 0.93;
+/// Fractions of the tolerance: at which a fit ends, since the scaling to the volume takes the rest;
+/// and that the scaled body keeps, since L changes a little.
+constexpr double kFitFraction = 0.93, kKeptFraction = 0.99;
 /// Fractions of the radius by which a scan with thin walls is offset; the fit does the rest.
 constexpr double kShallower[] = {0.7, 0.5, 0.35};
 /// Largest relative difference of the volume before scaling. Too large a radius swells it by more.
@@ -110,17 +111,10 @@ SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool adv
       "smaller one");
 }
 
-SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
-                             double radius, double largest_distance, const BlockOptions& options) {
-  SpheroPolyhedron body = first_core(surface, radius, options.suggest_radius);
-  // The fit knows one skin: walls of cavities stay where the inset put them.
-  const std::vector<std::uint32_t> shell_of = triangle_components(surface);
-  if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
-    body = fit_core(scan, std::move(body),
-                    {.good_enough = kFitFraction * largest_distance, .hopeless = largest_distance});
-  }
-  if (options.convex) body = make_sphero_polyhedron(convex_hull(body.vertices), radius);
-  if (radius == 0.0) return body;
+/// Refuses a radius that swells the body too much.
+void check_volume_gap(const SpheroPolyhedron& body, const TriangleMesh& surface, double volume,
+                      const BlockOptions& options) {
+  const double radius = body.radius;
   const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
   if (std::abs(gap) > kMaxVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
@@ -132,7 +126,33 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
                         " the scan's, and scaling corrects 3 % at most; give a smaller "
                         "`radius` or more `vertices`");
   }
-  return body;
+}
+
+CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
+                    double radius, const BlockOptions& options) {
+  CoreFit fit{first_core(surface, radius, options.suggest_radius)};
+  SpheroPolyhedron& body = fit.body;
+  const double L =
+      std::min(smallest_box(surface.vertices).lengths[0], smallest_box(body).lengths[0]);
+  const double largest_distance = options.tolerance * L;
+  // The fit knows one skin: walls of cavities stay where the inset put them.
+  const std::vector<std::uint32_t> shell_of = triangle_components(surface);
+  if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
+    const auto with_scan_volume = [&](SpheroPolyhedron fitted) {
+      if (radius > 0.0) check_volume_gap(fitted, surface, volume, options);
+      return with_volume(fitted, volume, options.accuracy).body;
+    };
+    fit = fit_core(scan, std::move(body),
+                   {.good_enough = kFitFraction * largest_distance,
+                    .hopeless = kKeptFraction * largest_distance,
+                    .correct = with_scan_volume,
+                    .threads = options.threads});
+  }
+  if (options.convex) {
+    fit = {make_sphero_polyhedron(convex_hull(body.vertices), radius)};
+  }
+  if (radius > 0.0) check_volume_gap(body, surface, volume, options);
+  return fit;
 }
 
 void warn_of_thin_walls(Block& block) {
@@ -255,10 +275,18 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
   const Vec3 lengths = smallest_box(surface.vertices).lengths;
   const double radius = options.radius ? *options.radius : options.radius_share * lengths[2];
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
-  MeasuredBody measured = with_volume(
-      fitted_body(surface, scan, target.volume, radius, options.tolerance * lengths[0], options),
-      target.volume, options.accuracy);
-  block.deviation = measure_surface_deviation(scan, measured.body);
+  const CoreFit fit = fitted_body(surface, scan, target.volume, radius, options);
+  MeasuredBody measured = with_volume(fit.body, target.volume, options.accuracy);
+  DeviationOptions deviation{.threads = options.threads};
+  if (options.quick_deviation) {
+    deviation.samples = 1;
+    deviation.limit = options.tolerance * smallest_box(measured.body).lengths[0];
+  }
+  if (deviation.limit && fit.bound <= *deviation.limit) {
+    block.deviation.hausdorff = fit.bound;
+  } else {
+    block.deviation = measure_surface_deviation(scan, measured.body, deviation);
+  }
   block.deviation.volume_relative = measured.unit.volume / target.volume - 1.0;
   block.deviation.moments_relative = moments_gap(measured.unit, target);
   block = finished(std::move(block), std::move(measured), std::move(source), options);

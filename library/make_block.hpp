@@ -23,6 +23,10 @@ struct BlockOptions {
                             ///< added if it is exceeded
   /// If true, errors for an impossible radius state a possible one. The search costs twenty blocks.
   bool suggest_radius = true;
+  /// If true, the largest distances are only compared with the tolerance. The deviation of the
+  /// block is then a bound within the tolerance, or a distance beyond it.
+  bool quick_deviation = false;
+  unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the block
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -30,7 +34,7 @@ struct BlockOptions {
 template <class Visit>
 void visit_fields(const BlockOptions& options, Visit&& visit) {
   const auto& [core, radius, radius_share, convex, density, density_given, mass, accuracy,
-               tolerance, suggest_radius] = options;
+               tolerance, suggest_radius, quick_deviation, threads] = options;
   visit("core", core);
   visit("radius", radius);
   visit("radius_share", radius_share);
@@ -41,6 +45,8 @@ void visit_fields(const BlockOptions& options, Visit&& visit) {
   visit("accuracy", accuracy);
   visit("tolerance", tolerance);
   visit("suggest_radius", ExcludedField{suggest_radius});
+  visit("quick_deviation", ExcludedField{quick_deviation});
+  visit("threads", ExcludedField{threads});
 }
 
 /// Maximum relative difference between the principal moments of a block and its scan.

@@ -11,14 +11,47 @@ namespace clast {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;  ///< triangles in a leaf
 /// Share of a mesh's coordinates below which a distance is rounding.
 constexpr double kOnSurface = 1e-13;
+/// Entries of the stack of a query: three for each level of a balanced tree of 2^32 triangles.
+constexpr std::size_t kMaxOpen = 64;
 
-double squared_distance(const Bounds& box, const Vec3& p) {
-  const Vec3 outside = (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0);
-  return outside.squaredNorm();
+/// Relative error of the coordinates of a point in single precision and of differences of these,
+/// with a margin; and the same for a sum of three squares.
+constexpr double kFloatError = 0x1p-22, kFloatSquareError = 0x1p-19;
+
+float rounded_down(double value) {
+  const auto result = static_cast<float>(value);
+  return static_cast<double>(result) > value
+             ? std::nextafter(result, -std::numeric_limits<float>::infinity())
+             : result;
 }
+
+float rounded_up(double value) { return -rounded_down(-value); }
+
+/// Squared distances, in single precision, of a point from four boxes. They are never too large by
+/// more than `kFloatSquareError`.
+class BoxDistances {
+ public:
+  BoxDistances(const Vec3& relative_point, double extent)
+      : point_(relative_point.cast<float>()),
+        slack_(static_cast<float>(kFloatError * (relative_point.cwiseAbs().maxCoeff() + extent))) {}
+
+  using Boxes = Eigen::Array<float, 4, 3>;
+  Eigen::Array4f operator()(const Boxes& low, const Boxes& high) const {
+    Eigen::Array4f sum = Eigen::Array4f::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Array4f outside =
+          ((low.col(axis) - point_[axis]).max(point_[axis] - high.col(axis)) - slack_).max(0.0f);
+      sum += outside * outside;
+    }
+    return sum;
+  }
+
+ private:
+  Eigen::Vector3f point_;
+  float slack_;
+};
 
 struct OnTriangle {
   Vec3 point;
@@ -51,43 +84,73 @@ OnTriangle closest_on(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p
 }  // namespace
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(mesh) {
+  const Bounds box = bounds(mesh);
+  origin_ = 0.5 * (box.low + box.high);
+  extent_ = (box.high - box.low).maxCoeff();
   order_.resize(mesh.triangles.size());
   for (std::uint32_t t = 0; t < order_.size(); ++t) order_[t] = t;
-  nodes_.reserve(mesh.triangles.size());
+  nodes_.reserve(mesh.triangles.size() / 2 + 1);
   build(0, static_cast<std::uint32_t>(order_.size()));
+  corners_.reserve(order_.size());
+  for (const std::uint32_t t : order_) {
+    const auto& [i, j, k] = mesh.triangles[t];
+    corners_.push_back({mesh.vertices[i], mesh.vertices[j], mesh.vertices[k], t});
+  }
   prepare_normals();
 }
 
-void TriangleTree::build(std::uint32_t begin, std::uint32_t end) {
-  const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Bounds box, centres;
+/// Builds a node over a range of `order_` and returns its index.
+std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end) {
   const auto centre = [&](std::uint32_t t) {
     const TriangleMesh::Triangle& corners = mesh_.triangles[t];
     return Vec3(mesh_.vertices[corners[0]] + mesh_.vertices[corners[1]] +
                 mesh_.vertices[corners[2]]);
   };
+  const auto middle_of = [&](std::uint32_t from, std::uint32_t to) {
+    Bounds centres;
+    for (std::uint32_t i = from; i < to; ++i) centres.include(centre(order_[i]));
+    Eigen::Index axis = 0;
+    (centres.high - centres.low).maxCoeff(&axis);
+    const std::uint32_t middle = from + (to - from) / 2;
+    std::nth_element(order_.begin() + from, order_.begin() + middle, order_.begin() + to,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const double ca = centre(a)[axis], cb = centre(b)[axis];
+                       return ca < cb || (ca == cb && a < b);
+                     });
+    return middle;
+  };
+  std::array<std::uint32_t, 5> ends = {begin, begin, begin, begin, end};
+  ends[2] = middle_of(begin, end);
+  ends[1] = middle_of(begin, ends[2]);
+  ends[3] = middle_of(ends[2], end);
+
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  for (int child = 0; child < 4; ++child) {
+    const auto k = static_cast<std::size_t>(child);
+    const std::uint32_t from = ends[k], to = ends[k + 1];
+    set_box(nodes_[index], child, from, to);
+    const std::uint32_t content = to == from       ? kNone
+                                  : to == from + 1 ? kLeaf + from
+                                                   : build(from, to);
+    nodes_[index].children[k] = content;
+  }
+  return index;
+}
+
+/// Sets one box of a node to that of a range of `order_`. No point is near the box of an empty
+/// range.
+void TriangleTree::set_box(Node& node, int child, std::uint32_t begin, std::uint32_t end) const {
+  Bounds box;
   for (std::uint32_t i = begin; i < end; ++i) {
     for (const std::uint32_t v : mesh_.triangles[order_[i]]) box.include(mesh_.vertices[v]);
-    centres.include(centre(order_[i]));
   }
-  nodes_[index].box = box;
-  if (end - begin <= kLeaf) {
-    nodes_[index].first = begin;
-    nodes_[index].count = end - begin;
-    return;
+  for (int axis = 0; axis < 3; ++axis) {
+    node.low(child, axis) = begin == end ? std::numeric_limits<float>::infinity()
+                                         : rounded_down(box.low[axis] - origin_[axis]);
+    node.high(child, axis) = begin == end ? -std::numeric_limits<float>::infinity()
+                                          : rounded_up(box.high[axis] - origin_[axis]);
   }
-  Eigen::Index axis = 0;
-  (centres.high - centres.low).maxCoeff(&axis);
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double ca = centre(a)[axis], cb = centre(b)[axis];
-                     return ca < cb || (ca == cb && a < b);
-                   });
-  build(begin, middle);
-  nodes_[index].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end);
 }
 
 void TriangleTree::prepare_normals() {
@@ -114,29 +177,33 @@ void TriangleTree::prepare_normals() {
 }
 
 double TriangleTree::distance_to(std::uint32_t triangle, const Vec3& point) const {
-  const TriangleMesh::Triangle& t = mesh_.triangles[triangle];
-  const Vec3& a = mesh_.vertices[t[0]];
-  return (closest_on(a, mesh_.vertices[t[1]], mesh_.vertices[t[2]], point).point - point).norm();
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  return (closest_on(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c], point).point - point)
+      .norm();
 }
 
 bool TriangleTree::has_point_above(const Vec3& normal, double height, const Vec3& centre,
                                    double radius) const {
-  std::array<std::uint32_t, 64> open;  // the tree is balanced: depth under 32
+  const double relative_height = height - normal.dot(origin_);
+  const BoxDistances distances(centre - origin_, extent_);
+  std::array<std::uint32_t, kMaxOpen> open;
   std::size_t size = 0;
   open[size++] = 0;
   while (size > 0) {
-    const std::uint32_t index = open[--size];
-    const Node& node = nodes_[index];
-    const Vec3 highest = (normal.array() > 0.0).select(node.box.high, node.box.low);
-    if (normal.dot(highest) <= height) continue;
-    if (squared_distance(node.box, centre) > radius * radius) continue;
-    if (node.count == 0) {
-      open[size++] = index + 1;
-      open[size++] = node.right;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      for (const std::uint32_t v : mesh_.triangles[order_[i]]) {
+    const Node& node = nodes_[open[--size]];
+    const Eigen::Array4f squared = distances(node.low, node.high);
+    for (int child = 0; child < 4; ++child) {
+      const std::uint32_t content = node.children[static_cast<std::size_t>(child)];
+      if (content == kNone || !(squared[child] <= radius * radius)) continue;
+      const Vec3 highest = (normal.array() > 0.0)
+                               .select(node.high.row(child).transpose().cast<double>(),
+                                       node.low.row(child).transpose().cast<double>());
+      if (!(normal.dot(highest) > relative_height)) continue;
+      if (content < kLeaf) {
+        open[size++] = content;
+        continue;
+      }
+      for (const std::uint32_t v : mesh_.triangles[order_[content - kLeaf]]) {
         if (normal.dot(mesh_.vertices[v]) > height) return true;
       }
     }
@@ -146,52 +213,62 @@ bool TriangleTree::has_point_above(const Vec3& normal, double height, const Vec3
 
 TriangleTree::Closest TriangleTree::closest_point(const Vec3& point, std::uint32_t hint) const {
   Closest best;
-  // A hair above the hint's distance, so that of equally near triangles the same one is found.
-  const double known = distance_to(hint, point) * (1.0 + 1e-9);
-  best.squared_distance = std::nextafter(known * known, std::numeric_limits<double>::infinity());
-  struct Visit {
-    std::uint32_t node;
-    double squared_distance;
+  float limit = 0.0f;
+  const auto consider = [&](const OnTriangle& found, std::uint32_t triangle, bool first) {
+    const double squared = (found.point - point).squaredNorm();
+    const bool nearer = squared < best.squared_distance ||
+                        (squared == best.squared_distance && triangle < best.triangle);
+    if (!first && !nearer) return;
+    best = {found.point, squared, triangle, found.feature};
+    limit = rounded_up(squared * (1.0 + kFloatSquareError));
   };
-  std::array<Visit, 64> open;  // the tree is balanced: depth under 32
+  const auto& [a, b, c] = mesh_.triangles[hint];
+  consider(closest_on(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c], point), hint, true);
+
+  struct Visit {
+    float squared_distance;
+    std::uint32_t content;
+  };
+  const BoxDistances distances(point - origin_, extent_);
+  std::array<Visit, kMaxOpen> open;
   std::size_t size = 0;
-  open[size++] = {0, squared_distance(nodes_[0].box, point)};
+  open[size++] = {0.0f, 0};
   while (size > 0) {
     const Visit visit = open[--size];
-    if (visit.squared_distance >= best.squared_distance) continue;
-    const Node& node = nodes_[visit.node];
-    if (node.count == 0) {
-      Visit left = {visit.node + 1, squared_distance(nodes_[visit.node + 1].box, point)};
-      Visit right = {node.right, squared_distance(nodes_[node.right].box, point)};
-      if (left.squared_distance < right.squared_distance) std::swap(left, right);
-      open[size++] = left;  // the nearer one is looked at first
-      open[size++] = right;
+    if (visit.squared_distance > limit) continue;
+    if (visit.content >= kLeaf) {
+      const Corners& corners = corners_[visit.content - kLeaf];
+      consider(closest_on(corners.a, corners.b, corners.c, point), corners.triangle, false);
       continue;
     }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const TriangleMesh::Triangle& t = mesh_.triangles[order_[i]];
-      const OnTriangle found =
-          closest_on(mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]], point);
-      const double distance = (found.point - point).squaredNorm();
-      if (distance < best.squared_distance) {
-        best = {found.point, distance, order_[i], found.feature};
+    const Node& node = nodes_[visit.content];
+    const Eigen::Array4f squared = distances(node.low, node.high);
+    const std::size_t first = size;
+    for (int child = 0; child < 4; ++child) {
+      const Visit next = {squared[child], node.children[static_cast<std::size_t>(child)]};
+      if (next.content == kNone || !(next.squared_distance <= limit)) continue;
+      std::size_t at = size++;  // the nearest one is looked at first
+      for (; at > first && open[at - 1].squared_distance < next.squared_distance; --at) {
+        open[at] = open[at - 1];
       }
+      open[at] = next;
     }
   }
   return best;
 }
 
-const Vec3& TriangleTree::feature_normal(const Closest& found) const {
-  const TriangleMesh::Triangle& t = mesh_.triangles[found.triangle];
-  if (found.feature == 0) return face_normals_[found.triangle];
-  if (found.feature <= 3) return vertex_normals_[t[static_cast<std::size_t>(found.feature - 1)]];
-  return side_normals_[found.triangle][static_cast<std::size_t>(found.feature - 4)];
+const Vec3& TriangleTree::feature_normal(std::uint32_t triangle, int feature) const {
+  const auto k = static_cast<std::size_t>(feature);
+  if (k == 0) return face_normals_[triangle];
+  if (k <= 3) return vertex_normals_[mesh_.triangles[triangle][k - 1]];
+  return side_normals_[triangle][k - 4];
 }
 
 double TriangleTree::signed_distance(const Vec3& point, std::uint32_t hint) const {
   const Closest found = closest_point(point, hint);
   const double distance = std::sqrt(found.squared_distance);
-  return feature_normal(found).dot(point - found.point) < 0.0 ? -distance : distance;
+  return feature_normal(found.triangle, found.feature).dot(point - found.point) < 0.0 ? -distance
+                                                                                      : distance;
 }
 
 TriangleTree::SignedClosest TriangleTree::signed_closest_point(const Vec3& point,
@@ -201,7 +278,7 @@ TriangleTree::SignedClosest TriangleTree::signed_closest_point(const Vec3& point
   const Vec3& a = mesh_.vertices[t[0]];
   const Vec3& b = mesh_.vertices[t[1]];
   const Vec3& c = mesh_.vertices[t[2]];
-  const Vec3& normal = feature_normal(found);
+  const Vec3& normal = feature_normal(found.triangle, found.feature);
   const Vec3 away = point - found.point;
   const double distance = std::sqrt(found.squared_distance);
   SignedClosest result;
@@ -229,10 +306,12 @@ std::optional<TriangleTree::RayHit> TriangleTree::first_exit(const Vec3& origin,
                                                              std::uint32_t ignored) const {
   std::optional<RayHit> best;
   double nearest = std::numeric_limits<double>::infinity();
-  const auto entry = [&](const Bounds& box) {
+  const Vec3 from_origin = origin - origin_;
+  const auto entry = [&](const Node& node, int child) {
     double from = 0.0, to = nearest;
     for (int axis = 0; axis < 3; ++axis) {
-      const double low = box.low[axis] - origin[axis], high = box.high[axis] - origin[axis];
+      const double low = static_cast<double>(node.low(child, axis)) - from_origin[axis];
+      const double high = static_cast<double>(node.high(child, axis)) - from_origin[axis];
       if (direction[axis] == 0.0) {
         if (low > 0.0 || high < 0.0) return std::numeric_limits<double>::infinity();
         continue;
@@ -243,36 +322,43 @@ std::optional<TriangleTree::RayHit> TriangleTree::first_exit(const Vec3& origin,
     }
     return from <= to ? from : std::numeric_limits<double>::infinity();
   };
-  std::array<std::uint32_t, 64> open;  // the tree is balanced: depth under 32
+  const auto consider = [&](std::uint32_t triangle) {
+    const Vec3& normal = face_normals_[triangle];
+    const double along = normal.dot(direction);
+    if (triangle == ignored || !(along > 0.0)) return;
+    const TriangleMesh::Triangle& t = mesh_.triangles[triangle];
+    const double distance = normal.dot(mesh_.vertices[t[0]] - origin) / along;
+    if (!(distance >= 0.0 && distance < nearest)) return;
+    const Vec3 point = origin + distance * direction;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& from = mesh_.vertices[t[k]];
+      if (!(normal.dot((mesh_.vertices[t[(k + 1) % 3]] - from).cross(point - from)) >= 0.0)) return;
+    }
+    nearest = distance;
+    best = RayHit{distance, triangle};
+  };
+  struct Visit {
+    double entry;
+    std::uint32_t content;
+  };
+  std::array<Visit, kMaxOpen> open;
   std::size_t size = 0;
-  open[size++] = 0;
+  open[size++] = {0.0, 0};
   while (size > 0) {
-    const std::uint32_t index = open[--size];
-    const Node& node = nodes_[index];
-    if (!(entry(node.box) < nearest)) continue;
-    if (node.count == 0) {
-      const bool left_first = entry(nodes_[index + 1].box) <= entry(nodes_[node.right].box);
-      open[size++] = left_first ? node.right : index + 1;
-      open[size++] = left_first ? index + 1 : node.right;
+    const Visit visit = open[--size];
+    if (!(visit.entry < nearest)) continue;
+    if (visit.content >= kLeaf) {
+      consider(order_[visit.content - kLeaf]);
       continue;
     }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::uint32_t triangle = order_[i];
-      const Vec3& normal = face_normals_[triangle];
-      const double along = normal.dot(direction);
-      if (triangle == ignored || !(along > 0.0)) continue;
-      const TriangleMesh::Triangle& t = mesh_.triangles[triangle];
-      const double distance = normal.dot(mesh_.vertices[t[0]] - origin) / along;
-      if (!(distance >= 0.0 && distance < nearest)) continue;
-      const Vec3 point = origin + distance * direction;
-      bool inside = true;
-      for (std::size_t k = 0; k < 3 && inside; ++k) {
-        const Vec3& from = mesh_.vertices[t[k]];
-        inside = normal.dot((mesh_.vertices[t[(k + 1) % 3]] - from).cross(point - from)) >= 0.0;
-      }
-      if (!inside) continue;
-      nearest = distance;
-      best = RayHit{distance, triangle};
+    const Node& node = nodes_[visit.content];
+    const std::size_t first = size;
+    for (int child = 0; child < 4; ++child) {
+      const Visit next = {entry(node, child), node.children[static_cast<std::size_t>(child)]};
+      if (next.content == kNone || !(next.entry < nearest)) continue;
+      std::size_t at = size++;
+      for (; at > first && open[at - 1].entry < next.entry; --at) open[at] = open[at - 1];
+      open[at] = next;
     }
   }
   return best;

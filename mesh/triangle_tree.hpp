@@ -23,6 +23,7 @@ class TriangleTree {
     int feature = 0;  ///< 0: the face; 1 to 3: vertex 0 to 2; 4 to 6: side 0 to 2
   };
   /// Returns the closest point of the mesh.
+  /// The lowest index is returned of several triangles that are equally near.
   /// @param hint  index of a triangle that is probably near; affects only the speed
   Closest closest_point(const Vec3& point, std::uint32_t hint = 0) const;
 
@@ -31,6 +32,11 @@ class TriangleTree {
     return mesh_.vertices[mesh_.triangles[triangle][0]];
   }
   const Vec3& face_normal(std::uint32_t triangle) const { return face_normals_[triangle]; }
+  /// Returns the unit outward normal of a face, vertex or side, as numbered by `Closest::feature`.
+  /// That of a vertex is weighted by angles.
+  Vec3 outward_normal(std::uint32_t triangle, int feature) const {
+    return feature_normal(triangle, feature).normalized();
+  }
 
   /// True if some triangle near `centre` reaches above the plane normal . x = height. A triangle is
   /// near if its bounding box is partly within `radius`.
@@ -61,18 +67,31 @@ class TriangleTree {
                                    std::uint32_t ignored) const;
 
  private:
-  const Vec3& feature_normal(const Closest& found) const;
+  /// Four bounding boxes, of single triangles or of nodes. They are in single precision, relative
+  /// to `origin_`, and rounded outwards.
   struct Node {
-    Bounds box;
-    std::uint32_t first = 0, count = 0;  ///< leaf: range of triangles; inner node: count 0
-    std::uint32_t right = 0;  ///< inner node: right child; the left child follows its parent
+    Eigen::Array<float, 4, 3> low, high;
+    std::array<std::uint32_t, 4> children;  ///< index of a node, `kLeaf` + place of a triangle, or
+                                            ///< `kNone`
   };
-  void build(std::uint32_t begin, std::uint32_t end);
+  /// A triangle in the order of the tree.
+  struct Corners {
+    Vec3 a, b, c;
+    std::uint32_t triangle;
+  };
+  static constexpr std::uint32_t kLeaf = 0x80000000u, kNone = 0xffffffffu;
+
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  void set_box(Node& node, int child, std::uint32_t begin, std::uint32_t end) const;
   void prepare_normals();
+  const Vec3& feature_normal(std::uint32_t triangle, int feature) const;
 
   const TriangleMesh& mesh_;
+  Vec3 origin_;
+  double extent_;  ///< largest coordinate relative to `origin_`
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
+  std::vector<Corners> corners_;
   std::vector<Vec3> face_normals_, vertex_normals_;
   std::vector<std::array<Vec3, 3>> side_normals_;
 };

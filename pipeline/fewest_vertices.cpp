@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "reconstruct/simplify.hpp"
+#include "shapes/surface_deviation.hpp"
 
 namespace clast {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t kMinVertices = 8, kFirstVertices = 120, kMaxVertices = 2000;
 /// The search ends when a tenth fewer vertices are known not to do.
 constexpr double kRefinement = 1.1;
-constexpr double kMaxLeap = 2.5;  ///< from one number of vertices to the next
+constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
@@ -40,20 +41,20 @@ FewestVerticesSearch::FewestVerticesSearch(const std::string& id, const ScanSurf
     : id_(id), scan_(scan), source_(source), fine_(simplify_for_trials(scan.mesh())) {}
 
 Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_given) {
-  BlockOptions try_vertex_count = options;
+  BlockOptions tried = options;
+  std::size_t first = kFirstVertices;
   for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
-    if (std::optional<Block> block = search_at_radius(try_vertex_count)) {
-      Block lightest = with_accurate_mass(std::move(*block), try_vertex_count);
+    if (std::optional<Block> block = search_at_radius(tried, first)) {
+      Block lightest = with_accurate_measures(std::move(*block), tried);
       if (halving > 0) {
         lightest.warnings.push_back(
-            "the radius is " + format_rounded(100.0 * try_vertex_count.radius_share, 3) +
-            " % of S: with " + format_rounded(200.0 * try_vertex_count.radius_share, 3) +
-            " % no block was within the tolerance");
+            "the radius is " + format_rounded(100.0 * tried.radius_share, 3) + " % of S: with " +
+            format_rounded(200.0 * tried.radius_share, 3) + " % no block was within the tolerance");
       }
       return lightest;
     }
     if (radius_given) break;
-    try_vertex_count.radius_share /= 2.0;
+    tried.radius_share /= 2.0;
   }
   Block kept = nearest_block(options);
   kept.warnings.push_back(
@@ -62,20 +63,28 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
   return kept;
 }
 
-std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& options) {
+/// @param first  number of vertices to begin with; if no block is within tolerance, set to the
+/// number
+///               that came closest
+std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& options,
+                                                            std::size_t& first) {
   std::optional<Block> lightest;
   const std::size_t most = std::min(kMaxVertices, fine_.vertices.size());
   std::size_t enough = most + 1, too_few = std::min(kMinVertices, most) - 1;
-  std::size_t count = std::min(kFirstVertices, most);
+  std::size_t count = std::min(first, most);
+  double least_ratio = 1e300;
   while (too_few < count && count < enough) {
     std::optional<Block> block = try_vertex_count(count, options);
-    double ratio = kMaxLeap;  // how much too far, as well as it is known
-    if (block) ratio = distance_ratio(*block, options);
+    const double ratio = block ? distance_ratio(*block, options) : kMaxLeap;
     if (block && is_within_tolerance(*block, options)) {
       enough = count;
       lightest = std::move(block);
     } else {
       too_few = count;
+      if (block && ratio < least_ratio) {
+        least_ratio = ratio;
+        first = count;
+      }
       if (block) keep_nearest(std::move(*block));
     }
     const auto low = static_cast<double>(too_few), high = static_cast<double>(enough);
@@ -99,6 +108,7 @@ std::optional<Block> FewestVerticesSearch::try_vertex_count(std::size_t count,
     // Volumes to a millionth take longer than a fit, and are wanted once.
     BlockOptions quick = options;
     quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
+    quick.quick_deviation = true;
     quick.suggest_radius = refusal_.empty();  // the first refusal is the one that is reported
     return make_block(id_, simplify_mesh(fine_, {.target_vertices = count}), scan_,
                       source_with_vertices(count), quick);
@@ -112,11 +122,20 @@ Block FewestVerticesSearch::nearest_block(const BlockOptions& options) {
   if (!nearest_) throw GeometryError(refusal_);
   BlockOptions as_tried = options;
   as_tried.radius = nearest_->body.radius;
-  return with_accurate_mass(std::move(*nearest_), as_tried);
+  return remade(*nearest_, as_tried);
 }
 
-Block FewestVerticesSearch::with_accurate_mass(Block block, const BlockOptions& options) const {
-  if (options.accuracy >= BlockOptions().accuracy) return block;
+Block FewestVerticesSearch::with_accurate_measures(Block block, const BlockOptions& options) const {
+  if (options.accuracy < BlockOptions().accuracy) return remade(block, options);
+  const SurfaceDeviation measured =
+      measure_surface_deviation(scan_, block.body, {.threads = options.threads});
+  block.deviation.hausdorff = measured.hausdorff;
+  block.deviation.scan_to_body = measured.scan_to_body;
+  block.deviation.body_to_scan = measured.body_to_scan;
+  return block;
+}
+
+Block FewestVerticesSearch::remade(const Block& block, const BlockOptions& options) const {
   return make_block(id_, block.surface, scan_, source_with_vertices(block.surface.vertices.size()),
                     options);
 }

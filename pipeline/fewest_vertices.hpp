@@ -21,12 +21,13 @@ class FewestVerticesSearch {
   Block find_block(const BlockOptions& options, bool radius_given);
 
  private:
-  std::optional<Block> search_at_radius(const BlockOptions& options);
+  std::optional<Block> search_at_radius(const BlockOptions& options, std::size_t& first);
   std::optional<Block> try_vertex_count(std::size_t count, const BlockOptions& options);
   /// Returns the block with the smallest deviation so far. Throws the reason if there is none.
   Block nearest_block(const BlockOptions& options);
-  /// Returns the block with its mass properties recomputed to the requested accuracy.
-  Block with_accurate_mass(Block block, const BlockOptions& options) const;
+  /// Returns the block with its mass properties and deviation computed to the requested accuracy.
+  Block with_accurate_measures(Block block, const BlockOptions& options) const;
+  Block remade(const Block& block, const BlockOptions& options) const;
   BlockSource source_with_vertices(std::size_t count) const;
   void keep_nearest(Block block);
 

@@ -42,8 +42,12 @@ class Batch {
         options_(options),
         observer_(observer),
         progress_(progress),
-        request_(request_of(options.scan)) {
+        request_(request_of(options.scan)),
+        scan_options_(options.scan) {
     options.check(scans.size());
+    const auto parallel_scans = static_cast<unsigned>(std::clamp<std::size_t>(
+        resolve_thread_count(options.jobs), 1, std::max<std::size_t>(scans.size(), 1)));
+    scan_options_.block.threads = std::max(1u, resolve_thread_count(0) / parallel_scans);
     if (std::filesystem::exists(options.library)) library_ = BlockLibrary::read(options.library);
     // A place that can't be written is refused before the work and not after it.
     check_library_target(options.library);
@@ -102,7 +106,7 @@ class Batch {
         .on_block_lost = [&](const std::string&,
                              const std::string& reason) { outcome.failures.push_back(reason); }};
     if (!scan.is_shp()) {
-      return reconstruct_blocks(scan.path, scan.id, options_.scan, callbacks);
+      return reconstruct_blocks(scan.path, scan.id, scan_options_, callbacks);
     }
     const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
     return {make_shape_block(shape, scan.path, scan.id, options_.scan, callbacks)};
@@ -224,7 +228,8 @@ class Batch {
   BatchObserver& observer_;
   const ProgressCallback& progress_;
   std::string request_;
-  BlockLibrary library_;  ///< as last read or written, plus what was made since
+  ScanToBlockOptions scan_options_;  ///< with the threads of one scan
+  BlockLibrary library_;             ///< as last read or written, plus what was made since
   std::vector<Unsaved> unsaved_;
   std::mutex mutex_;  ///< of all below, the library and the progress
   std::size_t taken_ = 0;

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,11 +11,13 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/parallel.hpp"
 #include "mesh/edge_collapse.hpp"
 #include "mesh/self_intersection.hpp"
 #include "mesh/surface_samples.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "mesh/triangle_tree.hpp"
+#include "shapes/detail/deviation_search.hpp"
 #include "shapes/detail/rounded_surface_distance.hpp"
 
 namespace clast {
@@ -24,14 +27,14 @@ namespace {
 using Mat9 = Eigen::Matrix<double, 9, 9>;
 using Vec9 = Eigen::Matrix<double, 9, 1>;
 
-/// Points on either surface: so many for each core vertex, within limits.
-constexpr std::size_t kPointsPerVertex = 60, kMinFitPoints = 3000, kMaxFitPoints = 12000;
-constexpr int kSkinSegments = 4;  ///< pieces per quarter turn of the skin that is sampled
-/// Tips stick out farthest, and spread points miss them: this many scan vertices are looked at too.
-constexpr std::size_t kScanVertices = 25000;
+/// Number of points on either surface for each core vertex, and its limits.
+constexpr std::size_t kPointsPerVertex = 12, kMinFitPoints = 2000, kMaxFitPoints = 12000;
+/// Searches for points that the samples missed, and rounds that follow each at least.
+constexpr int kMaxSearches = 8, kRoundsAfterSearch = 8;
+constexpr std::size_t kChunk = 64;  ///< points that one thread takes at a time
 /// A fit that didn't get this much nearer in so many rounds has ended.
 constexpr double kProgress = 0.99;
-constexpr int kRoundsWithoutProgress = 12;
+constexpr int kRoundsWithoutProgress = 8;
 constexpr double kMaxPower = 8.0, kPowerPerRound = 0.5;
 /// Damping over the mean diagonal: unobserved vertices stay in place, neighbours move together.
 constexpr double kDamping = 1e-3, kSmoothing = 0.3;
@@ -47,7 +50,8 @@ constexpr double kTurn = 0.3;
 constexpr int kShorterTries = 3, kTries = 12;
 constexpr double kShorter = 0.3, kLonger = 1.5;
 constexpr int kRoundsAfterCollapse = 6;  ///< left to repair what a collapse did
-/// Share of the largest distance so far from which a point inside the body is looked at closely.
+/// Depth inside the body, as a fraction of `good_enough`, from which a point may lie under a
+/// crease.
 constexpr double kDeep = 0.5;
 /// A fit that, after this many rounds, is still this many times too far won't get there.
 constexpr int kRoundsOfHope = 8;
@@ -63,11 +67,20 @@ struct Pull {
 struct Pulls {
   std::vector<Pull> list;
   double largest = 0.0;
+};
 
-  void add(const TriangleTree::SignedClosest& on_core, const Vec3& direction, double gap) {
-    list.push_back({on_core.triangle, on_core.weights, direction, gap});
-    largest = std::max(largest, std::abs(gap));
-  }
+/// Point of the rounded surface over a point of the core.
+struct BodyPoint {
+  std::uint32_t triangle;
+  Vec3 weights;     ///< barycentric coordinates of the core point
+  int feature = 0;  ///< face, vertex or side that it lies on, as in `TriangleTree::Closest`
+  std::optional<Vec3> direction = {};  ///< from the core point, instead of the normal of `feature`
+};
+
+/// A core and the points of its rounded surface at which the distance to the scan is measured.
+struct Core {
+  TriangleMesh mesh;
+  std::vector<BodyPoint> points;
 };
 
 class Fit {
@@ -78,19 +91,18 @@ class Fit {
         size_(bounds(scan.mesh()).diagonal()),
         options_(options),
         count_(std::clamp(kPointsPerVertex * start.vertices.size(), kMinFitPoints, kMaxFitPoints)),
-        points_(sample_surface(scan.mesh(), count_)),
-        core_(core_mesh(start)) {
-    const std::vector<Vec3>& vertices = scan.mesh().vertices;
-    const std::size_t stride = (vertices.size() + kScanVertices - 1) / kScanVertices;
-    for (std::size_t v = 0; v < vertices.size(); v += stride) points_.push_back(vertices[v]);
+        scan_points_(sample_surface(scan.mesh(), count_)),
+        core_{core_mesh(start), {}},
+        threads_(options.threads) {
+    core_.points = sample_body();
   }
 
-  TriangleMesh best() {
-    TriangleMesh best = core_;
+  CoreFit best() {
+    Core best = core_;
     Pulls best_pulls;
     double least = 1e300, milestone = 1e300, share = 1.0;
-    int since_milestone = 0;
-    for (int round = 0; round <= options_.rounds; ++round) {
+    int since_milestone = 0, searches = 0, last_round = options_.rounds;
+    for (int round = 0; round <= last_round; ++round) {
       Pulls pulls = measured();
       if (pulls.largest < least) {
         least = pulls.largest;
@@ -102,8 +114,20 @@ class Fit {
         milestone = least;
         since_milestone = 0;
       }
-      if (since_milestone == kRoundsWithoutProgress) break;
-      if (least <= options_.good_enough || round == options_.rounds) break;
+      const bool ended = since_milestone == kRoundsWithoutProgress || round == last_round;
+      if (least <= options_.good_enough || (ended && least <= options_.hopeless)) {
+        core_ = best;
+        const SpheroPolyhedron body = corrected();
+        core_.mesh = core_mesh(body);
+        if (!add_distant_points()) return {body, options_.hopeless};
+        if (searches++ == kMaxSearches) return {body};
+        least = milestone = 1e300;
+        since_milestone = 0;
+        share = 1.0;
+        last_round = std::max(last_round, round + kRoundsAfterSearch);
+        continue;
+      }
+      if (ended) break;
       if (round >= kRoundsOfHope && least > kHope * options_.hopeless) break;
       if (pulls.largest > kWorse * least) {
         share *= kShorter;
@@ -116,46 +140,123 @@ class Fit {
       const double power = std::min(kMaxPower, 2.0 + kPowerPerRound * round);
       if (!move(steps(pulls, power, share), round)) break;
     }
-    return best;
+    core_ = best;
+    return {corrected()};
   }
 
  private:
-  Pulls measured() {
-    const TriangleTree tree(core_);
-    Pulls pulls;
-    const shapes_detail::RoundedSurfaceDistance skin_distance(tree, radius_, 2.0 * size_);
-    std::uint32_t hint = 0;  // neighbours in the list are mostly neighbours in space
-    for (const Vec3& point : points_) {
-      const TriangleTree::SignedClosest near = tree.signed_closest_point(point, hint);
-      hint = near.triangle;
-      double gap = near.distance - radius_;
-      // Under a crease of the skin the next bare place is farther than the skin that is buried.
-      if (gap < -kDeep * pulls.largest) gap = skin_distance(point);
-      pulls.add(near, near.outward, gap);
-    }
+  SpheroPolyhedron corrected() const {
+    SpheroPolyhedron body = make_sphero_polyhedron(core_.mesh, radius_);
+    return options_.correct ? options_.correct(std::move(body)) : body;
+  }
 
-    const TriangleMesh skin =
-        rounded_surface_mesh(make_sphero_polyhedron(core_, radius_), kSkinSegments);
-    std::vector<Vec3> on_skin = sample_surface(skin, count_);
-    on_skin.insert(on_skin.end(), skin.vertices.begin(), skin.vertices.end());
-    std::uint32_t scan_hint = 0;
-    for (const Vec3& near_skin : on_skin) {
-      const TriangleTree::SignedClosest foot = tree.signed_closest_point(near_skin, hint);
-      hint = foot.triangle;
+  template <typename Body>
+  void for_each_in_chunks(std::size_t count, const Body& body) {
+    threads_.run((count + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
+      for (std::size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) body(i);
+    });
+  }
+
+  Pulls measured() {
+    const TriangleTree tree(core_.mesh);
+    std::vector<std::optional<Pull>> pulls(scan_points_.size());
+    scan_point_hints_.resize(scan_points_.size(), 0);
+    const auto core_triangle = [&](std::uint32_t hint) {
+      return hint < core_.mesh.triangles.size() ? hint : 0;
+    };
+    for_each_in_chunks(scan_points_.size(), [&](std::size_t i) {
+      std::uint32_t& hint = scan_point_hints_[i];
+      const TriangleTree::SignedClosest near =
+          tree.signed_closest_point(scan_points_[i], core_triangle(hint));
+      hint = near.triangle;
+      pulls[i] = {near.triangle, near.weights, near.outward, near.distance - radius_};
+    });
+
+    pulls.resize(scan_points_.size() + core_.points.size());
+    body_point_hints_.resize(core_.points.size(), {0, 0});
+    for_each_in_chunks(core_.points.size(), [&](std::size_t i) {
+      auto& [core_hint, scan_hint] = body_point_hints_[i];
+      const Vec3 near_surface = position(core_.points[i], tree);
+      const TriangleTree::SignedClosest foot =
+          tree.signed_closest_point(near_surface, core_triangle(core_hint));
+      core_hint = foot.triangle;
       const Vec3 point = foot.foot + radius_ * foot.outward;
-      if (tree.signed_distance(point, hint) < (1.0 - kOnFittedSkin) * radius_) continue;
+      if (tree.signed_distance(point, core_hint) < (1.0 - kOnFittedSkin) * radius_) return;
       const TriangleTree::SignedClosest on_scan =
           scan_.tree().signed_closest_point(point, scan_hint);
       scan_hint = on_scan.triangle;
-      pulls.add(foot, on_scan.outward, -on_scan.distance);
+      pulls[scan_points_.size() + i] = {foot.triangle, foot.weights, on_scan.outward,
+                                        -on_scan.distance};
+    });
+
+    // Under a crease the nearest exposed point is farther than the surface over the closest core
+    // point.
+    const shapes_detail::RoundedSurfaceDistance surface_distance(tree, radius_, 2.0 * size_);
+    for_each_in_chunks(scan_points_.size(), [&](std::size_t i) {
+      const bool is_sample = i < count_;
+      if (is_sample && pulls[i]->gap >= -kDeep * options_.good_enough) return;
+      if (pulls[i]->gap < 0.0)
+        pulls[i]->gap = surface_distance(scan_points_[i], scan_point_hints_[i]).value;
+    });
+    Pulls result;
+    for (const std::optional<Pull>& pull : pulls) {
+      if (!pull) continue;
+      result.list.push_back(*pull);
+      result.largest = std::max(result.largest, std::abs(pull->gap));
     }
-    return pulls;
+    return result;
+  }
+
+  Vec3 position(const BodyPoint& point, const TriangleTree& tree) const {
+    const auto& [a, b, c] = core_.mesh.triangles[point.triangle];
+    return point.weights[0] * core_.mesh.vertices[a] + point.weights[1] * core_.mesh.vertices[b] +
+           point.weights[2] * core_.mesh.vertices[c] +
+           radius_ * point.direction.value_or(tree.outward_normal(point.triangle, point.feature));
+  }
+
+  /// Samples the faces by area, and each side and corner once.
+  std::vector<BodyPoint> sample_body() const {
+    std::vector<BodyPoint> points;
+    std::vector<bool> has_corner(core_.mesh.vertices.size(), false);
+    const TriangleTree tree(core_.mesh);
+    std::uint32_t hint = 0;
+    for (const Vec3& point : sample_surface(core_.mesh, count_)) {
+      const TriangleTree::SignedClosest on_core = tree.signed_closest_point(point, hint);
+      hint = on_core.triangle;
+      points.push_back({on_core.triangle, on_core.weights});
+    }
+    for (std::uint32_t t = 0; t < core_.mesh.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t from = core_.mesh.triangles[t][static_cast<std::size_t>(k)];
+        const std::uint32_t to = core_.mesh.triangles[t][static_cast<std::size_t>((k + 1) % 3)];
+        if (from < to) {
+          points.push_back({t, 0.5 * (Vec3::Unit(k) + Vec3::Unit((k + 1) % 3)), 4 + k});
+        }
+        if (!has_corner[from]) points.push_back({t, Vec3::Unit(k), 1 + k});
+        has_corner[from] = true;
+      }
+    }
+    return points;
+  }
+
+  /// Adds points of both surfaces that are too far from the other surface, if one is farther than
+  /// `hopeless`. Returns false if none is.
+  bool add_distant_points() {
+    shapes_detail::DeviationSearch search(scan_, core_.mesh, radius_, threads_);
+    const auto [on_scan, on_body] =
+        search.find_distant_points(options_.hopeless, options_.good_enough);
+    scan_points_.insert(scan_points_.end(), on_scan.begin(), on_scan.end());
+    for (const Vec3& point : on_body) {
+      const TriangleTree::SignedClosest foot = search.core_tree().signed_closest_point(point);
+      core_.points.push_back({foot.triangle, foot.weights, 0, foot.outward});
+    }
+    return !on_scan.empty() || !on_body.empty();
   }
 
   /// Newton's step for the sum of |gap|^power: that of weighted least squares over power - 1.
   std::vector<Vec3> steps(const Pulls& pulls, double power, double share) const {
-    std::vector<Mat9> blocks(core_.triangles.size(), Mat9::Zero());
-    std::vector<Vec9> sides(core_.triangles.size(), Vec9::Zero());
+    std::vector<Mat9> blocks(core_.mesh.triangles.size(), Mat9::Zero());
+    std::vector<Vec9> sides(core_.mesh.triangles.size(), Vec9::Zero());
     for (const Pull& pull : pulls.list) {
       const double weight = std::pow(std::abs(pull.gap) / pulls.largest, power - 2.0);
       Vec9 row;
@@ -164,7 +265,7 @@ class Fit {
       blocks[pull.triangle] += weight * row * row.transpose();
       sides[pull.triangle] += weight * pull.gap * row;
     }
-    const std::size_t count = core_.vertices.size();
+    const std::size_t count = core_.mesh.vertices.size();
     const auto size = static_cast<Eigen::Index>(3 * count);
     double trace = 0.0;
     for (const Mat9& block : blocks) trace += block.trace();
@@ -175,7 +276,7 @@ class Fit {
     Eigen::VectorXd side = Eigen::VectorXd::Zero(size);
     for (std::size_t t = 0; t < blocks.size(); ++t) {
       const auto place = [&](int i) {
-        const auto corner = core_.triangles[t][static_cast<std::size_t>(i / 3)];
+        const auto corner = core_.mesh.triangles[t][static_cast<std::size_t>(i / 3)];
         return static_cast<int>(3 * corner) + i % 3;
       };
       for (int i = 0; i < 9; ++i) {
@@ -212,8 +313,8 @@ class Fit {
   /// Triangles that would turn over or cross others.
   std::vector<std::uint32_t> in_the_way(const TriangleMesh& moved) const {
     std::vector<std::uint32_t> bad;
-    for (std::uint32_t t = 0; t < core_.triangles.size(); ++t) {
-      const Vec3 before = unit_normal(core_, core_.triangles[t]);
+    for (std::uint32_t t = 0; t < core_.mesh.triangles.size(); ++t) {
+      const Vec3 before = unit_normal(core_.mesh, core_.mesh.triangles[t]);
       const Vec3 after = unit_normal(moved, moved.triangles[t]);
       if (!(before.dot(after) > kTurn)) bad.push_back(t);
     }
@@ -226,21 +327,22 @@ class Fit {
   }
 
   bool collapse(const std::vector<std::uint32_t>& bad) {
-    TriangleMesh collapsed = core_;
+    TriangleMesh collapsed = core_.mesh;
     if (collapse_triangle_edges(collapsed, bad) == 0) return false;
     if (!find_self_intersections(collapsed).empty()) return false;
-    core_ = std::move(collapsed);
+    core_.mesh = std::move(collapsed);
+    core_.points = sample_body();
     return true;
   }
 
   /// Takes the step, or as much of it as is possible. False: nothing is.
   bool move(std::vector<Vec3> step, int round) {
     for (int attempt = 0; attempt < kTries; ++attempt) {
-      TriangleMesh moved = core_;
+      TriangleMesh moved = core_.mesh;
       for (std::size_t v = 0; v < step.size(); ++v) moved.vertices[v] += step[v];
       const std::vector<std::uint32_t> bad = in_the_way(moved);
       if (bad.empty()) {
-        core_ = std::move(moved);
+        core_.mesh = std::move(moved);
         return true;
       }
       if (attempt == kShorterTries && may_collapse_ &&
@@ -249,7 +351,7 @@ class Fit {
       }
       std::vector<bool> held(step.size(), false);
       for (const std::uint32_t t : bad) {
-        for (const std::uint32_t v : core_.triangles[t]) held[v] = true;
+        for (const std::uint32_t v : core_.mesh.triangles[t]) held[v] = true;
       }
       if (attempt <= kShorterTries) {
         for (std::size_t v = 0; v < step.size(); ++v) {
@@ -257,7 +359,7 @@ class Fit {
         }
         continue;
       }
-      for (const auto& [a, b, c] : core_.triangles) {
+      for (const auto& [a, b, c] : core_.mesh.triangles) {
         if (held[a] || held[b] || held[c]) step[a] = step[b] = step[c] = Vec3::Zero();
       }
     }
@@ -268,8 +370,12 @@ class Fit {
   double radius_, size_;
   CoreFitOptions options_;
   std::size_t count_;
-  std::vector<Vec3> points_;  ///< on the scan
-  TriangleMesh core_;
+  std::vector<Vec3> scan_points_;
+  /// Triangles that were closest in the last round: of the core; of the core and the scan.
+  std::vector<std::uint32_t> scan_point_hints_;
+  std::vector<std::array<std::uint32_t, 2>> body_point_hints_;
+  Core core_;
+  ThreadPool threads_;
   bool may_collapse_ = true;  ///< until a core had to be given up
 };
 
@@ -285,11 +391,11 @@ void CoreFitOptions::check() const {
   }
 }
 
-SpheroPolyhedron fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
-                          const CoreFitOptions& options) {
+CoreFit fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
+                 const CoreFitOptions& options) {
   options.check();
   if (start.faces.empty()) throw GeometryError("a core without faces can't be fitted to a scan");
-  return make_sphero_polyhedron(Fit(scan, start, options).best(), start.radius);
+  return Fit(scan, start, options).best();
 }
 
 }  // namespace clast

@@ -1,5 +1,7 @@
 #pragma once
 /// Fitting of a core so that its rounded body matches a scan.
+#include <functional>
+
 #include "shapes/scan_surface.hpp"
 #include "shapes/sphero_polyhedron.hpp"
 
@@ -9,18 +11,30 @@ struct CoreFitOptions {
   int rounds = 30;
   double good_enough = 0.0;  ///< stop if the largest distance is at most this, m
   double hopeless = 1e300;   ///< stop if this largest distance cannot be reached, m
+  /// Last correction of a body that is good enough, for example to a volume. It moves the surface
+  /// by little.
+  std::function<SpheroPolyhedron(SpheroPolyhedron)> correct = {};
+  unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// Result of `fit_core`.
+struct CoreFit {
+  SpheroPolyhedron body;  ///< corrected, if there is a correction
+  double bound = 1e300;   ///< upper bound of the largest distance of `body`, m; 1e300 if unknown
+};
+
 /// Moves the core vertices to minimise the largest distance between rounded surface and scan, in
 /// both directions. The method is damped least squares over points of both surfaces. Weights
-/// increase towards the largest distances, as for a p-norm with p rising from 2 to 8. Edges that
-/// block the motion are collapsed. Returns the best core found. It has no more vertices than
-/// `start` and no new self-intersections. The result is deterministic.
+/// increase towards the largest distances, as for a p-norm with p rising from 2 to 8. If all points
+/// are good enough, others that are too far are searched and added, until there are none (exchange
+/// method for semi-infinite problems). Edges that block the motion are collapsed. Returns the best
+/// core found. It has no more vertices than `start` and no new self-intersections. The result is
+/// deterministic.
 /// @param start  closed core with a radius, near the scan, for example from `inset_core`
-/// @cite lawson1961
-SpheroPolyhedron fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
-                          const CoreFitOptions& options = {});
+/// @cite lawson1961 hettich1993
+CoreFit fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,
+                 const CoreFitOptions& options = {});
 
 }  // namespace clast

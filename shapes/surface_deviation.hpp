@@ -1,6 +1,7 @@
 #pragma once
 /// Deviation of a rounded body from its scan.
 #include <cstddef>
+#include <optional>
 
 #include "shapes/scan_surface.hpp"
 #include "shapes/sphero_polyhedron.hpp"
@@ -20,6 +21,14 @@ struct SurfaceDeviation {
   double moments_relative = 0.0;  ///< largest relative difference of a principal moment
 };
 
+struct DeviationOptions {
+  std::size_t samples = 20000;  ///< points of the scan for the mean distance
+  /// If given, the largest distances are only compared with this limit, m. Both are then upper
+  /// bounds that are at most `limit`, or one is a distance above it.
+  std::optional<double> limit;
+  unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
+};
+
 /// Measures the distances between rounded surface and scan in both directions. Volume, area and
 /// moments are left 0 for the caller.
 ///
@@ -29,6 +38,6 @@ struct SurfaceDeviation {
 /// `samples` points of the scan.
 /// @throws GeometryError  if the body has no faces
 SurfaceDeviation measure_surface_deviation(const ScanSurface& scan, const SpheroPolyhedron& body,
-                                           std::size_t samples = 20000);
+                                           const DeviationOptions& options = {});
 
 }  // namespace clast

@@ -14,17 +14,18 @@ constexpr double kMinStep = 0.01;  ///< along a ray out of the body, in radii
 
 }  // namespace
 
-double RoundedSurfaceDistance::operator()(const Vec3& point, std::uint32_t& hint) const {
+SurfaceDistance RoundedSurfaceDistance::operator()(const Vec3& point, std::uint32_t& hint) const {
   const TriangleTree::SignedClosest near = core_.signed_closest_point(point, hint);
   hint = near.triangle;
-  if (near.distance >= radius_) return near.distance - radius_;
-  if (radius_ == 0.0) return near.distance;
+  if (near.distance >= radius_) return {near.distance - radius_};
+  if (radius_ == 0.0) return {near.distance};
   TriangleTree::SignedClosest at = near;
   for (int i = 0; i < kProjections; ++i) {
     const Vec3 skin = at.foot + radius_ * at.outward;
     at = core_.signed_closest_point(skin, at.triangle);
     if (at.distance >= (1.0 - (i == 0 ? kOnSkin : kNearSkin)) * radius_) {
-      return i == 0 ? near.distance - radius_ : -((skin - point).norm() + kNearSkin * radius_);
+      if (i == 0) return {near.distance - radius_};
+      return {-((skin - point).norm() + kNearSkin * radius_), false};
     }
   }
   double shortest = exit_distance(point, near.outward, farthest_, hint);
@@ -36,7 +37,7 @@ double RoundedSurfaceDistance::operator()(const Vec3& point, std::uint32_t& hint
       }
     }
   }
-  return -shortest;
+  return {-shortest, false};
 }
 
 /// Length of a ray that ends outside the body, at most `longest`. A ball about a point at distance

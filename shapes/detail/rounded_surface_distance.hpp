@@ -4,6 +4,12 @@
 
 namespace clast::shapes_detail {
 
+/// Signed distance of a point from a rounded surface, m; negative inside.
+struct SurfaceDistance {
+  double value = 0.0;
+  bool is_exact = true;  ///< false: the magnitude is an upper bound
+};
+
 /// Signed distance to a rounded surface. The tree must outlive this object.
 class RoundedSurfaceDistance {
  public:
@@ -12,15 +18,11 @@ class RoundedSurfaceDistance {
   RoundedSurfaceDistance(const TriangleTree& core, double radius, double farthest)
       : core_(core), radius_(radius), farthest_(farthest) {}
 
-  /// Returns the signed distance, negative inside. It is exact outside, and inside if the surface
-  /// over the closest core point is exposed. Otherwise, as under creases, it is the distance to a
-  /// near exposed point, which is never too small.
+  /// Returns the signed distance. It is exact outside, and inside if the surface over the closest
+  /// core point is exposed. Otherwise, as under creases, its magnitude is the distance to a near
+  /// exposed point.
   /// @param hint  index of a core triangle that is probably near; set to the closest one
-  double operator()(const Vec3& point, std::uint32_t& hint) const;
-  double operator()(const Vec3& point) const {
-    std::uint32_t hint = 0;
-    return (*this)(point, hint);
-  }
+  SurfaceDistance operator()(const Vec3& point, std::uint32_t& hint) const;
 
  private:
   double exit_distance(const Vec3& point, const Vec3& direction, double longest,

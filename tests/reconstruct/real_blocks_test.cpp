@@ -33,7 +33,7 @@ TEST(RealBlocks, BecomeRoundedBlocksCloseToTheScan) {
       const TriangleMesh core = core_mesh(body);
       EXPECT_TRUE(inspect_mesh(core).is_closed() && inspect_mesh(core).is_oriented());
       EXPECT_TRUE(find_self_intersections(core).empty());
-      const SurfaceDeviation deviation = measure_surface_deviation(thin, body, 5000);
+      const SurfaceDeviation deviation = measure_surface_deviation(thin, body, {.samples = 5000});
       // What a ball can't reach: about 0.7 r at a right corner, whole tunnels of the porous stone.
       EXPECT_LT(deviation.hausdorff, porous ? 0.05 * longest : 1.25 * body.radius);
       EXPECT_LT(deviation.mean, 0.003 * longest);

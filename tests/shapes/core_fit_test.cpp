@@ -19,7 +19,7 @@ TEST(CoreFit, CubeCornersStandOutAndFallShortByTheSame) {
   const double r = 0.1, inset = r * (std::sqrt(3.0) - 1.0);
   const double best = inset / (std::sqrt(3.0) + 1.0);
   const TriangleMesh cube = box_mesh({1, 1, 1}, 4);
-  const SpheroPolyhedron body = fit_core(cube, inset_core(cube, r));
+  const SpheroPolyhedron body = fit_core(cube, inset_core(cube, r)).body;
   const SurfaceDeviation deviation = measure_surface_deviation(cube, body);
   EXPECT_GE(deviation.hausdorff, best - 1e-9) << "nothing can be nearer";
   EXPECT_LT(deviation.hausdorff, 0.5 * inset);
@@ -30,7 +30,7 @@ class FittedRocks : public testing::TestWithParam<int> {};
 TEST_P(FittedRocks, AreNearerAndStaySound) {
   const TriangleMesh rock = random_rock(GetParam(), 2, 0.1);
   const SpheroPolyhedron start = inset_core(rock, 0.15);
-  const SpheroPolyhedron body = fit_core(rock, start);
+  const SpheroPolyhedron body = fit_core(rock, start).body;
   const double before = measure_surface_deviation(rock, start).hausdorff;
   EXPECT_LT(measure_surface_deviation(rock, body).hausdorff, before);
   EXPECT_EQ(body.radius, start.radius);
@@ -44,10 +44,10 @@ TEST_P(FittedRocks, FollowARigidMotion) {
   const TriangleMesh rock = random_rock(GetParam(), 2, 0.1);
   const Pose pose{Vec3(3, -2, 5), Random(7).rotation()};
   const double there =
-      measure_surface_deviation(rock, fit_core(rock, inset_core(rock, 0.15))).hausdorff;
+      measure_surface_deviation(rock, fit_core(rock, inset_core(rock, 0.15)).body).hausdorff;
   const TriangleMesh moved = transformed(rock, pose);
   const double here =
-      measure_surface_deviation(moved, fit_core(moved, inset_core(moved, 0.15))).hausdorff;
+      measure_surface_deviation(moved, fit_core(moved, inset_core(moved, 0.15)).body).hausdorff;
   EXPECT_NEAR(here, there, 0.25 * there);
 }
 
@@ -56,14 +56,14 @@ INSTANTIATE_TEST_SUITE_P(Seeds, FittedRocks, testing::Range(0, 2));
 TEST(CoreFit, SameInputGivesTheSameBits) {
   const TriangleMesh rock = random_rock(5, 2, 0.1);
   const SpheroPolyhedron start = inset_core(rock, 0.05);
-  EXPECT_EQ(fit_core(rock, start).vertices, fit_core(rock, start).vertices);
+  EXPECT_EQ(fit_core(rock, start).body.vertices, fit_core(rock, start).body.vertices);
 }
 
 TEST(CoreFit, GoodEnoughIsLeftAlone) {
   const TriangleMesh rock = random_rock(5, 2, 0.1);
   const SpheroPolyhedron start = inset_core(rock, 0.05);
-  EXPECT_EQ(fit_core(rock, start, {.good_enough = 1.0}).vertices, start.vertices);
-  EXPECT_EQ(fit_core(rock, start, {.rounds = 0}).vertices, start.vertices);
+  EXPECT_EQ(fit_core(rock, start, {.good_enough = 1.0}).body.vertices, start.vertices);
+  EXPECT_EQ(fit_core(rock, start, {.rounds = 0}).body.vertices, start.vertices);
 }
 
 TEST(CoreFit, NonsenseIsRefused) {

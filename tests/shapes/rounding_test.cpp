@@ -158,7 +158,7 @@ TEST(SurfaceDeviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
   }
   const double expected = sum / (n * n);
   const TriangleMesh cube = box_mesh({1, 1, 1});
-  const SurfaceDeviation deviation = measure_surface_deviation(cube, inset_core(cube, r), 200000);
+  const SurfaceDeviation deviation = measure_surface_deviation(cube, inset_core(cube, r), {.samples = 200000});
   EXPECT_NEAR(deviation.mean / expected, 1.0, 0.01);
 }
 
@@ -172,10 +172,10 @@ TEST(SurfaceDeviation, OfTheScanTakenAsCoreIsTheRadius) {
   EXPECT_GE(deviation.hausdorff, 0.03);
   EXPECT_LE(deviation.hausdorff, 0.045);
   const TriangleMesh rock = random_rock(2);
-  EXPECT_GE(measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), 1000).mean,
+  EXPECT_GE(measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), {.samples = 1000}).mean,
             0.03 - 1e-12);
   const SurfaceDeviation none =
-      measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.0), 1000);
+      measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.0), {.samples = 1000});
   EXPECT_LT(none.hausdorff, kGap * bounds(rock).diagonal());
 }
 
@@ -273,7 +273,7 @@ TEST_P(RoundedRocks, StayCloseToTheScanAndSound) {
     EXPECT_TRUE(inspect_mesh(core).is_closed() && inspect_mesh(core).is_oriented());
     EXPECT_TRUE(find_self_intersections(core).empty());
     EXPECT_GT(enclosed_volume(core), 0.0);
-    const SurfaceDeviation deviation = measure_surface_deviation(rock, body, 5000);
+    const SurfaceDeviation deviation = measure_surface_deviation(rock, body, {.samples = 5000});
     EXPECT_LT(deviation.hausdorff, 0.5 * r + 0.02 * thickness);
     EXPECT_LT(deviation.mean, 0.1 * r);
   }
@@ -292,9 +292,9 @@ TEST_P(RoundedRocks, DeviationAgreesWithBruteForce) {
     }
     largest = std::max(largest, std::abs(nearest - body.radius));
   }
-  EXPECT_GE(measure_surface_deviation(rock, body, 100).hausdorff, largest - 1e-13);
-  const SurfaceDeviation twice = measure_surface_deviation(rock, body, 100);
-  EXPECT_EQ(twice.mean, measure_surface_deviation(rock, body, 100).mean);
+  EXPECT_GE(measure_surface_deviation(rock, body, {.samples = 100}).hausdorff, largest - 1e-13);
+  const SurfaceDeviation twice = measure_surface_deviation(rock, body, {.samples = 100});
+  EXPECT_EQ(twice.mean, measure_surface_deviation(rock, body, {.samples = 100}).mean);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RoundedRocks, testing::Range(0, 4));
