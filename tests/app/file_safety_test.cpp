@@ -146,7 +146,7 @@ TEST_F(FileSafety, PagesOfScansNeedReplaceOrResume) {
   fs::create_directory(folder / "q");
   write_text_file(folder / "q" / "summary.csv", "block,volume\n");
   expect_kept("q/summary.csv", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},
-              "q/summary.csv: already exists and is not a summary of such pages");
+              "q/summary.csv: already exists and is not a summary of scan pages");
   fs::remove(folder / "q" / "summary.csv");
   write_text_file(folder / "q" / "index.html", "<!DOCTYPE html>\n<title>Mine</title>\n");
   expect_kept("q/index.html", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},

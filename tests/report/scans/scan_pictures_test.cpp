@@ -192,10 +192,10 @@ TEST(ScanPage, TablesNameEveryDefectAndHoleWithItsPlace) {
   EXPECT_EQ(marks[0].label, "1");
   EXPECT_EQ(marks[1].label, "H1");
   RepairReport sound;
-  EXPECT_EQ(count_of(format_repair_section(sound), "None beside the open side"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound), "None except the open side"), 1u);
   sound.as_read.triangles = 4;
   EXPECT_EQ(count_of(format_repair_section(sound), "None: the surface was closed"), 1u);
-  EXPECT_EQ(count_of(format_repair_section(sound, true, true), "None beside the open side"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound, true, true), "None except the open side"), 1u);
 }
 
 TEST(ScanPage, EveryKindOfDefectHasAName) {

@@ -197,7 +197,7 @@ TEST(Compare, ABarrierDrawnTheWrongWayCountsTheSameRuns) {
   EXPECT_EQ(compact.crossed, 3u);
   EXPECT_EQ(compact.backward, 3u);
   EXPECT_NEAR(compact.speed.mean, 4.0, 1e-12);
-  EXPECT_FALSE(warns(comparison, "the other way"));
+  EXPECT_FALSE(warns(comparison, "in the opposite direction"));
 }
 
 TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
@@ -209,7 +209,7 @@ TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
   EXPECT_EQ(compact.crossed, 1u) << "that came back";
   EXPECT_EQ(compact.backward, 3u);
   EXPECT_TRUE(warns(comparison, "barrier B<1> counts only"));
-  EXPECT_TRUE(warns(comparison, "of 6 runs crossed it the other way first"));
+  EXPECT_TRUE(warns(comparison, "of 6 runs first crossed it in the opposite direction"));
   for (Crossing& crossing : results.crossings) crossing.forward = !crossing.forward;
   EXPECT_FALSE(warns(compared(std::move(results)), "the other way first"));
 }
