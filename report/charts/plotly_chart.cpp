@@ -187,7 +187,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
     const char* colour = clear ? "#0072B2" : "#7b8794";
     data.push_back({{"type", "scatter"},
                     {"mode", "markers"},
-                    {"name", clear ? "more than chance" : "not clear"},
+                    {"name", clear ? "significant" : "not significant"},
                     {"x", values},
                     {"y", names},
                     {"text", notes},

@@ -77,7 +77,7 @@ TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
                  "blocks move differently in this clast");
   write_text_file(folder / "study.toml", replaced(study(), "0.6", "0.7"));
   expect_refused(folder, {"calibrate", "study.toml", "--resume"}, 1,
-                 "was begun with other sites, unknowns");
+                 "was started with different sites, unknowns");
 }
 
 TEST_F(CalibrateCommand, IsTheSameInShardsJoined) {

@@ -112,7 +112,7 @@ TEST(AnswerText, RunsThatEndEarlyAreSaid) {
   CampaignResults all = made_up_results();
   for (RunRecord& run : all.runs) run.result.stop_reason = StopReason::kLeftTerrain;
   EXPECT_TRUE(contains(sentences(all),
-                       "Runouts can't be compared: 0 of 96 compact and 0 of 96 elongated "
+                       "Runouts cannot be compared: 0 of 96 compact and 0 of 96 elongated "
                        "blocks came to rest (192 left the surveyed terrain)."));
   std::erase_if(all.runs, [](const RunRecord& run) { return run.block == 1; });
   EXPECT_TRUE(contains(

@@ -76,7 +76,7 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
         << cell << " in " << thickness;
   }
   const std::string figures = html.substr(html.find("Statistics of the deposit"));
-  const std::string lying = figures.substr(figures.find("blocks that lie there"));
+  const std::string lying = figures.substr(figures.find("blocks in the deposit"));
   EXPECT_TRUE(contains(lying.substr(0, lying.find("</tr>")), ">2.0<"));
 }
 

@@ -108,7 +108,7 @@ TEST(HtmlReport, ShowsWarningsAndLostRunsWithTheirReason) {
   const std::string html = comparison_report(compared(std::move(results)));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "mass differs between classes"));
-  EXPECT_TRUE(contains(html, "1 of 6 runs ended with an error."));
+  EXPECT_TRUE(contains(html, "1 of 6 runs failed with an error."));
   EXPECT_TRUE(contains(html, "turned to &lt;nan&gt; in step 7"));
   EXPECT_FALSE(contains(html, "=\"nan\""));
 }

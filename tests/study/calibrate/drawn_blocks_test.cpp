@@ -206,7 +206,8 @@ TEST_F(DrawnBlocks, UnusualSizesAtTheUpperEndsAreRefused) {
   EXPECT_EQ(refused(900.0), "");
   EXPECT_TRUE(contains(refused(1e6), "a block is no longer than a tenth of the terrain"))
       << refused(1e6);
-  EXPECT_TRUE(contains(refused(1e6), "drawn with the masses of [[unknown]] at the upper ends"));
+  EXPECT_TRUE(
+      contains(refused(1e6), "drawn with masses at the upper ends of the ranges in [[unknown]]"));
 }
 
 }  // namespace
