@@ -252,7 +252,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
     }
   } catch (const std::bad_alloc&) {
     handle_->fail(name, "does not fit into memory (" + std::to_string(count) +
-                            " values); use a machine with more");
+                            " values); use a machine with more memory");
   }
 }
 

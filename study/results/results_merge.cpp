@@ -32,7 +32,7 @@ void check_parts_of_one_campaign(const CampaignHeader& first, const CampaignHead
   if (other.campaign_sha256 != first.campaign_sha256) {
     difference = "belongs to another campaign than ";
   } else if (other.inputs != first.inputs) {
-    difference = "was made from other input files than ";
+    difference = "was made from different input files than ";
   } else if (other.program_version != first.program_version) {
     difference =
         "was made by clast " + other.program_version + ", not " + first.program_version + " like ";

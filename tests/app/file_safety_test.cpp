@@ -297,7 +297,7 @@ TEST_F(FileSafety, AFullDiskIsReportedBeforeTheRunsWhereItCanBeKnown) {
   const LargestFile limit(1'000'000);  // 8,000 runs take some 4 MB, whatever happens in them
   expect_refused(folder, {"simulate", "many.toml"}, 1, "results.h5: at least 4");
   expect_refused(folder, {"simulate", "many.toml"}, 1,
-                 "MB will be written, and no file here may be larger (ulimit -f) than 1 MB");
+                 "MB will be written, and files must not be larger (ulimit -f) than 1 MB");
 }
 
 TEST_F(FileSafety, ADiskThatFillsDuringTheRunsIsReportedAndKeepsThem) {

@@ -120,7 +120,7 @@ TEST_F(VaryCommand, RefusesWhatMakesNoSense) {
   refused({"--to", "0.5,0.8"}, 2, "S/L at most I/L");
   refused({"--grid", "folk:3"}, 2, "use sneed-folk or zingg");
   refused({"--grid", "zingg"}, 2, "sneed-folk:STEPS or zingg:STEPS");
-  refused({"--to", "0.5,0.5", "--draw", "100000"}, 1, "the most is 100000");
+  refused({"--to", "0.5,0.5", "--draw", "100000"}, 1, "the limit is 100000");
   refused({"--reference", "cone"}, 2, "cone");
   refused({"--from", "x.csv"}, 2, "--draw");
   refused({"--to", "0.5,0.5", "--keep", "weight"}, 2, "weight");
