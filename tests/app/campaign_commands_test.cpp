@@ -277,7 +277,7 @@ TEST_F(Campaigns, SayWhatEachOfSeveralMassesIs) {
   const ProgramRun scenes =
       run_clast({"export", "masses.toml", "--to", "rockable", "-o", "scenes"}, folder.path());
   EXPECT_EQ(scenes.exit_code, 1);
-  EXPECT_TRUE(contains(scenes.err, "its masses settle behind faces first")) << scenes.err;
+  EXPECT_TRUE(contains(scenes.err, "its masses settle behind confining walls first")) << scenes.err;
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST_F(SharedCampaign, ShardsOfDifferentCampaignsAreNotJoined) {
   write_text_file(folder / "campaign.toml", replaced(text, "max_time_s = 0.5", "max_time_s = 0.4"));
   run({"simulate", "campaign.toml", "-o", "all.h5", "--shard", "2/2"});
   expect_refused(folder, {"simulate", "--merge", "all.1of2.h5", "all.2of2.h5"}, 1,
-                 "all.2of2.h5: is of another campaign");
+                 "all.2of2.h5: belongs to another campaign");
   expect_refused(folder, {"simulate", "--merge", "blocks.h5"}, 1, "blocks.h5");
   expect_refused(folder, {"simulate", "--merge", "none.h5"}, 1, "none.h5");
 }

@@ -168,7 +168,7 @@ TEST(GaussianProcess, ShiftedAndScaledValuesGiveTheSameShape) {
 TEST(GaussianProcess, TooFewPlacesAndSenselessBoundsAreRefused) {
   EXPECT_EQ(
       refusal<InputError>([] { GaussianProcess(MatrixXd(2, 2), VectorXd(2)); }),
-      "a Gaussian process needs at least three points with a value each; there are 2 places and 2 "
+      "a Gaussian process needs at least three points with a value each; there are 2 points and 2 "
       "values");
   GaussianProcessOptions options;
   options.max_length_scale = 0.01;

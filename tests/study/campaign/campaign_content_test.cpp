@@ -205,7 +205,7 @@ TEST_F(CampaignContent, SoilRemembersBetweenReleasesUnderALawThatLeavesDents) {
   const std::string soil =
       with("rolling_friction = 0.3", "rolling_friction = 0.3\nsoil_memory_m = 0.2");
   EXPECT_TRUE(contains(refusal(soil),
-                       "soil_memory_m is for blocks that follow each other; add "
+                       "soil_memory_m applies to blocks that follow each other; add "
                        "[release] sequence = \"stay\""));
   const std::string stay =
       replaced_once(soil, "[release]\n", "[release]\nsequence = \"stay\"\n") +

@@ -271,7 +271,7 @@ TEST(Compare, SlopesWhereGeometryDecidesAreNamed) {
                     "mu = 35 deg: "));
   EXPECT_TRUE(warns(comparison,
                     "zone scree slopes 26.6 deg on average, above atan mu = 16.7 deg: friction "
-                    "stops nothing there"));
+                    "cannot stop a block there"));
   // No run reached the scree.
   CampaignResults upper = hand_made_results();
   for (RunRecord& run : upper.runs) run.result.final_state.position = Vec3(5.0, 0.0, -2.5);
@@ -291,8 +291,8 @@ TEST(Compare, ZoneThatStopsBlocksIsNotCalledTooSteepToStopThem) {
     return compared(results);
   };
   const Comparison some = at_rest_on_scree(2);
-  EXPECT_TRUE(warns(some, "but 2 of 6 runs stopped where it is flatter"));
-  EXPECT_FALSE(warns(some, "friction stops nothing there"));
+  EXPECT_TRUE(warns(some, "but 2 of 6 runs stopped on its flatter parts"));
+  EXPECT_FALSE(warns(some, "friction cannot stop a block there"));
   for (const ComparisonWarning& caution : some.cautions) {
     EXPECT_FALSE(contains(caution.brief, "too steep")) << caution.brief;
   }
@@ -386,7 +386,7 @@ TEST(Compare, RecordsThatFitNothingAreRefused) {
   CampaignResults block = hand_made_results(), stop = block, run = block, barrier = block,
                   twice = block;
   block.runs[4].block = 2;
-  EXPECT_TRUE(contains(refused(block), "run 4 names block number 2 of 2"));
+  EXPECT_TRUE(contains(refused(block), "run 4 refers to block number 2 of 2"));
   stop.runs[3].result.final_state.position.x() = NAN;
   EXPECT_TRUE(contains(refused(stop), "run 3"));
   run.crossings[0].run = 99;

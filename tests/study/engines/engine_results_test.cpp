@@ -225,7 +225,7 @@ TEST_F(EngineResultsOf, WhatTakesContactsIsEmptyAndNotZero) {
   EXPECT_EQ(of_engines, comparison.rows.size());
   std::size_t warned = 0;
   for (const std::string& warning : comparison.warnings) {
-    EXPECT_FALSE(contains(warning, "miss more than 1 %")) << warning;
+    EXPECT_FALSE(contains(warning, "an error of more than 1 %")) << warning;
     warned += contains(warning, "computed by Rockable");
   }
   EXPECT_EQ(warned, 1u);
@@ -257,7 +257,7 @@ TEST_F(EngineResultsOf, OtherScenesAreRefused) {
   EXPECT_TRUE(contains(refused(), "rockable.h5"));
   fs::remove(target());
   write_text_file(scenes() / "campaign.toml", campaign_text());
-  EXPECT_TRUE(contains(refused(), "is not the campaign that the scenes were written of"));
+  EXPECT_TRUE(contains(refused(), "is not the campaign of the scenes"));
   EXPECT_TRUE(contains(clast::refusal<InputError>([&] {
                          import_engine_results({.engine = "exadem", .scenes = scenes()}, target());
                        }),

@@ -178,7 +178,7 @@ TEST_F(NewCampaigns, SaySoWhereZonesNameNoGroundAndCountBlocksWhereTheyPass) {
     EXPECT_FALSE(zone.by_name);
     EXPECT_EQ(zone.type.name, default_ground_type().name);
   }
-  EXPECT_TRUE(contains(text(), "[ground.gray]") && contains(text(), "no kind of ground"));
+  EXPECT_TRUE(contains(text(), "[ground.gray]") && contains(text(), "no ground type"));
   ASSERT_FALSE(proposal.doubts.empty());
   EXPECT_TRUE(contains(proposal.doubts[0], "3 ground zones are taken for scree"));
   EXPECT_TRUE(contains(text(), "NOTE: 3 ground zones"));

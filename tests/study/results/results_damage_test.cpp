@@ -20,7 +20,7 @@ TEST(Results, WhatIsNotAResultsFileIsRefused) {
   };
   EXPECT_TRUE(contains(refused("none.h5"), "none.h5: no such file"));
   write_text_file(folder / "unfinished.h5.part", "clast results journal 1\n");
-  EXPECT_TRUE(contains(refused("unfinished.h5.part"), "not finished; go on with it first"));
+  EXPECT_TRUE(contains(refused("unfinished.h5.part"), "unfinished campaign; continue it first"));
   write_text_file(folder / "empty.h5", "");
   EXPECT_TRUE(contains(refused("empty.h5"), "empty.h5: is empty"));
   write_text_file(folder / "text.h5", "no HDF5 at all");

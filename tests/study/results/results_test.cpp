@@ -195,7 +195,7 @@ TEST(Results, CampaignWithoutBarriersDownslopeAndTrajectoriesIsStored) {
   EXPECT_FALSE(results.downslope);
   EXPECT_EQ(results.runs.size(), 1u);
   const std::string message = refusal([&] { read_trajectory(folder / "r.h5", 0); });
-  EXPECT_TRUE(contains(message, "r.h5: no trajectory of run 0; none were stored")) << message;
+  EXPECT_TRUE(contains(message, "r.h5: no trajectory of run 0; none are stored")) << message;
 }
 
 TEST(Results, UnknownRunHasNoTrajectory) {

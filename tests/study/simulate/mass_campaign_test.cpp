@@ -260,7 +260,7 @@ TEST_F(MassCampaign, RefusesWhatDoesNotFit) {
   refused(mass("realisations = 2", "realisations = 2\nthickness = 2"), "unknown key");
   refused(mass("realisations = 2", "thickness_m = -1"), "thickness_m = -1");
   refused(mass("realisations = 2", "thickness_m = 0.9"),
-          "below thickness_m = 0.9; allow more, widen the polygon");
+          "below thickness_m = 0.9; raise it, widen the polygon");
   refused(mass("[-1, -1.5], [-1, 1.5], [-4, 1.5]", "[-3.7, -1.5], [-3.7, -1.2], [-4, -1.2]"),
           "[mass] holds 0 of 8 blocks of realisation 1, and block ");
   refused(text(std::string(kMass) + "share = 0.5\n"),

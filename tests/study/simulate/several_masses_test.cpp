@@ -214,7 +214,7 @@ TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
   refused(masses("seed = 2\n"), "give it only in the first [[mass]]");
   refused(
       masses("release_time_s = 2\n", "release_time_s = 1\n"),
-      "release_time_s = 1: times count from the first release, and no mass is released at time 0");
+      "release_time_s = 1: times count from the first release, but no mass is released at time 0");
   refused(masses("release_time_s = -2\n"), "release_time_s = -2");
   refused(masses("share = 0.6\n", "share = 0.6\n"), "1.2; it must be 1");
   refused(masses("share = 1\n"), "some blocks must remain for the mass without a share");
@@ -222,7 +222,8 @@ TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
   refused(masses("share = 0.5\ncount = 2\n"), "contradicts share");
   refused(masses("count = 9\n"),
           "make 9 of 9 blocks of a realisation and leave none for [mass] upper");
-  refused(masses("count = 2\n", "count = 2\n"), "make 4 of 9 blocks of a realisation; make it all");
+  refused(masses("count = 2\n", "count = 2\n"),
+          "make 4 of 9 blocks of a realisation; make it equal to that number");
   refused(masses("share = 0.01\n"), "[mass] lower gets none of the 9 blocks");
   refused(masses("in_place = true\n"), "neither drawn nor scaled");
   refused(masses("thickness_m = 0.2\n"), "[mass] lower holds 0 of 3 blocks of realisation 1");
