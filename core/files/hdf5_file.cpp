@@ -382,7 +382,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   }
   if (schema < 1) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
-                     ", which never existed" + kDamaged);
+                     ", which does not exist" + kDamaged);
   }
   return file;
 }

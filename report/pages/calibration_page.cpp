@@ -275,7 +275,7 @@ std::string format_provenance_section(const Calibration& calibration) {
                                std::to_string(calibration.posterior.temperatures) +
                                " temperatures, " +
                                format_percent(calibration.posterior.accepted, 0) +
-                               " of the last moves accepted");
+                               " of the last Metropolis moves accepted");
   std::string inputs;
   for (const std::string& input : calibration.stored.inputs) inputs += format_paragraph(input);
   return format_section("For campaigns",

@@ -328,7 +328,7 @@ std::string describe_intervals(const KeyResults& answer) {
           ? ""
           : "Ranges over draws of the ground parameters cover " +
                 std::string(is_ninety_percent_interval(draws) ? "nine draws in ten" : "all draws") +
-                "; they do not cover other release points or blocks.";
+                "; these ranges do not cover other release points or blocks.";
   if (all_drawn) return over_draws;
   std::string ranges = "Ranges in brackets are 95 % intervals, from ";
   if (realisations && fewest == 1) {

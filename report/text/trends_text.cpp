@@ -61,7 +61,7 @@ std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>
     text += *trend.equivalence < kTrendLevel
                 ? ", within +-" + limit + ": the effect is negligible" + p
             : beyond ? ", more than +-" + limit
-                     : ", which is not shown to be within +-" + limit + p;
+                     : ", but it is not shown to be within +-" + limit + p;
   }
   text += "; a campaign of this size detects a difference of " +
           trend_value(trend.smallest, trend.unit) + " in 80 % of cases";

@@ -74,7 +74,7 @@ TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
   write_posterior(folder / "altered.h5", read_calibration_study(folder / "study.toml"), altered,
                   nullptr, {.kind = kPosteriorFormat});
   expect_refused(folder, {"calibrate", "study.toml", "-o", "altered.h5", "--resume"}, 1,
-                 "blocks move differently in this clast");
+                 "this version of clast computes different motions");
   write_text_file(folder / "study.toml", replaced(study(), "0.6", "0.7"));
   expect_refused(folder, {"calibrate", "study.toml", "--resume"}, 1,
                  "was started with different sites, unknowns");

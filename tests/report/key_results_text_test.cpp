@@ -174,8 +174,9 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
       << text;
   EXPECT_TRUE(contains(text, "Over 5 draws of the ground, mean runout is ")) << text;
   EXPECT_FALSE(contains(text, "nine draws in ten"));
-  EXPECT_TRUE(contains(describe_intervals(found),
-                       "cover all draws; they do not cover other release points or blocks."));
+  EXPECT_TRUE(
+      contains(describe_intervals(found),
+               "cover all draws; these ranges do not cover other release points or blocks."));
   EXPECT_FALSE(contains(describe_intervals(found), "95 %"));
 }
 

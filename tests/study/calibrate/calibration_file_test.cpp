@@ -188,10 +188,11 @@ TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
   };
   EXPECT_EQ(joined(), ours);
   simulator.physics_digest = other;
-  const std::string differ = target().string() +
-                             ": blocks move differently in this clast (physics digest aaaaaaaaaa, "
-                             "here bbbbbbbbbb) than in the one that simulated its members, which "
-                             "has the same version number; ";
+  const std::string differ =
+      target().string() +
+      ": this version of clast computes different motions (physics digest aaaaaaaaaa, "
+      "here bbbbbbbbbb) than in the one that simulated its members, which "
+      "has the same version number; ";
   EXPECT_EQ(refusal<InputError>([&] { run(resume); }),
             differ + "delete it, or give another output");
   join.replace = true;
