@@ -58,8 +58,9 @@ std::string common_physics(const std::vector<Part>& parts) {
     if (results.physics_digest.empty()) continue;
     if (!known) known = &results;
     if (results.physics_digest == known->physics_digest) continue;
-    throw InputError(results.file.string() + ": blocks moved differently in the clast that made " +
-                     "it than in that of " + known->file.string() + " (physics digest " +
+    throw InputError(results.file.string() +
+                     ": was made by a program that computes different motions from that of " +
+                     known->file.string() + " (physics digest " +
                      results.physics_digest.substr(0, 10) + ", there " +
                      known->physics_digest.substr(0, 10) + "), though both are clast " +
                      results.program_version + "; simulate all shards with one program");

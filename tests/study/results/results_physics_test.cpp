@@ -42,8 +42,9 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
   EXPECT_EQ(refusal([&] {
               merge_results({target, folder / "b.h5"}, folder / "m.h5");
             }),
-            (folder / "b.h5").string() + ": blocks moved differently in the clast that made it " +
-                "than in that of " + target.string() +
+            (folder / "b.h5").string() +
+                ": was made by a program that computes different motions from that of " +
+                target.string() +
                 " (physics digest bbbbbbbbbb, there aaaaaaaaaa), though both are clast " +
                 header.program_version + "; simulate all shards with one program");
 }
