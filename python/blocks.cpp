@@ -265,7 +265,7 @@ void bind_blocks(py::module_& module) {
           "Hausdorff distance to the scan, m.")
       .def(
           "to_dict", [](const Block& b) { return to_python_object(block_json(b)); },
-          "All data of the block, as printed by clast show --json.")
+          "All data of the block, as printed by clast show as JSON.")
       .def("picture", &picture_of, "width"_a = 320, "height"_a = 256,
            "PNG of the rounded surface, seen from the front and above.")
       .def("_repr_png_", [](const Block& b) { return picture_of(b, 320, 256); })

@@ -34,7 +34,7 @@ std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
     warnings.push_back(format_count(outcome.reassigned, "run loses or gains", "runs lose or gain") +
                        " more than 10 % of the dissipated energy when contacts change (at most " +
                        format_significant(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
-                       " %); `clast compare` names the worst run and suggests a remedy");
+                       " %); clast compare names the worst run and suggests a remedy");
   }
   return warnings;
 }
