@@ -59,7 +59,7 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   masses.release_points.resize(3);
   masses.set_of_point.resize(3);
   EXPECT_TRUE(contains(format_provenance_section(compared(masses)),
-                       "2 realisations of 3 blocks, released as 3 masses"));
+                       "2 realisations of 3 blocks, released as 3 block masses"));
   EXPECT_EQ(format_persistent_blocks_section(comparison), "");
   const DepositResults deposits = measure_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);
