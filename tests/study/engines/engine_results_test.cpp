@@ -185,7 +185,7 @@ TEST_F(EngineResultsOf, EachEndHasItsReason) {
   EXPECT_EQ(runs[3].result.stop_reason, StopReason::kLeftTerrain);
   EXPECT_EQ(runs[3].result.duration, 5.0);  // from y = 3 at 5 m/s past -20
   EXPECT_EQ(runs[4].result.stop_reason, StopReason::kError);
-  EXPECT_TRUE(contains(runs[4].result.message, "no number from t = 0.3"));
+  EXPECT_TRUE(contains(runs[4].result.message, "not a number from t = 0.3"));
   EXPECT_NEAR(runs[4].result.duration, 0.2, 1e-12);
   EXPECT_EQ(runs[5].result.stop_reason, StopReason::kRest);
   EXPECT_EQ(runs[5].result.duration, 0.85);
