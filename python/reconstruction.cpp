@@ -34,7 +34,7 @@ double measured_unit(const std::array<Vec3, 2>& points, double metres) {
   const double units = (points[1] - points[0]).norm();
   if (!(units > 0.0) || !kLengthUnit.contains(metres / units)) {
     throw InputError("scale_length: the points are " + format_significant(units, 6) +
-                     " units apart, and a unit must be " + kLengthUnit.describe());
+                     " units apart, but a unit must be " + kLengthUnit.describe());
   }
   return metres / units;
 }

@@ -120,7 +120,7 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 /// Returns a note if the second component is too large for debris. The first is the block.
 std::string left_out(const std::vector<Component>& components) {
   if (components.size() < 2 || components[1].area <= kFragmentArea * components[0].area) return "";
-  return "another component of the scan that stands close to this block, with " +
+  return "another component of the scan close to this block, with " +
          format_significant(100.0 * components[1].area / components[0].area, 3) +
          " % of its area, near " + format_point(components[1].mesh.vertices[0]) +
          ", was left out; to make both, save each to a separate file";
