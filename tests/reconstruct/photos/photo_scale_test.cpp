@@ -68,7 +68,7 @@ TEST(PhotoScale, SidesCheckBars) {
   const PhotoScale bad =
       estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.19});
   EXPECT_NEAR(*bad.side_check, 0.2 / 0.19 - 1.0, 1e-12);
-  EXPECT_TRUE(contains(bad.notes.back(), "sides are 5.3 % longer than given"));
+  EXPECT_TRUE(contains(bad.notes.back(), "sides of the markers are 5.3 % longer than given"));
 }
 
 TEST(PhotoScale, SizesThatContradictAreRefused) {
