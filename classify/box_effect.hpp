@@ -27,6 +27,6 @@ std::vector<BoxConventionEffect> compare_box_conventions(std::span<const Measure
                                                          const SchemeOptions& limits = {});
 
 /// Formats an effect as "By the inertia box 2 of 7 blocks have another class of sneed-folk."
-std::string describe_box_effect(const BoxConventionEffect& effect);
+std::string describe_box_convention_effect(const BoxConventionEffect& effect);
 
 }  // namespace clast

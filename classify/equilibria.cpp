@@ -104,7 +104,7 @@ std::size_t count_saddles(const Polytope& p, const Vec3& centre) {
 
 }  // namespace
 
-Equilibria static_equilibria(const SpheroPolyhedron& body, const Vec3& centre) {
+StaticEquilibriumCounts count_static_equilibria(const SpheroPolyhedron& body, const Vec3& centre) {
   const Polytope hull = polytope(convex_hull(body.vertices));
   return {count_stable(hull, centre), count_unstable(hull, centre), count_saddles(hull, centre)};
 }

@@ -8,7 +8,7 @@ namespace clast {
 
 /// Numbers of static equilibria: orientations in which the centre of mass is vertically above the
 /// contact with a horizontal plane. @cite domokos2010
-struct Equilibria {
+struct StaticEquilibriumCounts {
   std::size_t stable = 0;    ///< resting on a face: minimum of the height of the centre of mass
   std::size_t unstable = 0;  ///< resting on a vertex: maximum of this height
   std::size_t saddle = 0;    ///< resting on an edge: saddle point of this height
@@ -23,6 +23,6 @@ struct Equilibria {
 /// use simplified bodies.
 /// @param centre  centre of mass
 /// @throws GeometryError  if the vertices enclose no volume
-Equilibria static_equilibria(const SpheroPolyhedron& body, const Vec3& centre);
+StaticEquilibriumCounts count_static_equilibria(const SpheroPolyhedron& body, const Vec3& centre);
 
 }  // namespace clast

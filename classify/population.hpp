@@ -16,8 +16,8 @@ struct Population {
   std::vector<MeasuredBlock> blocks;
 };
 
-/// Returns `axes_as_written` of all blocks, from which classes and ratios are computed.
-std::vector<Axes> axis_proportions(const Population& population);
+/// Returns `axes_in_table_unit` of all blocks, from which classes and ratios are computed.
+std::vector<Axes> axes_for_ratios(const Population& population);
 /// Returns the masses, kg; 0 if unknown.
 std::vector<double> block_masses(const Population& population);
 

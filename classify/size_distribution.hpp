@@ -63,7 +63,7 @@ double find_reading_resolution(std::span<const double> values);
 /// @param step  reading resolution, m; 0 for continuous sizes. If positive, distributions are
 ///              compared halfway between readings
 /// @cite stephens1974
-void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step,
+void compute_goodness_of_fit(FittedSizeLaw& law, std::span<const double> sizes, double step,
                    std::uint64_t seed, std::size_t samples = 999);
 
 /// Computes the Kolmogorov-Smirnov distances of `samples` bootstrap samples from the laws fitted to

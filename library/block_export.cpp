@@ -95,8 +95,8 @@ std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& 
                     "metres: " + explain_unscaled_block());
   }
   if (!options.includes_rounded_surface() || !options.segments) return notes;
-  const std::optional<double> length = wrap_edge_length(block.body, *options.segments);
-  const int most = max_wrap_segments(block.body);
+  const std::optional<double> length = outer_surface_edge_length(block.body, *options.segments);
+  const int most = max_outer_surface_segments(block.body);
   if (length && *options.segments > most) {
     notes.push_back("block " + block.id + " is concave: its skin is wrapped in triangles of " +
                     format_significant(*length, 3) + (is_unscaled(block) ? " units" : " m") +
@@ -116,7 +116,7 @@ ShpShape to_shp_shape(const Block& block) {
       shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
   shape.source_from_body = block.source_from_body();
   const Pose body_from_source = shape.source_from_body.inverse();
-  shape.body = transformed(merge_coplanar_faces(block.body, kFileFlatness), body_from_source);
+  shape.body = transformed(merge_coplanar_faces(block.body, kFileFlatnessTolerance), body_from_source);
   shape.volume = block.mass.volume;
   shape.inertia_per_mass = block.principal.moments / block.mass.mass;
   shape.box = block.box;

@@ -75,13 +75,13 @@ VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
     unseen.assumption = group.read_attribute<std::string>("assumption");
   }
   if (group.contains("axes_lower")) {
-    unseen.sides = SideBounds{lengths("axes_lower"), lengths("axes_upper")};
+    unseen.sides = BoxSideBounds{lengths("axes_lower"), lengths("axes_upper")};
     require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all(), where,
             "axes_lower is above axes_upper");
   } else if (group.contains(
                  "box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
     const Vec3 small = lengths("box_lower"), large = lengths("box_upper");
-    unseen.sides = SideBounds{small.cwiseMin(large), small.cwiseMax(large)};
+    unseen.sides = BoxSideBounds{small.cwiseMin(large), small.cwiseMax(large)};
   }
   return unseen;
 }

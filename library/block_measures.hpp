@@ -19,7 +19,7 @@ OrientedBox block_box(const Block& block, BoxConvention convention);
 std::map<std::string, double> block_indices(const Block& block, const Axes& axes);
 
 /// Computes the static equilibria. Empty for balls and capsules.
-std::optional<Equilibria> block_equilibria(const Block& block);
+std::optional<StaticEquilibriumCounts> block_equilibria(const Block& block);
 
 /// Computes the roundness of a rounded body.
 /// @param edge_length  edge length of the mesh on which it is measured, m

@@ -23,7 +23,7 @@ struct ConvexityVariation {
 };
 /// Variation to a given ratio of Minkowski radius to S. I/L and S/L are kept.
 struct RoundingVariation {
-  double radius_share = 0.02;
+  double radius_fraction = 0.02;
 };
 /// Variation to a given Wadell roundness (classify/roundness.hpp), by changing the Minkowski
 /// radius. I/L and S/L are kept.

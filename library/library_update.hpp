@@ -24,6 +24,6 @@ BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpda
 
 /// Checks that `update_library` can write the file. Call it before a long computation.
 /// @throws InputError  if it cannot, or if the existing file is not a library
-void check_library_target(const std::filesystem::path& path);
+void check_library_writable(const std::filesystem::path& path);
 
 }  // namespace clast

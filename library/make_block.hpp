@@ -12,7 +12,7 @@ namespace clast {
 struct BlockOptions {
   bool core = false;  ///< true: the mesh is the core and is not changed; requires `radius`
   std::optional<double> radius;  ///< Minkowski radius, m
-  double radius_share = 0.02;    ///< ratio of radius to S, if `radius` is not given
+  double radius_fraction = 0.02;    ///< ratio of radius to S, if `radius` is not given
   bool convex = false;           ///< true: the scan is convex, and the core stays convex
   double density = 2650.0;       ///< kg/m^3
   bool density_given = false;
@@ -29,11 +29,11 @@ struct BlockOptions {
 
 template <class Visit>
 void visit_fields(const BlockOptions& options, Visit&& visit) {
-  const auto& [core, radius, radius_share, convex, density, density_given, mass, accuracy,
+  const auto& [core, radius, radius_fraction, convex, density, density_given, mass, accuracy,
                tolerance, suggest_radius] = options;
   visit("core", core);
   visit("radius", radius);
-  visit("radius_share", radius_share);
+  visit("radius_share", radius_fraction);
   visit("convex", convex);
   visit("density", density);
   visit("density_given", density_given);

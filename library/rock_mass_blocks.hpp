@@ -12,7 +12,7 @@ namespace clast {
 
 struct RockMassOptions {
   std::vector<JointSet> joints;
-  CuttingOptions cutting;
+  JointCuttingOptions cutting;
   BlockOptions block;        ///< radius and density
   std::string prefix = "J";  ///< prefix of the numbered ids, such as "J0001"
   unsigned threads = 0;      ///< number of threads; 0: one per core; does not affect the result

@@ -17,7 +17,7 @@ struct FormGrid {
 };
 
 /// Targets of variations. There may be any number of each kind.
-struct SeriesTargets {
+struct VariationTargets {
   std::vector<BoxRatios> ratios;
   std::optional<FormGrid> grid;
   std::vector<double> convexity;
@@ -36,10 +36,10 @@ struct SeriesTargets {
   std::vector<Variation> variations() const;
 };
 
-/// Returns the names of the diagrams of `FormGrid`; `inertia_form_names` returns those of the
+/// Returns the names of the diagrams of `FormGrid`; `inertia_body_names` returns those of the
 /// bodies of `InertiaVariation`.
-const std::vector<std::string>& form_grid_names();
-const std::vector<std::string>& inertia_form_names();
+const std::vector<std::string>& form_grid_diagram_names();
+const std::vector<std::string>& inertia_body_names();
 
 /// Checks target ratios.
 /// @param written  ratios as written, for the message

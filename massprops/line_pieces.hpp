@@ -20,9 +20,9 @@ struct HeightPlane {
 };
 
 /// Convex pieces prepared for intersection with vertical lines. They are sorted by their lowest y.
-class VerticalLinePieces {
+class PieceLineClipper {
  public:
-  VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius);
+  PieceLineClipper(const std::vector<OffsetPiece>& pieces, double radius);
 
   std::size_t size() const { return pieces_.size(); }
   /// Returns the range of y of a piece. The lower ends are ascending.
@@ -54,9 +54,9 @@ class VerticalLinePieces {
 };
 
 /// Triangles of the core prepared for intersection with vertical lines. Sorted by lowest y.
-class VerticalLineTriangles {
+class TriangleLineCrossings {
  public:
-  explicit VerticalLineTriangles(const TriangleMesh& core);
+  explicit TriangleLineCrossings(const TriangleMesh& core);
 
   std::size_t size() const { return triangles_.size(); }
   LineInterval y_range(std::size_t triangle) const;

@@ -102,7 +102,7 @@ void add_prism(OffsetLayer& skin, const Triangle& t) {
   const Vec3 middle = (t.a + t.b + t.c) / 3.0;
   const Mat3 face = (t.area / 12.0) * (t.a * t.a.transpose() + t.b * t.b.transpose() +
                                        t.c * t.c.transpose() + 9.0 * middle * middle.transpose());
-  Moments moments;
+  SolidMoments moments;
   moments.volume = t.area * r;
   moments.first = t.area * r * (middle + 0.5 * r * n);
   moments.second = r * face +
@@ -113,13 +113,13 @@ void add_prism(OffsetLayer& skin, const Triangle& t) {
 }
 
 /// Sector of a cylinder from p to q, `angle` wide about the direction `w`.
-Moments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double angle, double r) {
+SolidMoments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double angle, double r) {
   const double length = (q - p).norm();
   const Vec3 t = (q - p) / length;
   const Vec3 m = 0.5 * (p + q);
   const Vec3 y = t.cross(w);
   const double s = std::sin(0.5 * angle);
-  Moments result;
+  SolidMoments result;
   result.volume = 0.5 * length * angle * r * r;
   const double lever = (2.0 / 3.0) * length * r * r * r * s;
   result.first = result.volume * m + lever * w;
@@ -221,7 +221,7 @@ void add_overlap(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Triangle
     prism.triangles.push_back({i, i + 4, j + 4});
     prism.triangles.push_back({i, j + 4, j});
   }
-  const Moments moments = polyhedron_moments(prism, Vec3::Zero());
+  const SolidMoments moments = polyhedron_moments(prism, Vec3::Zero());
   skin.overlap_moments.add_scaled(moments, moments.volume < 0.0 ? -1.0 : 1.0);
   skin.overlap_area += 2.0 * r * slope * (q - p).norm();
   skin.overlaps.push_back(std::move(piece));
@@ -236,9 +236,9 @@ struct Fan {
 
 void add_corner(OffsetLayer& skin, const Vec3& v, const Fan& fan) {
   const double r = skin.radius;
-  NormalCone cone;
+  NormalConeIntegrals cone;
   if (fan.defined) {
-    cone = normal_cone(fan.directions, fan.bends);
+    cone = integrate_normal_cone(fan.directions, fan.bends);
     if (!(cone.solid_angle > 0.0)) return;
   } else {
     cone.solid_angle = 4.0 * kPi;
@@ -256,7 +256,7 @@ void add_corner(OffsetLayer& skin, const Vec3& v, const Fan& fan) {
   skin.pieces.push_back(std::move(piece));
 
   const double r4 = r * r * r * r;
-  Moments moments;
+  SolidMoments moments;
   moments.volume = cone.solid_angle * r * r * r / 3.0;
   moments.first = moments.volume * v + (0.25 * r4) * cone.first;
   moments.second = moments.volume * v * v.transpose() +

@@ -33,9 +33,9 @@ struct OffsetPiece {
 struct OffsetLayer {
   double radius = 0.0;
   std::vector<OffsetPiece> pieces;
-  Moments piece_moments;  ///< sum over all pieces; overlaps are counted more than once
+  SolidMoments piece_moments;  ///< sum over all pieces; overlaps are counted more than once
   std::vector<OffsetPiece> overlaps;
-  Moments overlap_moments;
+  SolidMoments overlap_moments;
   double area = 0.0;             ///< sum of the outer areas of the pieces, m^2
   double overlap_area = 0.0;     ///< outer area lost to `overlaps`, m^2
   double solid_angle = 0.0;      ///< sum over all normal cones; 4 pi if the core is convex

@@ -14,7 +14,7 @@ namespace clast {
 /// @param mesh  closed 2-manifold
 /// @param vertices  target number of vertices, at least 4; smaller meshes are returned unchanged
 /// @cite lindstrom1998
-TriangleMesh decimate(const TriangleMesh& mesh, std::size_t vertices);
+TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t vertices);
 
 /// Collapses edges of intersecting triangles until none intersect; empty if this does not converge
 /// or changes the volume by more than 1e-3 of it.

@@ -17,7 +17,7 @@ class PlaneQuadric {
     side_ += weight * distance * normal;
   }
 
-  Vec3 minimising_step() const {
+  Vec3 step_to_intersection() const {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(matrix_);
     const Vec3 values = solver.eigenvalues();
     Vec3 result = Vec3::Zero();

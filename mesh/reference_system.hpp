@@ -34,13 +34,13 @@ struct LengthUnitDeclaration {
 /// Determines the kind and the units of a coordinate system.
 /// @param crs  "EPSG:25832", or WKT of either version
 /// @param source  origin of the declaration for messages; the name of the system is appended
-LengthUnitDeclaration describe_system(const std::string& crs, std::string source);
+LengthUnitDeclaration determine_crs_units(const std::string& crs, std::string source);
 
 /// Returns the length unit of an EPSG code such as 9003; empty for other codes.
 std::optional<DeclaredUnit> epsg_length_unit(int code);
 
 /// Required use of coordinates, and advice for messages.
-struct LengthUnitUse {
+struct LengthUnitRequirements {
   double unit = 1.0;  ///< assumed metres per unit of the file
   /// True if the user gave `unit`, which then overrides declarations.
   bool unit_given = false;
@@ -60,7 +60,7 @@ struct LengthUnitUse {
 ///                     and vertical units differ, or if declarations contradict each other
 std::vector<std::string> check_length_units(const std::string& name,
                                             const std::vector<LengthUnitDeclaration>& declared,
-                                            const LengthUnitUse& use);
+                                            const LengthUnitRequirements& use);
 
 /// Checks that a projection distorts lengths by at most 1 % at a position. Mercator exceeds this
 /// away from the equator. Positions outside the system's area of use or within 100 km of its origin

@@ -112,7 +112,7 @@ Triangle copy_key(Triangle corners, WindingMatch turn) {
 
 }  // namespace
 
-std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance) {
+std::vector<std::uint32_t> find_weld_targets(std::span<const Vec3> vertices, double tolerance) {
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
     throw InputError("weld tolerance " + format_significant(tolerance, 6) +
                      " m: must not be negative");
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double t
 }
 
 TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
-  const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, tolerance);
+  const std::vector<std::uint32_t> target = find_weld_targets(mesh.vertices, tolerance);
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {

@@ -11,7 +11,7 @@ namespace clast {
 /// Returns the target of each vertex: the first remaining vertex within `tolerance` (m), or itself.
 /// A tolerance below the rounding error of the coordinates merges only equal vertices.
 /// @throws InputError  if the tolerance is negative or not finite
-std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance);
+std::vector<std::uint32_t> find_weld_targets(std::span<const Vec3> vertices, double tolerance);
 
 /// Merges vertices closer than `tolerance` (m) to the first of them. Degenerate triangles, exact
 /// duplicates and unused vertices are removed. The order is kept.

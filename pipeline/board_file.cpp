@@ -9,7 +9,7 @@ namespace clast {
 
 namespace {
 
-constexpr NumberRange kPlace{-kBarLength.high, kBarLength.high, "m"};
+constexpr NumberRange kPlace{-kBarLengthRange.high, kBarLengthRange.high, "m"};
 constexpr std::uint64_t kMaxSquares = 100;
 constexpr std::uint64_t kMaxIds = 100000;
 
@@ -36,8 +36,8 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
   board.dictionary = dictionary;
   board.columns = static_cast<int>(*table.count("columns", 3, kMaxSquares));
   board.rows = static_cast<int>(*table.count("rows", 3, kMaxSquares));
-  board.square = *table.number("square_m", kMarkerSide);
-  board.marker = *table.number("marker_m", kMarkerSide);
+  board.square = *table.number("square_m", kMarkerSideRange);
+  board.marker = *table.number("marker_m", kMarkerSideRange);
   board.older_pattern = table.boolean("older_pattern").value_or(false);
   return board;
 }
@@ -51,7 +51,7 @@ ScaleBoard read_scale_board(const std::filesystem::path& file) {
   table.require_key("dictionary", "the kind of its markers, such as \"4x4_50\"");
   ScaleBoard board;
   board.dictionary = *table.text("dictionary");
-  board.marker_side = table.number("marker_side_m", kMarkerSide);
+  board.marker_side = table.number("marker_side_m", kMarkerSideRange);
   if (const TomlNode* charuco = table.find("charuco")) {
     board.charuco = read_charuco(*charuco, name, board.dictionary);
   }

@@ -28,7 +28,7 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
                                             const ScanOptions& options) {
   constexpr double kCorrection = 0.05;  // factors nearer to 1 correct metres, and are no unit
   const bool metres = std::abs(options.unit - 1.0) <= kCorrection;
-  const LengthUnitUse use{.unit = metres ? 1.0 : options.unit,
+  const LengthUnitRequirements use{.unit = metres ? 1.0 : options.unit,
                           .unit_given = !metres,
                           .needs_z_up = false,
                           .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
@@ -65,7 +65,7 @@ std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
   as_given.check();
   FieldScanOptions options = as_given;
-  options.scan = resolve_options(path, as_given.scan);
+  options.scan = resolve_scan_options(path, as_given.scan);
   FieldScan scan;
   CloudSummary summary;
   if (is_cloud(path)) {

@@ -34,7 +34,7 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
 }
 
 /// Replaces "auto" of `up` by the axis of the file, or by "z" if there is no file.
-ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options);
+ScanOptions resolve_scan_options(const std::filesystem::path& file, ScanOptions options);
 
 /// Closed mesh of a scan, with its repairs.
 struct Scan {

@@ -187,7 +187,7 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
   DimensionColumns columns;
   if (!units.empty()) columns.units = parse_length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
-  for (const std::string& item : split_list(text)) {
+  for (const std::string& item : split_comma_separated(text)) {
     const std::size_t equals = item.find('=');
     const std::string quantity = item.substr(0, equals);
     const std::string column = equals == std::string::npos ? "" : item.substr(equals + 1);
@@ -217,9 +217,9 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
 void PopulationRequest::check() const {
   options.check();
   if (first.inputs.empty()) throw InputError("no library and no table of blocks is given");
-  if (reading.axis_error && !kAxisError.contains(*reading.axis_error)) {
+  if (reading.axis_error && !kAxisErrorRange.contains(*reading.axis_error)) {
     throw InputError("`axis_error` = " + format_significant(*reading.axis_error, 6) + " must be " +
-                     kAxisError.describe());
+                     kAxisErrorRange.describe());
   }
   for (const PopulationFiles& files : {first, files_against(*this)}) {
     parse_dimension_columns(files.columns, files.units);

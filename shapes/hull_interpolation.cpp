@@ -36,7 +36,7 @@ double sixfold(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }  // namespace
 
 HullInterpolation::HullInterpolation(const TriangleMesh& surface) : surface_(surface) {
-  const std::optional<Vec3> centre = find_kernel_point(surface);
+  const std::optional<Vec3> centre = find_kernel_centroid(surface);
   if (!centre) {
     throw GeometryError(
         "the surface is not star-shaped: no inner point has a straight line of sight to all of it");

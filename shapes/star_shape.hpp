@@ -10,6 +10,6 @@ namespace clast {
 /// there, all triangles are visible from inside. Moving vertices along rays from it causes no
 /// self-intersection. Empty if the surface is not star-shaped beyond rounding errors.
 /// @param mesh  closed, outward
-std::optional<Vec3> find_kernel_point(const TriangleMesh& mesh);
+std::optional<Vec3> find_kernel_centroid(const TriangleMesh& mesh);
 
 }  // namespace clast

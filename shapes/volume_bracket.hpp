@@ -8,7 +8,7 @@
 namespace clast {
 
 /// Bounds of each side L, I, S of the smallest box, m.
-struct SideBounds {
+struct BoxSideBounds {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
 };
 
@@ -19,7 +19,7 @@ struct VolumeBracket {
   double estimated_volume = 0.0;  ///< volume of the closed surface, m^3
   /// Upper bound of the volume, m^3; empty if too much of the surface is unscanned.
   std::optional<double> upper_volume = {};
-  std::optional<SideBounds> sides = {};  ///< empty if the sides are unknown
+  std::optional<BoxSideBounds> sides = {};  ///< empty if the sides are unknown
   double filled_fraction = 0.0;          ///< area of filled holes over area of the closed surface
   std::string assumption = {};  ///< assumption of the bounds, as a sentence; empty if there is none
 };

@@ -20,7 +20,7 @@ struct PlanBox {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  PlanBox expand(double by) const { return {low.array() - by, high.array() + by}; }
+  PlanBox expanded(double by) const { return {low.array() - by, high.array() + by}; }
 };
 
 /// Uniform grid of boxes; each box is listed in all cells that it overlaps.

@@ -19,12 +19,12 @@ struct ReleasedMassOptions {
   /// Selected bodies: "largest", "all", or ranks by volume such as "1,3" (1 is the largest).
   std::string bodies = "largest";
   /// Minimum volume of bodies, m^3.
-  double least_volume = 1e-3;
+  double min_volume = 1e-3;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-struct MassBody {
+struct ReleasedBody {
   std::size_t rank = 0;        ///< rank by volume, from 1
   TriangleMesh mesh;           ///< closed, outward, map coordinates; empty for excluded bodies
   double volume = 0.0;         ///< m^3
@@ -34,8 +34,8 @@ struct MassBody {
 };
 
 struct ReleasedMass {
-  std::vector<MassBody> bodies;    ///< selected bodies, the largest first
-  std::vector<MassBody> excluded;  ///< bodies that are not selected, the largest first
+  std::vector<ReleasedBody> bodies;    ///< selected bodies, the largest first
+  std::vector<ReleasedBody> excluded;  ///< bodies that are not selected, the largest first
   double edge_before = 0.0;        ///< median edge lengths of both surfaces, m
   double edge_after = 0.0;
   std::string crs;                 ///< empty if neither surface has one

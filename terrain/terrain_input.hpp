@@ -62,7 +62,7 @@ struct ZoneFile {
   std::filesystem::path path;
   std::map<long, std::string> names = {};  ///< by class number; if empty, the number is the name
 
-  std::vector<std::string> option_texts() const;  ///< as in TerrainOptions
+  std::vector<std::string> zone_option_values() const;  ///< as in TerrainOptions
 };
 
 /// Parses `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", "polygons.geojson");

@@ -220,7 +220,7 @@ bool is_summary_sign(std::string_view text) {
 
 }  // namespace
 
-SummaryLabel detect_summary_label(std::string_view text) {
+SummaryRowLabel detect_summary_row_label(std::string_view text) {
   static const std::set<std::string> kLabels = {
       // count, sum
       "n", "count", "anzahl", "nombre", "effectif", "numero", "total", "totals", "sum", "summe",
@@ -243,11 +243,11 @@ SummaryLabel detect_summary_label(std::string_view text) {
       "min", "minimum", "max", "maximum", "range", "spannweite", "minimo", "massimo", "maximo",
       "mini", "maxi", "etendue", "intervallo", "rango", "kleinstwert", "grosstwert", "groesstwert"};
   constexpr std::size_t kLongest = 60;
-  if (text.empty() || text.size() > kLongest) return SummaryLabel::kNone;
-  if (is_summary_sign(text)) return SummaryLabel::kCertain;
+  if (text.empty() || text.size() > kLongest) return SummaryRowLabel::kNone;
+  if (is_summary_sign(text)) return SummaryRowLabel::kCertain;
   const std::string plain = plain_lower(text);
   if (plain.empty() || ((plain[0] < 'a' || plain[0] > 'z') && (plain[0] & 0x80) == 0)) {
-    return SummaryLabel::kNone;
+    return SummaryRowLabel::kNone;
   }
   std::string label;
   // "Mean (n = 12)", "Mean:", "Std. dev.", "Écart-type"
@@ -256,7 +256,7 @@ SummaryLabel detect_summary_label(std::string_view text) {
     if (letter) {
       label += c;
     } else if (c >= '0' && c <= '9') {
-      return SummaryLabel::kNone;  // "Max 3" is a name
+      return SummaryRowLabel::kNone;  // "Max 3" is a name
     } else if (!label.empty() && label.back() != ' ') {
       label += ' ';
     }
@@ -267,12 +267,12 @@ SummaryLabel detect_summary_label(std::string_view text) {
       label = label.substr(whole.size());
     }
   }
-  if (!kLabels.contains(label)) return SummaryLabel::kNone;
+  if (!kLabels.contains(label)) return SummaryRowLabel::kNone;
   const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return c != ' '; });
-  return letters > 2 ? SummaryLabel::kCertain : SummaryLabel::kAmbiguous;
+  return letters > 2 ? SummaryRowLabel::kCertain : SummaryRowLabel::kAmbiguous;
 }
 
-bool is_possible_heading(const std::vector<std::string_view>& fields, char separator) {
+bool is_possible_heading_row(const std::vector<std::string_view>& fields, char separator) {
   if (fields.empty()) return false;
   const auto ends_with_any = [](std::string_view field, std::string_view signs) {
     return !field.empty() && signs.find(field.back()) != std::string_view::npos;

@@ -29,7 +29,7 @@ struct ColumnHeading {
 /// @param field  heading without quotes, as returned by `DelimitedTextReader`
 ColumnHeading parse_heading(std::string_view field);
 
-enum class SummaryLabel {
+enum class SummaryRowLabel {
   kNone,
   kAmbiguous,  ///< one or two letters that may also name an item: "SD", "n"
   kCertain
@@ -37,10 +37,10 @@ enum class SummaryLabel {
 
 /// Detects labels of summary rows in English, German, French, Italian or Spanish: "Mean", "SD",
 /// "Mittelwert", "Écart-type", "Totale", "Máx.".
-SummaryLabel detect_summary_label(std::string_view text);
+SummaryRowLabel detect_summary_row_label(std::string_view text);
 
 /// True if a row can be a heading: none of its fields is a number. If blanks separate the fields,
 /// the row must also not look like a sentence.
-bool is_possible_heading(const std::vector<std::string_view>& fields, char separator);
+bool is_possible_heading_row(const std::vector<std::string_view>& fields, char separator);
 
 }  // namespace clast

@@ -25,7 +25,7 @@ struct DecodedText {
 /// @param content  content of a file
 /// @param file  name of the file, for messages
 /// @throws InputError  if it is not text in an ASCII-based encoding, such as a workbook or UTF-16
-DecodedText decode_text(std::string content, const std::string& file);
+DecodedText decode_table_text(std::string content, const std::string& file);
 
 /// Detects the separator of a table from one row. It is the first of semicolon, tab and comma that
 /// occurs outside quotes, otherwise ' ' for blanks. Commas do not count if all of them are decimal

@@ -84,7 +84,7 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
   }
   if (!columns) {
     if (heading.fields.size() != table.names.size() ||
-        !is_possible_heading(heading.fields, separator)) {
+        !is_possible_heading_row(heading.fields, separator)) {
       return std::nullopt;
     }
     refuse("its heading does not name the columns; each line must be " + table.meaning +
@@ -158,7 +158,7 @@ std::string strip_unit(std::string_view field) {
 std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
                                            const NumericTableSpec& table) {
   const std::string name = file.string();
-  const DecodedText content = decode_text(read_text_file(file), name);
+  const DecodedText content = decode_table_text(read_text_file(file), name);
   DelimitedTextReader text(content.text, name,
                            {.separator = separator_of_numbers(content.text),
                             .inline_comments = true,
@@ -178,7 +178,7 @@ std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
       continue;
     }
     reader.check_count(record, fields);
-    if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
+    if (detect_summary_row_label(record.fields.front()) == SummaryRowLabel::kCertain) {
       throw InputError(name + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
                        "\" is a sum of other rows; remove that row");

@@ -10,10 +10,10 @@
 namespace clast {
 
 /// Kind of an output folder, and properties by which such a folder is recognised.
-struct FolderKind {
+struct OutputFolderKind {
   std::string name;         ///< for messages: "comparison"
-  std::string marker_file;  ///< file in every such folder: "provenance.json"
-  std::string mark;         ///< text that `marker_file` contains
+  std::string marker_file_name;  ///< file in every such folder: "provenance.json"
+  std::string mark;         ///< text that `marker_file_name` contains
   /// True for output files. Paths are relative to the folder. Other files are never changed.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };
@@ -27,7 +27,7 @@ class OutputFolder {
   /// @throws InputError  if the target path is empty, a file or the root of a disk; if the target
   ///                     is of this kind and `replace` is false; if it is not of this kind but has
   ///                     files with names of this kind; or if nothing can be created beside it
-  OutputFolder(const std::filesystem::path& target, FolderKind kind, bool replace);
+  OutputFolder(const std::filesystem::path& target, OutputFolderKind kind, bool replace);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -42,7 +42,7 @@ class OutputFolder {
  private:
   std::filesystem::path target_;
   std::unique_ptr<StagingPath> staging_;
-  FolderKind kind_;
+  OutputFolderKind kind_;
   bool replace_;
   bool committed_ = false;
 };

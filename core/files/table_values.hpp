@@ -50,7 +50,7 @@ inline auto typed_values(const std::vector<TableCell>& cells) {
 
 /// Converts a whole table to columns of values.
 template <class Row>
-TableValues tabulate(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
+TableValues to_table_values(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   TableValues table;
   for (const TableColumn<Row>& column : columns) {
     std::vector<TableCell> cells;

@@ -35,7 +35,7 @@ Interval percentile_interval(std::vector<double> values) {
   return {quantile(values, 0.025), quantile(values, 0.975)};
 }
 
-std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const ClusteredValues& b,
+std::optional<Interval> bootstrap_difference_interval(const ClusteredValues& a, const ClusteredValues& b,
                                              std::size_t clusters, std::uint64_t seed,
                                              std::size_t draws) {
   if (a.values.empty() || b.values.empty()) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
   return percentile_interval(std::move(differences));
 }
 
-std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
+std::optional<Interval> bootstrap_mean_interval(const ClusteredValues& values, std::size_t clusters,
                                        std::uint64_t seed, std::size_t draws) {
   if (values.values.empty()) return std::nullopt;
   std::vector<Sum> pieces = pieces_of(values, clusters);

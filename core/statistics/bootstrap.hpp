@@ -23,14 +23,14 @@ struct ClusteredValues {
 /// @param draws  number of bootstrap draws, positive
 /// @return interval; empty if a group is empty or if nearly no draw has values of both groups
 /// @cite field2007
-std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const ClusteredValues& b,
+std::optional<Interval> bootstrap_difference_interval(const ClusteredValues& a, const ClusteredValues& b,
                                              std::size_t clusters, std::uint64_t seed,
                                              std::size_t draws = 2000);
 
 /// Returns the 95 % interval of the mean of clustered values, by the same bootstrap.
 /// @return interval; empty if there are no values
 /// @cite field2007
-std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
+std::optional<Interval> bootstrap_mean_interval(const ClusteredValues& values, std::size_t clusters,
                                        std::uint64_t seed, std::size_t draws = 2000);
 
 /// Returns the 95 % interval of a proportion of clustered trials. It is Wilson's interval for an

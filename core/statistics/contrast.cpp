@@ -7,11 +7,11 @@
 
 namespace clast {
 
-Verdict Contrast::verdict() const {
-  if (!p_holm) return Verdict::kUntested;
+ContrastVerdict Contrast::verdict() const {
+  if (!p_holm) return ContrastVerdict::kUntested;
   if (is_significant())
-    return excludes_zero() ? Verdict::kSignificant : Verdict::kDistributionDiffers;
-  return excludes_zero() ? Verdict::kInsignificantAfterCorrection : Verdict::kInsignificant;
+    return excludes_zero() ? ContrastVerdict::kSignificant : ContrastVerdict::kDistributionDiffers;
+  return excludes_zero() ? ContrastVerdict::kInsignificantAfterCorrection : ContrastVerdict::kInsignificant;
 }
 
 Contrast student_contrast(double estimate, double standard_error, double degrees_of_freedom) {

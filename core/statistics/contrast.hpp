@@ -11,7 +11,7 @@
 
 namespace clast {
 
-enum class Verdict {
+enum class ContrastVerdict {
   kSignificant,          ///< significant after correction
   kDistributionDiffers,  ///< the means do not differ significantly, but the distributions do
   kInsignificantAfterCorrection,  ///< interval excludes zero, corrected test not significant
@@ -35,7 +35,7 @@ struct Contrast {
   bool is_significant() const { return p_holm && *p_holm < 0.05; }
   bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
   /// Returns the verdict that follows from the corrected test and the interval.
-  Verdict verdict() const;
+  ContrastVerdict verdict() const;
 };
 
 /// Makes a contrast with interval and p-value by Student's t.

@@ -7,7 +7,7 @@
 namespace clast {
 
 /// Summary of a sample. All members are zero if it is empty.
-struct Summary {
+struct SampleSummary {
   std::size_t count = 0;
   double mean = 0.0;
   double std = 0.0;  ///< sample standard deviation (n - 1); 0 for one value
@@ -18,7 +18,7 @@ struct Summary {
 
 /// Summarises a sample.
 /// @param values  finite values; summed in their order, so that equal input gives equal bits
-Summary summarise(std::span<const double> values);
+SampleSummary summarise_sample(std::span<const double> values);
 
 /// Returns a quantile, linear between order statistics.
 /// @param sorted  ascending, not empty
@@ -40,7 +40,7 @@ struct Interval {
 
 /// Returns how many decimals of a value with a given interval are significant. The interval is then
 /// at least five units of the last decimal wide.
-int justified_decimals(const Interval& interval, int max_decimals);
+int significant_decimals(const Interval& interval, int max_decimals);
 
 /// Returns Wilson's 95 % interval of a probability, after `hits` successes in `trials` independent
 /// trials; [0, 1] if there are no trials.

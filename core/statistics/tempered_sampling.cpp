@@ -108,7 +108,7 @@ void TemperedSamplingOptions::check() const {
   if (moves < 1 || moves > 10'000) refuse("moves", moves);
 }
 
-TemperedSample sample_tempered(std::size_t dimensions, const LogLikelihood& log_likelihood,
+TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood& log_likelihood,
                                const TemperedSamplingOptions& options) {
   options.check();
   const auto count = static_cast<Index>(options.draws);

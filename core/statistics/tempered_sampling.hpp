@@ -33,7 +33,7 @@ struct TemperedSample {
 /// reflected at the sides, and scaled to an acceptance rate near 0.3.
 /// @throws InputError  if the likelihood is zero or NaN at all initial draws
 /// @cite delmoral2006, chopin2002
-TemperedSample sample_tempered(std::size_t dimensions, const LogLikelihood& log_likelihood,
+TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood& log_likelihood,
                                const TemperedSamplingOptions& options = {});
 
 }  // namespace clast

@@ -6,9 +6,9 @@
 
 namespace clast::library_detail {
 
-struct RoundedBody {
+struct RoundnessSearchResult {
   SpheroPolyhedron body;
-  double radius_share = 0.0;  ///< ratio of radius to S
+  double radius_fraction = 0.0;  ///< ratio of radius to S
   double roundness = 0.0;     ///< measured roundness
 };
 
@@ -19,7 +19,7 @@ struct RoundedBody {
 /// @param edge_length  edge length of the mesh on which roundness is measured, m
 /// @throws GeometryError  if the target cannot be reached within `kRoundnessTolerance`; states the
 ///                        nearest value
-RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
+RoundnessSearchResult find_body_with_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
                                    double target, double edge_length);
 
 }  // namespace clast::library_detail

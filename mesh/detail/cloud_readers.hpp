@@ -8,9 +8,9 @@
 namespace clast::mesh_detail {
 
 /// Collects points and passes them on in batches that fit into the cache.
-class PointSink {
+class PointBatcher {
  public:
-  explicit PointSink(const std::function<void(const PointBatch&)>& consume) : consume_(consume) {}
+  explicit PointBatcher(const std::function<void(const PointBatch&)>& consume) : consume_(consume) {}
 
   /// Adds a point. Non-finite points are counted and skipped.
   void add_point(const Vec3& point);
@@ -32,9 +32,9 @@ class PointSink {
 /// @param columns  columns of x, y and z, as in `stream_cloud`
 /// @param has_point_counts  true if the number of points precedes each scan, as in .pts files
 /// @throws InputError  if the file is corrupt or truncated
-CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
+CloudSummary read_text_cloud(std::istream& stream, PointBatcher& sink,
                              const std::vector<std::string>& columns, bool has_point_counts);
-CloudSummary read_las(std::istream& stream, PointSink& sink);
-CloudSummary read_pcd(std::string_view content, PointSink& sink);
+CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink);
+CloudSummary read_pcd_cloud(std::string_view content, PointBatcher& sink);
 
 }  // namespace clast::mesh_detail

@@ -125,7 +125,7 @@ Flags flags_of(std::string_view record, std::size_t format) {
 
 }  // namespace
 
-CloudSummary read_las(std::istream& stream, PointSink& sink) {
+CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink) {
   stream.seekg(0, std::ios::end);
   const auto file_size = static_cast<std::uint64_t>(stream.tellg());
   stream.seekg(0);

@@ -78,7 +78,7 @@ void read_las_crs(std::istream& stream, const LasRecordLayout& records, CloudSum
   summary.crs = std::move(keyed.crs);
   summary.lengths = std::move(keyed.lengths);
   if (found.wkt.find_first_not_of(" \t\r\n") == std::string::npos) return;
-  LengthUnitDeclaration declared = describe_system(found.wkt, "WKT");
+  LengthUnitDeclaration declared = determine_crs_units(found.wkt, "WKT");
   const bool known = declared.kind != ReferenceSystemKind::kUnknown;
   summary.lengths.push_back(std::move(declared));
   if (summary.crs.empty() || (records.uses_wkt && known)) summary.crs = found.wkt;

@@ -257,7 +257,7 @@ TriangleMesh seen_part(const Body& body) {
   for (const std::uint32_t t : source) observed.push_back(body.observed.observed[t]);
   TriangleMesh open = extract_triangles(closed, observed);
   reconstruct_detail::split_non_manifold_vertices(open);
-  std::vector<reconstruct_detail::Component> components =
+  std::vector<reconstruct_detail::SurfaceComponent> components =
       reconstruct_detail::connected_components(open);
   return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
 }
@@ -287,7 +287,7 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   const double cell = options.averaging_cell * box.diagonal();
   const bool dense = cell > kCellSpacings * reconstruct_detail::mean_spacing(points);
   const Body body = body_through(
-      dense ? reconstruct_detail::decimated(points, cell)
+      dense ? reconstruct_detail::decimate_points(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
       options.hole_ball_radius);

@@ -31,7 +31,7 @@ SeparatedPoints separate_far_points(std::span<const Vec3> points) {
   for (const Vec3& p : points) box.include(p);
   const double cell = kSetDecimationCell * box.diagonal();
   if (points.empty() || !(cell > 0.0)) return result;
-  const std::vector<Vec3> sparse = decimated(points, cell);
+  const std::vector<Vec3> sparse = decimate_points(points, cell);
   if (sparse.size() < 8) return result;
   std::vector<double> spacings = compute_local_spacings(sparse);
   const auto sparsest = spacings.begin() + static_cast<std::ptrdiff_t>(

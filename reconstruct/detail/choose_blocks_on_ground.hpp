@@ -30,6 +30,6 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
 
 /// Throws the error for a scan that contains only ground.
 /// @param fraction  fraction of the scan that is ground
-[[noreturn]] void throw_bare_ground(const std::string& name, double fraction);
+[[noreturn]] void throw_only_ground_error(const std::string& name, double fraction);
 
 }  // namespace clast::reconstruct_detail

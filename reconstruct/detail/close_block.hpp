@@ -9,7 +9,7 @@
 namespace clast::reconstruct_detail {
 
 /// Maximum area of debris as a fraction of the area of the largest component.
-inline constexpr double kFragmentArea = 0.1;
+inline constexpr double kMaxDebrisAreaFraction = 0.1;
 
 /// Surface of one block as extracted from a scan, in units and axes of the file.
 struct OpenBlock {

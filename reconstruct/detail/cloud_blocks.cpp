@@ -46,7 +46,7 @@ std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::st
 
 /// A ground would join what stands on it: without one, far sets are not of one block.
 void refuse_separate_sets(const SeparatedPoints& found, const std::string& name) {
-  if (found.far_area_ratio <= kFragmentArea) return;
+  if (found.far_area_ratio <= kMaxDebrisAreaFraction) return;
   throw GeometryError(
       name + ": separate sets of points, the second with about " +
       std::to_string(std::lround(100.0 * found.far_area_ratio)) +

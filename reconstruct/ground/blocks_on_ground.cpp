@@ -93,7 +93,7 @@ class Standing {
       if (heights_[i] > clear_) above.push_back(points_[i]);
     }
     if (above.empty()) return;
-    const std::vector<Vec3> sparse = reconstruct_detail::decimated(above, cell_);
+    const std::vector<Vec3> sparse = reconstruct_detail::decimate_points(above, cell_);
     for (const std::vector<std::uint32_t>& set :
          reconstruct_detail::find_clusters(sparse, kComponentReach * cell_, 10)) {
       if (!components_.empty() &&
@@ -112,7 +112,7 @@ class Standing {
       }
       component.centre = 0.5 * (box.low + box.high);
       component.plan_diagonal = plan.diagonal();
-      const bool rises = component.height > options_.least_rise * box_.diagonal() &&
+      const bool rises = component.height > options_.min_block_height * box_.diagonal() &&
                          component.height > 2.0 * clear_ &&
                          component.height > kSlenderest * component.plan_diagonal;
       if (rises) components_.push_back(std::move(component));

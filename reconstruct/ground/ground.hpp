@@ -15,7 +15,7 @@ struct GroundDetectionOptions {
   std::uint64_t seed = 1;    ///< seed of the random planes
   int trials = 1000;         ///< number of random planes
   double tolerance = 0.01;   ///< maximum distance of points from the initial plane
-  double least_rise = 0.03;  ///< minimum height of blocks above the ground
+  double min_block_height = 0.03;  ///< minimum height of blocks above the ground
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -15,7 +15,7 @@ namespace clast {
 
 struct DenseOptions {
   StereoPairOptions pairs = {};
-  int most_pixels =
+  int max_image_side =
       1100;  ///< maximum side of the compared image regions, px; larger ones are scaled down
   std::size_t min_agreeing_pairs = 3;  ///< minimum number of pairs with consistent depths per point
   double tolerance = 1.0;              ///< maximum disparity difference of consistent depths, px
@@ -30,10 +30,10 @@ struct DenseOptions {
 
 template <class Visit>
 void visit_fields(const DenseOptions& options, Visit&& visit) {
-  const auto& [pairs, most_pixels, min_agreeing_pairs, tolerance, cell, skip_blurred, masks,
+  const auto& [pairs, max_image_side, min_agreeing_pairs, tolerance, cell, skip_blurred, masks,
                threads] = options;
   visit("pairs", pairs);
-  visit("most_pixels", most_pixels);
+  visit("most_pixels", max_image_side);
   visit("agreeing", min_agreeing_pairs);
   visit("tolerance", tolerance);
   visit("cell", cell);

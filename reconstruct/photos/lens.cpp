@@ -96,7 +96,7 @@ std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel) {
   return Vec3(p.x(), p.y(), 1.0);
 }
 
-CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int height) {
+CameraIntrinsics resized_intrinsics(const CameraIntrinsics& lens, int width, int height) {
   if (width == lens.width && height == lens.height) return lens;
   const double factor = static_cast<double>(width) / lens.width;
   if (std::abs(factor * lens.height - height) > 1.0 + factor) {

@@ -46,6 +46,6 @@ std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
 /// Returns the intrinsics of resized photos.
 /// @throws InputError  if width and height are not scaled by a common factor, within a pixel
-CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int height);
+CameraIntrinsics resized_intrinsics(const CameraIntrinsics& lens, int width, int height);
 
 }  // namespace clast

@@ -29,22 +29,22 @@ struct ScaleOptions {
   std::optional<ScaleBoard> board = {};
   std::optional<double> marker_side = {};  ///< side length of the black square of all markers, m
   /// Maximum relative deviation of a length from the others. Larger ones are excluded and reported.
-  double largest_disagreement = 0.005;
+  double max_disagreement = 0.005;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 template <class Visit>
 void visit_fields(const ScaleOptions& options, Visit&& visit) {
-  const auto& [bars, board, marker_side, largest_disagreement] = options;
+  const auto& [bars, board, marker_side, max_disagreement] = options;
   visit("bars", bars);
   visit("board", board);
   visit("marker_side", marker_side);
-  visit("largest_disagreement", largest_disagreement);
+  visit("largest_disagreement", max_disagreement);
 }
 
 /// Known length compared with the model.
-struct ScaleMeasure {
+struct ComparedLength {
   std::string name;     ///< such as "marker 2", "markers 0 and 3" or "row 2 of the board, ..."
   double length = 0.0;  ///< as given, m
   double factor = 0.0;  ///< scale from this length alone, m per model unit
@@ -58,9 +58,9 @@ struct PhotoScale {
   double metres_per_unit = 1.0;
   double spread = 0.0;                 ///< relative standard deviation of the used factors
   bool from_bars = false;              ///< true if estimated from distances (bars or a board)
-  std::vector<ScaleMeasure> measures;  ///< lengths that determined the scale: distances or sides
+  std::vector<ComparedLength> measures;  ///< lengths that determined the scale: distances or sides
   /// Mean marker side, scaled by the distances, relative to the given side. Set if both are known.
-  std::optional<double> side_check;
+  std::optional<double> marker_side_ratio;
   std::vector<int> misplaced;  ///< ids of board markers that are not at the stated positions
   std::vector<std::string> notes;
 };

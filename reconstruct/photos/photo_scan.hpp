@@ -46,7 +46,7 @@ struct PhotoScan {
   MarkerSearchResult markers;               ///< positions in the frame of `model`
   std::vector<BoardCorner> corners;         ///< corners of a ChArUco board, in the frame of `model`
   std::optional<PhotoScale> scale;          ///< scale from markers or a board
-  std::vector<std::string> without_camera;  ///< names of photos without camera, sorted
+  std::vector<std::string> photos_without_camera;  ///< names of photos without camera, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`
   std::string scale_source;  ///< source of the scale, such as "markers' distances" or "none"

@@ -14,7 +14,7 @@ std::string unused_reason(const PhotoScan& scan, int id) {
     return "left out: its position differs from that on the board";
   }
   bool measured = false;
-  for (const ScaleMeasure& measure : scan.scale->measures) {
+  for (const ComparedLength& measure : scan.scale->measures) {
     const bool its =
         std::find(measure.markers.begin(), measure.markers.end(), id) != measure.markers.end();
     if (its && measure.used) return "";

@@ -213,7 +213,7 @@ FilledHole measure_hole(const std::vector<Vec3>& border) {
   return hole;
 }
 
-std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges) {
+std::vector<FilledHole> fill_holes_with_fans(TriangleMesh& mesh, std::size_t max_edges) {
   std::vector<FilledHole> filled;
   std::vector<std::vector<std::uint32_t>> loops = boundary_loops(mesh);
   std::erase_if(loops,
@@ -252,7 +252,7 @@ std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges
 
 std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool fill_unobserved_sides) {
   const double area = surface_area(mesh);
-  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal_mesh(mesh);
   std::vector<Halfedge> starts;
   Processing::extract_boundary_cycles(work, std::back_inserter(starts));
   std::vector<FilledHole> filled;
@@ -273,7 +273,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool fill_unobserved_side
     }
     if (hole.area > 0.0) filled.push_back(hole);
   }
-  mesh = mesh_detail::from_cgal(work);
+  mesh = mesh_detail::from_cgal_mesh(work);
   return filled;
 }
 

@@ -23,7 +23,7 @@ constexpr int kCutRounds =
 /// Pairs up the half-edges of an edge: adjacent ones with rock between them, then the rest.
 std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
                                                    std::span<const HalfEdge> sides) {
-  const std::vector<Vec3> wing = triangle_directions(mesh, sides);
+  const std::vector<Vec3> wing = triangle_directions_at_edge(mesh, sides);
   const Vec3 axis = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).normalized();
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < wing.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
 }
 
 /// Triangles that lie on one another meet anew at every edge that is cut: they are dropped.
-void drop_touching(TriangleMesh& mesh, SplitEdges& touching) {
+void drop_touching(TriangleMesh& mesh, EdgeSplitResult& touching) {
   std::vector<bool> drop(mesh.triangles.size(), false);
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (sides.size() < 3) return;
@@ -135,7 +135,7 @@ bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source
 
 }  // namespace
 
-std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
+std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
   const Vec3 start = mesh.vertices[sides[0].low];
   const Vec3 along = (mesh.vertices[sides[0].high] - start).normalized();
   std::vector<Vec3> result;
@@ -147,8 +147,8 @@ std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const 
   return result;
 }
 
-SplitEdges split_non_manifold_edges(TriangleMesh& mesh) {
-  SplitEdges result;
+EdgeSplitResult split_non_manifold_edges(TriangleMesh& mesh) {
+  EdgeSplitResult result;
   result.source.resize(mesh.triangles.size());
   std::iota(result.source.begin(), result.source.end(), 0u);
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);

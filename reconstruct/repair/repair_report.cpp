@@ -162,7 +162,7 @@ class Sentences {
       notes.push_back(
           format_count(fans, "hole", "holes") + " with " +
           format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
-          (largest_fan <= reconstruct_detail::kFanEdges ? "a fan"
+          (largest_fan <= reconstruct_detail::kMaxFanEdges ? "a fan"
                                                         : "triangles between their corners"));
     }
     if (largest != nullptr) {
@@ -183,7 +183,7 @@ class Sentences {
           " of the surface is filling without data: no scan shows the surface at the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
-      if (hole.area_fraction <= kLargeHole) continue;
+      if (hole.area_fraction <= kLargeHoleFraction) continue;
       notes.push_back(
           "the filling at " + format_point(hole.centre) + " is " + in_percent(hole.area_fraction) +
           " of the surface; it is an assumption on which volume and axes depend: scan that side, "

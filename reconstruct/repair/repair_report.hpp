@@ -30,7 +30,7 @@ enum class DefectKind {
 };
 
 /// Defects of one kind. Lengths are in metres. Positions are converted by
-/// `RepairOptions::reported_place`.
+/// `RepairOptions::to_reported_position`.
 struct Defect {
   DefectKind kind;
   std::size_t count = 0;       ///< number of vertices, edges, triangles, components or holes
@@ -73,7 +73,7 @@ struct DuplicateSurface {
 };
 
 /// Fraction of the repaired surface above which a hole is reported separately, as uncertain.
-constexpr double kLargeHole = 0.1;
+constexpr double kLargeHoleFraction = 0.1;
 
 struct RepairReport {
   MeshReport as_read;                        ///< surface after welding, before other repairs

@@ -63,7 +63,7 @@ struct FinVotes {
 };
 
 /// Votes out all but the smoothest pair at each non-manifold edge.
-FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
+FinVotes fin_votes(const TriangleMesh& mesh, double max_fin_fraction) {
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   FinVotes votes{manifold_components(triangle_neighbours(mesh, sorted)), {}, {}};
   const std::vector<std::uint32_t>& patch = votes.patch;
@@ -77,7 +77,7 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() < 3) return;
     const double length = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm();
-    const std::array<std::size_t, 2> stay = smoothest_pair(triangle_directions(mesh, sides));
+    const std::array<std::size_t, 2> stay = smoothest_pair(triangle_directions_at_edge(mesh, sides));
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t here = patch[sides[i].triangle];
       bordered[here] += length;
@@ -87,7 +87,7 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
     }
   });
   for (const auto& [here, stay] : votes.kept_by) {
-    if (2.0 * voted[here] >= bordered[here] && area[here] < largest_share * whole) {
+    if (2.0 * voted[here] >= bordered[here] && area[here] < max_fin_fraction * whole) {
       votes.candidates.push_back(here);
     }
   }
@@ -157,10 +157,10 @@ RepairChange remove_opposite_pairs(TriangleMesh& mesh) {
   return remove_triangles(mesh, drop);
 }
 
-RepairChange remove_fins(TriangleMesh& mesh, double largest_share) {
+RepairChange remove_fins(TriangleMesh& mesh, double max_fin_fraction) {
   RepairChange result;
   for (int round = 0; round < kFinRounds; ++round) {
-    const RepairChange now = drop_voted_out(mesh, fin_votes(mesh, largest_share));
+    const RepairChange now = drop_voted_out(mesh, fin_votes(mesh, max_fin_fraction));
     if (now.count == 0) break;
     if (result.count == 0) result.position = now.position;
     result.count += now.count;

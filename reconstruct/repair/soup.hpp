@@ -24,12 +24,12 @@ RepairChange remove_triangles(TriangleMesh& mesh, const std::vector<bool>& drop)
 RepairChange remove_opposite_pairs(TriangleMesh& mesh);
 
 /// Maximum area of a fin as a fraction of the surface area.
-inline constexpr double kFinArea = 0.05;
+inline constexpr double kMaxFinAreaFraction = 0.05;
 
 /// Removes fins and overlying sheets. These are small parts at non-manifold edges that continue the
 /// surface less smoothly than the others. Returns the number of removed triangles.
-/// @param largest_share  maximum area of such a part as a fraction of the surface area
-RepairChange remove_fins(TriangleMesh& mesh, double largest_share);
+/// @param max_fin_fraction  maximum area of such a part as a fraction of the surface area
+RepairChange remove_fins(TriangleMesh& mesh, double max_fin_fraction);
 
 /// Removes fins at borders: triangles that are attached by a single edge and have a free vertex.
 /// Only used if the scan has other fins. Returns the number of removed triangles.

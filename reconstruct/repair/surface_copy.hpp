@@ -30,11 +30,11 @@ std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component,
 /// Moves the best copy of the first component to the front. A closed copy is better than an open
 /// one. Of similar copies, one with at least a quarter more triangles is better.
 /// @param components  components, not empty, the largest first
-void move_best_copy_first(std::vector<Component>& components);
+void move_best_copy_first(std::vector<SurfaceComponent>& components);
 
 /// Describes a removed copy, including the reason why the other copy was kept.
 /// @param kept  retained surface, outward; `tree` is its tree
-DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+DuplicateSurface describe_copy(const SurfaceCopy& copy, const SurfaceComponent& dropped,
                                const TriangleMesh& kept, const TriangleTree& tree);
 
 }  // namespace clast::reconstruct_detail

@@ -44,14 +44,14 @@ struct ClosedScan {
 };
 
 /// Volume bracket with notes on possible cavities.
-struct NotedBounds : VolumeBracket {
+struct VolumeBracketWithNotes : VolumeBracket {
   std::vector<std::string> notes;
 };
 
 /// Brackets the volume of a closed scan.
 /// @param report  report of the repair, in metres
 /// @returns bounds in m and m^3; empty if they are so narrow that they are insignificant
-std::optional<NotedBounds> compute_closed_scan_bracket(const ClosedScan& scan,
+std::optional<VolumeBracketWithNotes> compute_closed_scan_bracket(const ClosedScan& scan,
                                                        const RepairReport& report);
 
 /// Brackets the volume of a block with a closed underside.

@@ -22,10 +22,10 @@ struct UndersideOptions {
   /// a quarter of the total height. It does not affect the bounds.
   double max_depth_fraction = 1.0 / 3.0;
   /// Minimum area of a hole, filled flat, as a fraction of the surface. Smaller ones are ignored.
-  double smallest_share = 0.001;
+  double min_hole_fraction = 0.001;
   /// Maximum area of the fillings, as a fraction of the surface. Above it, the scan is a sheet
   /// rather than a block. For a hemisphere, the fraction is a third.
-  double largest_share = 0.42;
+  double max_filling_fraction = 0.42;
   /// Free space in the frame of the scan. Only used if the ground is given.
   const FreeSpaceGrid* free_space = nullptr;
   /// Returns true if a position on the open surface was scanned, and false on the fillings of small

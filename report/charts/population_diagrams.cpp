@@ -22,7 +22,7 @@ std::string s_c_chart(const PopulationReport& report) {
     Series series{reported.population.name, series_colour(all.size()), "", {}};
     const bool named = reported.population.blocks.size() <= kMaxNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
-      series.values.push_back(elongation_index(block.axes_as_written));
+      series.values.push_back(elongation_index(block.axes_in_table_unit));
       if (named) series.names.push_back(block.name);
     }
     all.push_back(std::move(series));
@@ -62,7 +62,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const bool two = report.populations.size() > 1;
   for (const ReportedPopulation& reported : report.populations) {
     add(reported, two ? reported.population.name : "by number", false);
-    if (!two && reported.summary.with_mass > 0) add(reported, "by mass", true);
+    if (!two && reported.summary.blocks_with_mass > 0) add(reported, "by mass", true);
   }
   return draw_class_fractions(
       "Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes, all);

@@ -38,7 +38,7 @@ nlohmann::ordered_json body_json(const Block& block) {
 
 }  // namespace
 
-nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit) {
+nlohmann::ordered_json series_json(const VariedBlockSeries& series, const std::optional<CopulaFit>& fit) {
   nlohmann::ordered_json json;
   json["bodies"] = nlohmann::ordered_json::array();
   for (const Block& block : series.blocks) json["bodies"].push_back(body_json(block));

@@ -68,7 +68,7 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
     if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
     const double unit = 100.0 / size;
     marks.push_back({row_name(comparison, *one), unit * one->estimate, unit * one->interval->low,
-                     unit * one->interval->high, one->verdict() == Verdict::kSignificant,
+                     unit * one->interval->high, one->verdict() == ContrastVerdict::kSignificant,
                      describe_effect(*one, comparison)});
   }
   return draw_interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
@@ -76,24 +76,24 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::map<Verdict, std::string> lists;
+  std::map<ContrastVerdict, std::string> lists;
   std::size_t tests = 0;
   for (const Difference* one : picture.rows) {
-    const Verdict verdict = one->verdict();
-    const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kUntested;
+    const ContrastVerdict verdict = one->verdict();
+    const bool with_gap = verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kUntested;
     append_item(lists[verdict], row_name(comparison, *one) +
                                     (with_gap ? " " + describe_difference(*one) : std::string()));
     tests = std::max(tests, one->tests);
   }
-  return format_headed_list(picture.title + ", more than chance:", lists[Verdict::kSignificant]) +
+  return format_headed_list(picture.title + ", more than chance:", lists[ContrastVerdict::kSignificant]) +
          format_headed_list("Equal on average, but spread differently:",
-                            lists[Verdict::kDistributionDiffers]) +
+                            lists[ContrastVerdict::kDistributionDiffers]) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +
                                 " differences tested can be as large by chance:",
-                            lists[Verdict::kInsignificantAfterCorrection]) +
-         format_headed_list("No clear difference:", lists[Verdict::kInsignificant]) +
+                            lists[ContrastVerdict::kInsignificantAfterCorrection]) +
+         format_headed_list("No clear difference:", lists[ContrastVerdict::kInsignificant]) +
          format_headed_list(picture.title + ", of one realisation, not tested for chance:",
-                            lists[Verdict::kUntested]);
+                            lists[ContrastVerdict::kUntested]);
 }
 
 std::string make_table(const Comparison& comparison) {

@@ -123,7 +123,7 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
       {"distinguished", "", "1 if `p_holm` is below 0.05, else 0",
        [](const Row& row) {
-         return std::uint64_t{row.verdict() == Verdict::kSignificant ? 1u : 0u};
+         return std::uint64_t{row.verdict() == ContrastVerdict::kSignificant ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote", [](const Row& row) { return describe_effect(row); }}};
   return columns;

@@ -27,16 +27,16 @@ struct ZoneOfSet {
 
 struct Statistic {
   const char* name;
-  double Summary::*value;
+  double SampleSummary::*value;
 };
-const std::vector<Statistic> kAllStatistics = {{"mean", &Summary::mean},
-                                               {"std", &Summary::std},
-                                               {"median", &Summary::median},
-                                               {"p95", &Summary::p95},
-                                               {"max", &Summary::max}};
-const std::vector<Statistic> kMeanAndStd = {{"mean", &Summary::mean}, {"std", &Summary::std}};
+const std::vector<Statistic> kAllStatistics = {{"mean", &SampleSummary::mean},
+                                               {"std", &SampleSummary::std},
+                                               {"median", &SampleSummary::median},
+                                               {"p95", &SampleSummary::p95},
+                                               {"max", &SampleSummary::max}};
+const std::vector<Statistic> kMeanAndStd = {{"mean", &SampleSummary::mean}, {"std", &SampleSummary::std}};
 const std::vector<Statistic> kUpper = {
-    {"mean", &Summary::mean}, {"p95", &Summary::p95}, {"max", &Summary::max}};
+    {"mean", &SampleSummary::mean}, {"p95", &SampleSummary::p95}, {"max", &SampleSummary::max}};
 
 /// Makes a column per statistic, whose name replaces `*` in `name`; NaN if nothing was measured.
 /// @param summary  of a row, a function or a member
@@ -49,14 +49,14 @@ TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, cons
     std::string column = name;
     column.replace(column.find('*'), 1, statistic.name);
     columns.push_back({column, unit, meaning, [=, value = statistic.value](const Row& row) {
-                         const Summary& of_row = std::invoke(summary, row);
+                         const SampleSummary& of_row = std::invoke(summary, row);
                          return of_row.count > 0 ? of_row.*value : NAN;
                        }});
   }
   return columns;
 }
 
-Summary in_degrees(const Summary& angle) {
+SampleSummary in_degrees(const SampleSummary& angle) {
   return {angle.count,
           angle.mean * kDegreesPerRadian,
           angle.std * kDegreesPerRadian,
@@ -272,7 +272,7 @@ std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison) {
 const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns() {
   using Row = BarrierGroupStatistics;
   const auto statistics = [](const char* name, const char* unit, const char* meaning,
-                             Summary Row::*summary) {
+                             SampleSummary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
   static const auto columns = concatenated<Row>(

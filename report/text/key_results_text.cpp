@@ -115,25 +115,25 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
                             format_decimals(farther.mean, decimals) + " and " +
                             format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
-    case Verdict::kSignificant:
+    case ContrastVerdict::kSignificant:
       return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " + b +
              " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
-    case Verdict::kDistributionDiffers:
+    case ContrastVerdict::kDistributionDiffers:
       return prefix + means + ", a difference that can be chance" + interval +
              "; but their stops are spread differently";
-    case Verdict::kInsignificantAfterCorrection:
-    case Verdict::kInsignificant:
+    case ContrastVerdict::kInsignificantAfterCorrection:
+    case ContrastVerdict::kInsignificant:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
                   ? "among all that was compared, a difference like this" + interval +
                         " can be chance"
                   : "the difference can be chance" + interval);
-    case Verdict::kGroundDependent:
+    case ContrastVerdict::kGroundDependent:
       return prefix + means + "; which of them run farther depends on the ground" + interval;
-    case Verdict::kUntested:
+    case ContrastVerdict::kUntested:
       return prefix + means + "; one realisation does not show whether this is chance";
-    case Verdict::kTooFewValues:
+    case ContrastVerdict::kTooFewValues:
       break;
   }
   const std::string ends = other_ends(statement.stops);
@@ -249,16 +249,16 @@ std::string describe_files(const Comparison& comparison, const KeyResults& answe
                                    ? " (" + format_length_interval(*gap.interval, decimals) +
                                          (answer.has_draws() ? kByDraw : "") + ")"
                                    : "";
-  if (gap.verdict == Verdict::kSignificant) {
+  if (gap.verdict == ContrastVerdict::kSignificant) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
            interval + ".";
   }
-  if (gap.verdict == Verdict::kTooFewValues) return "";
-  if (gap.verdict == Verdict::kUntested) {
+  if (gap.verdict == ContrastVerdict::kTooFewValues) return "";
+  if (gap.verdict == ContrastVerdict::kUntested) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
            "; one realisation does not show whether this is chance.";
   }
-  if (gap.verdict == Verdict::kGroundDependent) {
+  if (gap.verdict == ContrastVerdict::kGroundDependent) {
     return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
            interval + ".";
   }

@@ -58,7 +58,7 @@ Vec3 GaussImage::point_on_arc(std::size_t edge, double share) const {
   return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b).normalized();
 }
 
-BoxCandidate GaussImage::best_box_about(const Vec3& direction, double limit) {
+BoxCandidate GaussImage::smallest_box_along(const Vec3& direction, double limit) {
   along_.noalias() = coordinates_ * direction;
   const double width = along_.maxCoeff() - along_.minCoeff() + 2.0 * radius_;
   slopes_.noalias() = weighted_normals_ * direction;
@@ -71,7 +71,7 @@ BoxCandidate GaussImage::best_box_about(const Vec3& direction, double limit) {
   frame.col(1) = direction.unitOrthogonal();
   frame.col(2) = direction.cross(frame.col(1));
   trace_outline(frame);
-  const Rectangle rectangle = smallest_outline_rectangle(outline_, radius_);
+  const EnclosingRectangle rectangle = smallest_outline_rectangle(outline_, radius_);
   BoxCandidate posture;
   posture.axes.col(0) = direction;
   posture.axes.col(1) =

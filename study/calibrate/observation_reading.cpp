@@ -374,7 +374,7 @@ const MemberTable<Observation>& observation_keys() {
                 one_or_more(figure), places},
        TableKey{"beyond_m", "m",
                 "distances along downslope: the fraction of stops beyond each is used",
-                list(number(kMapCoordinate), 1, 20), stops},
+                list(number(kMapCoordinateRange), 1, 20), stops},
        {"barrier", "", "name of a barrier of the campaign", text()},
        TableKey{"releases", "",
                 "number of released blocks, or of the impacts over which the values are averaged",

@@ -31,7 +31,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
                  : std::nullopt;
   };
   const NumericTableSpec table{.names = {{"x"}, {"y"}, {"z"}},
-                               .range = kMapCoordinate,
+                               .range = kMapCoordinateRange,
                                .meaning = "three numbers, x y z",
                                .find = find};
   for (const NumericRow& row : read_numeric_table(file, table)) {

@@ -20,11 +20,11 @@ struct DepositMobility {
   std::string group;        ///< "all", or a class such as "class compact"
   std::size_t blocks = 0;   ///< number of blocks at rest in all realisations
   std::size_t runs = 0;     ///< number of single-block runs at rest
-  Summary together_runout;  ///< statistics of the mean runouts of the realisations, m
-  Summary alone_runout;  ///< statistics of the mean runouts of the release points, m; if there is
+  SampleSummary together_runout;  ///< statistics of the mean runouts of the realisations, m
+  SampleSummary alone_runout;  ///< statistics of the mean runouts of the release points, m; if there is
                          ///< one point, of the runouts of its runs
   Contrast difference;   ///< together minus alone, m (`welch_difference`)
-  Summary together_toe;  ///< statistics of the largest runouts of the realisations, m
+  SampleSummary together_toe;  ///< statistics of the largest runouts of the realisations, m
   double starts_apart = 0.0;  ///< horizontal distance between the mean start positions, m
   double mass_ratio =
       1.0;  ///< mean mass of the persistent blocks divided by that of the single blocks

@@ -36,7 +36,7 @@ struct HeightDifferenceRange {
 HeightDifferenceRange height_difference_range(const TriangleMesh& top, const TriangleMesh& base);
 
 /// Closed body between two surfaces.
-struct OverlayBody {
+struct BodyBetweenSurfaces {
   TriangleMesh mesh;  ///< outward-facing; the triangles of the top come first
   std::size_t top_triangles = 0;
   double plan_area = 0.0;             ///< m^2
@@ -49,6 +49,6 @@ struct OverlayBody {
 /// over edges of the overlay. It has vertical walls of height `thickness` along its outline. At the
 /// border of the overlay, the walls are as high as the body. Its volume is the integral of the
 /// vertical thickness over the plan.
-std::vector<OverlayBody> extract_bodies_between(const SurfaceOverlay& pair, double thickness);
+std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair, double thickness);
 
 }  // namespace clast::terrain_detail

@@ -170,7 +170,7 @@ void check_zunits(const std::filesystem::path& path) {
 /// @param system  null: GDAL finds none
 std::vector<std::string> check_raster_map(const std::filesystem::path& path,
                                           const OGRSpatialReference* system, const Vec2& middle) {
-  const LengthUnitUse metres{
+  const LengthUnitRequirements metres{
       .conversion_command = "gdalwarp -t_srs EPSG:CODE",
       .correction_command = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
   std::vector<LengthUnitDeclaration> declared = parse_geotiff_keys(read_geotiff_keys(path)).lengths;
@@ -178,7 +178,7 @@ std::vector<std::string> check_raster_map(const std::filesystem::path& path,
   if (system && system->IsProjected()) {  // its scale at the place is known
     for (LengthUnitDeclaration& each : declared) each.world_projection.clear();
   }
-  if (!wkt.empty()) declared.push_back(describe_system(wkt, "reference system"));
+  if (!wkt.empty()) declared.push_back(determine_crs_units(wkt, "reference system"));
   check_zunits(path);
   std::vector<std::string> notes = check_length_units(path.string(), declared, metres);
   check_map_scale(path.string(), wkt, middle, metres.conversion_command);
@@ -218,7 +218,7 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
                    file + ")");
 }
 
-std::string crs_name(const OGRSpatialReference* system) {
+std::string crs_code_or_wkt(const OGRSpatialReference* system) {
   if (!system) return {};
   OGRSpatialReference known(*system);
   if (known.IsCompound()) known.StripVertical();  // the plan decides where things are
@@ -238,7 +238,7 @@ std::string normalised_crs(const std::string& crs) {
   const GdalSession session;
   OGRSpatialReference system;
   if (system.SetFromUserInput(crs.c_str()) != OGRERR_NONE) return crs;
-  const std::string usual = crs_name(&system);
+  const std::string usual = crs_code_or_wkt(&system);
   return usual.empty() ? crs : usual;
 }
 
@@ -272,7 +272,7 @@ Raster read_raster(const std::filesystem::path& path) {
   int declared = 0;
   const double no_data = band.GetNoDataValue(&declared);
   if (declared) raster.no_data = no_data;
-  raster.crs = crs_name(dataset->GetSpatialRef());
+  raster.crs = crs_code_or_wkt(dataset->GetSpatialRef());
   const std::array<double, 6> transform = north_up_transform(*dataset, path);
   const Vec2 middle(transform[0] + transform[1] * band.GetXSize() / 2.0,
                     transform[3] + transform[5] * band.GetYSize() / 2.0);

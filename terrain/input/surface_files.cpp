@@ -96,7 +96,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
       throw InputError(path.string() +
                        ": holds no heights, only nodata; check which value stands for no data");
     }
-    raster.grid = bin_points(points, *options.resolution, path);
+    raster.grid = grid_mean_heights(points, *options.resolution, path);
     notes.push_back(path.string() + ": resampled to means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
@@ -104,7 +104,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
                      ": holds no heights, only nodata; check which value stands for no data");
   }
   if (options.fill) {
-    const HoleFillReport filled = fill_holes(raster.grid, *options.fill);
+    const HoleFillReport filled = fill_grid_holes(raster.grid, *options.fill);
     if (filled.cells > 0) {
       notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
                       " cells without a height were filled from their surroundings, in " +

@@ -117,7 +117,7 @@ void join_vertices(TriangleMesh& mesh, double width, Closed& closed) {
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t v = border.vertices[i];
-    for (const std::uint32_t k : index.boxes_near(boxes[i].expand(width))) {
+    for (const std::uint32_t k : index.boxes_near(boxes[i].expanded(width))) {
       const std::uint32_t other = border.vertices[k];
       const double gap = (mesh.vertices[v] - mesh.vertices[other]).norm();
       if (k > i && gap <= width) pairs.emplace_back(gap, v, other);
@@ -200,7 +200,7 @@ std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
     const Vec3& point = mesh.vertices[v];
     PlanBox here;
     here.include(point.head<2>());
-    for (const std::uint32_t s : index.boxes_near(here.expand(width))) {
+    for (const std::uint32_t s : index.boxes_near(here.expanded(width))) {
       const auto& [t, k] = border.sides[s];
       const Triangle& triangle = mesh.triangles[t];
       if (std::find(triangle.begin(), triangle.end(), v) != triangle.end()) continue;
@@ -308,7 +308,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
     PlanBox here;
     here.include(point.head<2>());
     double nearest = 1e300;
-    for (const std::uint32_t s : index.boxes_near(here.expand(reach))) {
+    for (const std::uint32_t s : index.boxes_near(here.expanded(reach))) {
       const auto& [other, k] = sides[s];
       if (component[other] == component[triangle]) continue;
       const Vec3& a = mesh.vertices[mesh.triangles[other][k]];

@@ -62,7 +62,7 @@ std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::ui
 
 void weld_surface(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
-  const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, kWeldDistance);
+  const std::vector<std::uint32_t> target = find_weld_targets(mesh.vertices, kWeldDistance);
   for (std::uint32_t v = 0; v < target.size(); ++v) report.welded_vertices += target[v] != v;
   for (Triangle& t : mesh.triangles) {
     for (std::uint32_t& corner : t) corner = target[corner];

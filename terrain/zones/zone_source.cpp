@@ -210,7 +210,7 @@ void cut_borders(Terrain& terrain, const ZoneMap& map) {
   for (std::array<Vec2, 2>& border : borders) {
     for (Vec2& end : border) end -= terrain.frame.origin.head<2>();
   }
-  const std::size_t added = insert_edges_along(terrain.surface, borders);
+  const std::size_t added = insert_edges_along_segments(terrain.surface, borders);
   if (added > 0) {
     terrain.report.notes.push_back("cutting the zone borders into the ground added " +
                                    std::to_string(added) + " triangles");

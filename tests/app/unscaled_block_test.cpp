@@ -24,7 +24,7 @@ class UnscaledBlock : public SlopeCampaign {
     model.volume_bracket = VolumeBracket{.lower_volume = 0.9 * model.mass.volume,
                                          .estimated_volume = model.mass.volume,
                                          .upper_volume = 1.1 * model.mass.volume,
-                                         .sides = SideBounds{model.box.lengths, model.box.lengths},
+                                         .sides = BoxSideBounds{model.box.lengths, model.box.lengths},
                                          .filled_fraction = 0.2,
                                          .assumption = "the flanks go on"};
     library.add(model);

@@ -190,7 +190,7 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
     const auto block =
         read("L" + unit + ",I" + unit + ",S" + unit + "\n300,200,100\n").blocks.at(0);
     EXPECT_NEAR(block.axes.L, 3e-4, 1e-18);
-    EXPECT_EQ(block.axes_as_written.L, 300.0);
+    EXPECT_EQ(block.axes_in_table_unit.L, 300.0);
   }
   EXPECT_TRUE(contains(refusal("L_cm,I_cm,S_mm\n3,2,1\n"), "different units"));
 }
@@ -198,8 +198,8 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
 // 0.42/0.6 in any unit: ratios are of the numbers as they were written.
 TEST_F(Tables, RatiosCarryNoRoundingOfTheUnit) {
   const auto block = read("L,I,S\n1,3,0.7\n", {.units = 1e-6}).blocks.at(0);
-  EXPECT_EQ(block.axes_as_written.S / block.axes_as_written.I, 0.7);
-  EXPECT_EQ(block.axes_as_written.I / block.axes_as_written.L, 1.0 / 3.0);
+  EXPECT_EQ(block.axes_in_table_unit.S / block.axes_in_table_unit.I, 0.7);
+  EXPECT_EQ(block.axes_in_table_unit.I / block.axes_in_table_unit.L, 1.0 / 3.0);
 }
 
 TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {

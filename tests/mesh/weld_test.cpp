@@ -74,8 +74,8 @@ TEST(Weld, ToleranceThatIsNegativeOrNotFiniteIsRefused) {
 
 TEST(Weld, TargetsStayThemselves) {
   const std::vector<Vec3> row = {{0, 0, 0}, {0.9, 0, 0}, {1.8, 0, 0}, {0, 0, 0}, {2.5, 0, 0}};
-  EXPECT_EQ(weld_targets(row, 1.0), (std::vector<std::uint32_t>{0, 0, 2, 0, 2}));
-  EXPECT_EQ(weld_targets(row, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 0, 4}));
+  EXPECT_EQ(find_weld_targets(row, 1.0), (std::vector<std::uint32_t>{0, 0, 2, 0, 2}));
+  EXPECT_EQ(find_weld_targets(row, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 0, 4}));
 }
 
 TEST(Weld, CopiesOfATriangleAreFoundByTurn) {

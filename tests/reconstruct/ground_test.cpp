@@ -122,7 +122,7 @@ TEST(Ground, TooFewPointsHaveNone) {
 TEST(Ground, OptionsOutOfRangeAreNamed) {
   EXPECT_TRUE(contains(refusal([] { find_ground({}, {.trials = 0}); }), "trials"));
   EXPECT_TRUE(contains(refusal([] { find_ground({}, {.tolerance = 0.5}); }), "tolerance"));
-  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.least_rise = 0.0}); }), "least_rise"));
+  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.min_block_height = 0.0}); }), "least_rise"));
 }
 
 TEST(BlocksOnGround, BlockOnGravelHasHalfAPercentOfWrongPointsAtMost) {

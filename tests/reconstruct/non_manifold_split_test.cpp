@@ -62,7 +62,7 @@ TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
   ASSERT_EQ(before.boundary_edges, 0u);
   const TriangleMesh whole = mesh;
 
-  const reconstruct_detail::SplitEdges touching =
+  const reconstruct_detail::EdgeSplitResult touching =
       reconstruct_detail::split_non_manifold_edges(mesh);
   reconstruct_detail::split_non_manifold_vertices(mesh);
 
@@ -107,7 +107,7 @@ TEST(TouchingSheets, TrianglesThatLieOnOneAnotherAreDropped) {
   mesh.triangles.push_back({t[1], t[0], t[2]});
   mesh.triangles.push_back(t);
   const TriangleMesh whole = mesh;
-  const reconstruct_detail::SplitEdges touching =
+  const reconstruct_detail::EdgeSplitResult touching =
       reconstruct_detail::split_non_manifold_edges(mesh);
   EXPECT_EQ(touching.source.size(), mesh.triangles.size());
   EXPECT_EQ(inspect_mesh(mesh).non_manifold_edges, 0u);

@@ -384,7 +384,7 @@ TEST(Underside, OptionsOutOfRangeAreNamed) {
                        }),
                        "ground normal"));
   EXPECT_TRUE(contains(
-      refusal([&] { close_underside(mesh, {.smallest_share = 0.5, .largest_share = 0.4}); }),
+      refusal([&] { close_underside(mesh, {.min_hole_fraction = 0.5, .max_filling_fraction = 0.4}); }),
       "smallest_share"));
 }
 

@@ -169,7 +169,7 @@ TEST(PopulationPage, TwoPopulationsAreComparedInWords) {
 TEST(PopulationPage, BlocksWithBoxesSayWhatTheConventionDecides) {
   Population population = blocks("scans", 5);
   for (MeasuredBlock& block : population.blocks) block.axes_by_box = {4, block.axes};
-  population.blocks[0].axes = population.blocks[0].axes_as_written = {1.2, 1.0, 0.9};
+  population.blocks[0].axes = population.blocks[0].axes_in_table_unit = {1.2, 1.0, 0.9};
   population.blocks[0].axes_by_box = {
       {1.2, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}};
   const std::string html = page_of(report_of({population}));

@@ -71,7 +71,7 @@ struct EvidenceSample {
     scan = scan_of(photos);
     for (std::size_t i = 0; i + 1 < 33; ++i) scan.cloud.pairs.push_back({i, i + 1, 0.17});
     scan.cloud.blurred = {33};
-    scan.without_camera = {"img_90.jpg"};
+    scan.photos_without_camera = {"img_90.jpg"};
     scan.metric = true;
     scan.scale_source = "board";
     for (const int id : {0, 1, 2, 5}) {

@@ -22,7 +22,7 @@ constexpr double kNoise = 1.0;        ///< standard deviations of the noise by w
 
 class Margin {
  public:
-  Margin(const TriangleMesh& surface, const PointUncertainty& known)
+  Margin(const TriangleMesh& surface, const SurfacePointStatistics& known)
       : surface_(surface),
         known_(known),
         tree_(surface.vertices),
@@ -96,7 +96,7 @@ class Margin {
   }
 
   const TriangleMesh& surface_;
-  const PointUncertainty& known_;
+  const SurfacePointStatistics& known_;
   PointTree tree_;
   std::vector<MovingLeastSquares::PlaneDeviation> standings_;
   std::vector<std::vector<std::uint32_t>> near_;  ///< of vertices, as they are asked for
@@ -106,7 +106,7 @@ class Margin {
 }  // namespace
 
 SurfaceUncertainty compute_surface_uncertainty(const TriangleMesh& surface,
-                                               const PointUncertainty& points) {
+                                               const SurfacePointStatistics& points) {
   return Margin(surface, points).run();
 }
 

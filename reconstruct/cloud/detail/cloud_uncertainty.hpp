@@ -8,7 +8,7 @@
 namespace clast::reconstruct_detail {
 
 /// Normals, spacings and noise of surface points.
-struct PointUncertainty {
+struct SurfacePointStatistics {
   std::span<const Vec3> normals;     ///< unit normals, outward, one per vertex
   std::span<const double> spacings;  ///< local point spacings (`compute_local_spacings`), m
   double noise = 0.0;                ///< standard deviation of the removed noise, m
@@ -20,6 +20,6 @@ struct PointUncertainty {
 /// @param surface  closed, outward; its vertices are the points
 /// @returns inner and outer bounds
 SurfaceUncertainty compute_surface_uncertainty(const TriangleMesh& surface,
-                                               const PointUncertainty& points);
+                                               const SurfacePointStatistics& points);
 
 }  // namespace clast::reconstruct_detail

@@ -5,7 +5,7 @@
 
 namespace clast::photos_detail {
 
-CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
+CameraIntrinsics make_colmap_intrinsics(const std::string& model, int width, int height,
                                   const std::vector<double>& p) {
   // Parameters of COLMAP's models, in its order: one focal length or two, centre, and distortion.
   struct Layout {

@@ -16,11 +16,11 @@ PhotoModel read_alicevision(const std::filesystem::path& file);
 /// Makes the intrinsics of a COLMAP camera model, such as "SIMPLE_RADIAL". The principal point is
 /// shifted by half a pixel to the convention of `CameraIntrinsics`.
 /// @throws InputError  if the model is unknown or the number of parameters wrong
-CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
+CameraIntrinsics make_colmap_intrinsics(const std::string& model, int width, int height,
                                   const std::vector<double>& p);
 
 /// Sorts photos by name and updates the indices.
-PhotoModel sorted_by_name(PhotoModel model);
+PhotoModel photos_sorted_by_name(PhotoModel model);
 
 /// Converts a rotation matrix.
 /// @throws InputError  if it is not a rotation; the message starts with `what`

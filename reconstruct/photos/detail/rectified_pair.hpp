@@ -30,9 +30,9 @@ struct Rectification {
 };
 
 /// Rectifies a pair.
-/// @param most_pixels  largest image side
+/// @param max_image_side  largest image side
 Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
-                           const PhotoRegion& region, int most_pixels);
+                           const PhotoRegion& region, int max_image_side);
 
 /// Disparities of a pair, and colours of the left photo.
 struct DisparityMap {
@@ -47,7 +47,7 @@ inline constexpr short kNoDisparity = -32768;
 /// @param masks  one mask per photo, or empty; pixels with value 0 are not used
 /// @cite hirschmueller2008
 DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair,
-                               const PhotoRegion& region, int most_pixels,
+                               const PhotoRegion& region, int max_image_side,
                                const std::vector<std::filesystem::path>& masks);
 
 }  // namespace clast::photos_detail

@@ -30,7 +30,7 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
 /// Checks the size of a hole.
 /// @param welded  surface after welding, before other repairs; for counts in messages
 /// @throws GeometryError  if the filling exceeds the fraction `largest` of the repaired surface
-void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
+void check_hole_size(const FilledHole& hole, double largest, const TriangleMesh& welded,
                 const RepairLog& log);
 
 /// Checks that the surface is closed.

@@ -5,12 +5,12 @@
 namespace clast::reconstruct_detail {
 
 /// Areas of sections, and volumes above them, as functions of the height along a direction.
-class LevelSections {
+class HorizontalSections {
  public:
   /// Prepares the sections.
   /// @param mesh  closed and outward
   /// @param up  unit vector
-  LevelSections(const TriangleMesh& mesh, const Vec3& up);
+  HorizontalSections(const TriangleMesh& mesh, const Vec3& up);
 
   double min_height() const { return lowest_; }  ///< height of the lowest vertex along `up`, m
   double max_height() const { return highest_; }

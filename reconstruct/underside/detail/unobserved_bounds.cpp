@@ -319,10 +319,10 @@ std::vector<Vec3> observed_points(const Parted& parts) {
 
 }  // namespace
 
-UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts) {
+UnobservedPartBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts) {
   const Parted surface = parted(closed, parts.closure);
   const Middle middle = middle_of(closed);
-  UnobservedBounds bounds{{middle.volume, middle.volume, middle.volume}, {}};
+  UnobservedPartBounds bounds{{middle.volume, middle.volume, middle.volume}, {}};
   std::vector<Vec3> beyond;
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = fit_flank_planes(surface.closed, surface.first, surface.rims);

@@ -21,7 +21,7 @@ struct PossibleHollow {
 
 /// Bounds of a body if its unobserved part continues the observed flanks, in units of the mesh. For
 /// the lower volume, closures are indented like the observed surface and cavities excluded.
-struct UnobservedBounds : VolumeBracket {
+struct UnobservedPartBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
 
@@ -38,7 +38,7 @@ struct UnobservedParts {
 /// the space behind its closures that is within the flank planes (`fit_flank_planes`) and above the
 /// floor. Uncertainty of the observed surface widens the bounds. See docs/theory.md.
 /// @param closed  closed mesh with the closures, outward
-UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts);
+UnobservedPartBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts);
 
 /// Describes the possible cavities and tunnels, with position and width.
 /// @param unit  m per unit of the mesh; positions are given in units of the mesh

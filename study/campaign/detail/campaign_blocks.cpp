@@ -91,7 +91,7 @@ const MemberTable<BlockSampling>& draw_keys() {
        {"shares", "", "fraction of each class; the sum must be 1", named(number(kClassFraction)),
         &read_shares},
        {"mass_kg", "kg", "mass of a drawn block; default: that of its library block",
-        uncertain(kBlockMass), &BlockSampling::mass}});
+        uncertain(kBlockMassRange), &BlockSampling::mass}});
   return keys;
 }
 
@@ -164,9 +164,9 @@ const MemberTable<BlockSelection>& blocks_keys() {
        {"scale", "", "size to which every block is scaled; shape and density stay the same",
         either({words({"equal-mass"}),
                 table({{"mass_kg", "kg", "mass of every block",
-                        required("a mass", number(kBlockMass))}}),
+                        required("a mass", number(kBlockMassRange))}}),
                 table({{"volume_m3", "m^3", "volume of every block",
-                        required("a volume", number(kBlockVolume))}})}),
+                        required("a volume", number(kBlockVolumeRange))}})}),
         &read_scale, &BlockSelection::scale},
        {"allow_any_size", "", "also accept blocks of unusual size", flag(),
         &BlockSelection::any_size},

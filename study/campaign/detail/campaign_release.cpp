@@ -27,7 +27,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
         from.numbers(key, row, plan_only ? 2 : 3, 3,
                      plan_only ? "points of finite numbers, [x, y] or [x, y, z]"
                                : "points of three finite numbers, [x, y, z]; [x, y] needs height_m",
-                     kMapCoordinate);
+                     kMapCoordinateRange);
     return Vec3(values[0], values[1], values.size() == 3 ? values[2] : 0.0);
   };
   const auto points_of = [&](const TomlTable& from, const std::string& key, const TomlNode& list,

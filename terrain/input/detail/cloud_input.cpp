@@ -92,7 +92,7 @@ struct Survey {
 struct ClassSurvey {
   std::size_t points = 0;
   Bounds box;
-  PointHeightCheck heights = {};
+  PointFillValueCheck heights = {};
 
   void include(const Vec3& point) {
     ++points;
@@ -155,7 +155,7 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
 /// Refuses a cloud that is not in metres on the map of those before it.
 void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
                      CloudGrid& result) {
-  const LengthUnitUse metres{
+  const LengthUnitRequirements metres{
       .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
       .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE"};
   for (const std::string& note : check_length_units(path.string(), summary.lengths, metres)) {
@@ -346,7 +346,7 @@ HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
   return grid;
 }
 
-HeightGrid bin_points(std::span<const Vec3> points, double cell, const fs::path& path) {
+HeightGrid grid_mean_heights(std::span<const Vec3> points, double cell, const fs::path& path) {
   Bounds box;
   for (const Vec3& point : points) box.include(point);
   const Cells cells(box.low.head<2>(), box.high.head<2>(), cell, path);
@@ -409,7 +409,7 @@ CloudGrid read_cloud_grid(const TerrainOptions& options) {
     }
   }
   const double widest = options.fill.value_or(kPinholes * size);
-  note_fill(fill_holes(grid, widest), widest, result, path);
+  note_fill(fill_grid_holes(grid, widest), widest, result, path);
   return result;
 }
 

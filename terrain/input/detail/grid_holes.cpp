@@ -85,7 +85,7 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
 
 }  // namespace
 
-HoleFillReport fill_holes(HeightGrid& grid, double widest) {
+HoleFillReport fill_grid_holes(HeightGrid& grid, double widest) {
   HoleFillReport result;
   std::vector<bool> seen(grid.heights.size(), false);
   std::vector<std::uint32_t> number(grid.heights.size(), kNoIndex);

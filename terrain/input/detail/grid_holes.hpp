@@ -17,6 +17,6 @@ struct HoleFillReport {
 /// Fills holes whose bounding box is at most `widest` (m) on each side. A hole is a set of empty
 /// cells, connected over sides, that does not reach the grid's border. Filled heights satisfy the
 /// discrete Laplace equation, so that planes are reproduced and heights stay in the rim's range.
-HoleFillReport fill_holes(HeightGrid& grid, double widest);
+HoleFillReport fill_grid_holes(HeightGrid& grid, double widest);
 
 }  // namespace clast::terrain_detail

@@ -9,7 +9,7 @@ namespace clast::terrain_detail {
 
 /// Least-squares plane through the neighbours of a vertex: z = height + slope . (x, y), with x and
 /// y relative to the vertex.
-struct RingPlane {
+struct NeighbourPlane {
   double height = 0.0;  ///< at the vertex, m
   Vec2 slope = Vec2::Zero();
   double distance = 0.0;  ///< mean horizontal distance of the neighbours, m
@@ -19,7 +19,7 @@ struct RingPlane {
 
 /// Fits the plane; empty if there are fewer than three neighbours or if they are collinear.
 /// @param ring  neighbours, without the vertex itself
-std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh,
+std::optional<NeighbourPlane> fit_neighbour_plane(const TriangleMesh& mesh,
                                         std::span<const std::uint32_t> ring, std::uint32_t vertex);
 
 }  // namespace clast::terrain_detail

@@ -101,18 +101,18 @@ TEST(SummaryLabels, AreKnownInFiveLanguages) {
                            "Grand total",
                            "Median =",
                            "Variance"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kCertain) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kCertain) << text;
   }
   for (const char* text : {"\xE2\x88\x85", "\xC3\x98", "\xCF\x83", "25%", "75 %", "Overall mean",
                            "Coef. var.", "STDEV.S"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kCertain) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kCertain) << text;
   }
   for (const char* text : {"SD", "n", "N", "CV", "s.d.", "SE", "s"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kAmbiguous) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kAmbiguous) << text;
   }
   for (const char* text : {"", "B1", "Max 3", "Meander", "Total station", "rock", "12", "-",
                            "Mean 2", "Minette", "Sum of all fears", "@SUM(A1)", "=SUM(A1)", "A"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kNone) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kNone) << text;
   }
 }
 

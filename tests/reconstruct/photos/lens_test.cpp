@@ -96,7 +96,7 @@ TEST(CameraIntrinsics, WhatIsBehindOrBeyondTheDistortionIsNotSeen) {
 }
 
 TEST(CameraIntrinsics, ASmallerPhotoSeesTheSamePlacesOfItsFrame) {
-  const CameraIntrinsics lens = odd_lens(), half = resize_image(lens, 2000, 1500);
+  const CameraIntrinsics lens = odd_lens(), half = resized_intrinsics(lens, 2000, 1500);
   Random random(5);
   for (int i = 0; i < 50; ++i) {
     const Vec3 p = before_camera(random);
@@ -104,8 +104,8 @@ TEST(CameraIntrinsics, ASmallerPhotoSeesTheSamePlacesOfItsFrame) {
     const Vec2 expected = 0.5 * (*project(lens, p) + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
     EXPECT_NEAR((*project(half, p) - expected).norm(), 0.0, 1e-9);
   }
-  EXPECT_TRUE(contains(refusal([&] { resize_image(lens, 1500, 2000); }), "1500 x 2000"));
-  EXPECT_TRUE(contains(refusal([&] { resize_image(lens, 2000, 1200); }), "not cropped or rotated"));
+  EXPECT_TRUE(contains(refusal([&] { resized_intrinsics(lens, 1500, 2000); }), "1500 x 2000"));
+  EXPECT_TRUE(contains(refusal([&] { resized_intrinsics(lens, 2000, 1200); }), "not cropped or rotated"));
 }
 
 TEST(CameraIntrinsics, ValuesOfNoLensAreRefused) {

@@ -38,7 +38,7 @@ TEST(Gallery, HasACardWithItsNumbersForEveryBlock) {
 }
 
 TEST(Gallery, ItsFolderIsKnown) {
-  const FolderKind kind = gallery_folder_kind();
+  const OutputFolderKind kind = gallery_folder_kind();
   EXPECT_TRUE(kind.is_own_file("gallery.html"));
   EXPECT_FALSE(kind.is_own_file("report.html"));
   const ScratchFolder folder;

@@ -91,7 +91,7 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   // What never differs has neither interval nor verdict.
   const DepositQuantityDifference& area = named(figures, "area_m2");
   EXPECT_FALSE(area.interval);
-  EXPECT_EQ(area.verdict(), Verdict::kUntested);
+  EXPECT_EQ(area.verdict(), ContrastVerdict::kUntested);
   EXPECT_TRUE(contains(describe_effect(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
   EXPECT_TRUE(contains(describe_effect(area), "no interval, since realisations do not differ"));
 }
@@ -106,20 +106,20 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
   };
   const DepositQuantityDifference clear =
       compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
-  EXPECT_EQ(clear.verdict(), Verdict::kSignificant);
+  EXPECT_EQ(clear.verdict(), ContrastVerdict::kSignificant);
   EXPECT_EQ(describe_effect(clear),
             "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
                 describe_difference(clear) + ", from 4 and 3 realisations");
   EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
   const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
-  EXPECT_EQ(open.verdict(), Verdict::kInsignificantAfterCorrection) << *open.p_holm;
+  EXPECT_EQ(open.verdict(), ContrastVerdict::kInsignificantAfterCorrection) << *open.p_holm;
   EXPECT_TRUE(contains(describe_effect(open), "; one of 3 differences can be as large by chance"));
   const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
-  EXPECT_EQ(none.verdict(), Verdict::kInsignificant);
+  EXPECT_EQ(none.verdict(), ContrastVerdict::kInsignificant);
   EXPECT_TRUE(contains(describe_difference(none), "m less (")) << describe_difference(none);
   EXPECT_TRUE(describe_effect(none).ends_with("; not distinguished"));
   const DepositQuantityDifference single = compared_lengths({20.0, 22.0}, {10.0});
-  EXPECT_EQ(single.verdict(), Verdict::kUntested);
+  EXPECT_EQ(single.verdict(), ContrastVerdict::kUntested);
   EXPECT_TRUE(contains(describe_effect(single), "an interval takes two realisations of each file"));
 }
 

@@ -110,7 +110,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.p_holm);
     EXPECT_FALSE(difference.is_significant());
     EXPECT_EQ(difference.tests, 0u);
-    EXPECT_EQ(difference.verdict(), Verdict::kUntested);
+    EXPECT_EQ(difference.verdict(), ContrastVerdict::kUntested);
     EXPECT_NE(describe_effect(difference, one)
                   .find("one realisation does not show whether this is chance"),
               std::string::npos);
@@ -202,7 +202,7 @@ TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
   const Difference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
-  const int decimals = justified_decimals(interval, 4);
+  const int decimals = significant_decimals(interval, 4);
   EXPECT_EQ(describe_effect(runout, comparison),
             "runout: class compact " + format_significant(runout.first_mean, 3) +
                 " m on average, class elongated " + format_significant(runout.second_mean, 3) +
