@@ -16,8 +16,8 @@ constexpr double kNear = 0.05;
 
 }  // namespace
 
-ClassCertainty assess_class_certainty(const std::string& scheme, const Axes& axes, double axis_error,
-                               const SchemeOptions& options) {
+ClassCertainty assess_class_certainty(const std::string& scheme, const Axes& axes,
+                                      double axis_error, const SchemeOptions& options) {
   if (!(axis_error >= 0.0) || !std::isfinite(axis_error)) {
     throw InputError("the error of the axes is " + format_significant(axis_error, 6) +
                      " m; it must be zero or positive");

@@ -65,7 +65,8 @@ Cell positive_cell(const Record& record, std::size_t column, const DimensionTabl
 }
 
 /// The label of a row that sums up the others: its name, or, where it has none, another text.
-std::optional<std::string_view> summary_in(const Record& record, const DimensionTableLayout& layout) {
+std::optional<std::string_view> summary_in(const Record& record,
+                                           const DimensionTableLayout& layout) {
   const auto counts = [&](std::string_view field) {
     const SummaryRowLabel label = detect_summary_row_label(field);
     return label == SummaryRowLabel::kCertain ||
@@ -102,7 +103,7 @@ void read_row(const Record& record, const DimensionTableLayout& layout, Dimensio
   const auto row = [&] { return "row " + std::to_string(record.line); };
   const auto label = layout.has_summary ? summary_in(record, layout) : std::nullopt;
   if (label) {
-    ++table.skipped;
+    ++table.skipped_rows;
     table.notes.push_back(row() + " skipped: \"" + std::string(*label) +
                           "\" is a sum of other rows");
     return;
@@ -112,7 +113,7 @@ void read_row(const Record& record, const DimensionTableLayout& layout, Dimensio
     const Cell cell = positive_cell(record, layout.axes[axis], layout, kAxisNames[axis],
                                     {layout.units, kShortest, kLongest, "m"});
     if (!cell.trouble.empty()) {
-      ++table.skipped;
+      ++table.skipped_rows;
       table.notes.push_back(row() + " skipped: " + cell.trouble);
       return;
     }
@@ -120,7 +121,7 @@ void read_row(const Record& record, const DimensionTableLayout& layout, Dimensio
   }
   const auto& [L, I, S] = values;
   if (L < I || I < S) {
-    ++table.sorted;
+    ++table.reordered_rows;
     table.notes.push_back(row() + ": axes were not in the order L >= I >= S and were sorted");
   }
   MeasuredBlock block;
@@ -133,7 +134,7 @@ void read_row(const Record& record, const DimensionTableLayout& layout, Dimensio
     if (mass.trouble.empty()) {
       block.mass = mass.value * layout.mass_units;
     } else {
-      ++table.without_mass;
+      ++table.blocks_without_mass;
       table.notes.push_back(row() + ": " + mass.trouble +
                             "; the block counts by number, not by mass");
     }
@@ -224,7 +225,8 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
         "the file is not UTF-8 and was read as Windows-1252 (Latin-1); if accented letters look "
         "wrong, save it as CSV (UTF-8)");
   }
-  DimensionTableLayout layout = find_dimension_table_layout(record, text.separator(), columns, file, table.notes);
+  DimensionTableLayout layout =
+      find_dimension_table_layout(record, text.separator(), columns, file, table.notes);
   find_summary_rows(content.text, layout);
   if (!layout.has_header) read_row(record, layout, table);
   while (text.read_record(record)) read_row(record, layout, table);

@@ -14,10 +14,10 @@ namespace clast {
 struct DimensionTable {
   std::vector<MeasuredBlock> blocks;
   std::vector<std::string>
-      notes;                ///< notes on the unit, skipped rows, sorted axes and ignored masses
-  std::size_t skipped = 0;  ///< number of rows without three valid axes
-  std::size_t sorted = 0;   ///< number of rows whose axes were not in the order L >= I >= S
-  std::size_t without_mass =
+      notes;  ///< notes on the unit, skipped_rows rows, reordered_rows axes and ignored masses
+  std::size_t skipped_rows = 0;    ///< number of rows without three valid axes
+  std::size_t reordered_rows = 0;  ///< number of rows whose axes were not in the order L >= I >= S
+  std::size_t blocks_without_mass =
       0;  ///< number of blocks without a valid mass, if the table has a mass column
 };
 

@@ -19,7 +19,7 @@ struct BlockForm {
 /// Rank correlation of two measures, in the population and in the sampled blocks.
 struct RankCorrelation {
   std::string first, second;
-  double population = 0.0, drawn = 0.0;  ///< Spearman's coefficient
+  double population = 0.0, sampled = 0.0;  ///< Spearman's coefficient
 };
 
 /// Agreement of sampled blocks with their population.

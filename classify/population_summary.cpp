@@ -40,8 +40,8 @@ std::string chance(double p) {
 }
 
 ShapeMeasureDifference measure_difference(const ShapeMeasure& measure, const Population& a,
-                                     const std::vector<Axes>& axes_a, const Population& b,
-                                     const std::vector<Axes>& axes_b) {
+                                          const std::vector<Axes>& axes_a, const Population& b,
+                                          const std::vector<Axes>& axes_b) {
   const std::vector<double> x = measure_values(measure, axes_a),
                             y = measure_values(measure, axes_b);
   ShapeMeasureDifference result{&measure, median_of(x), median_of(y), two_sample_ks_test(x, y), {}};
@@ -80,9 +80,9 @@ std::string describe_largest_difference(const std::vector<ClassFraction>& a,
 }
 
 ClassFractionDifference class_difference(const std::string& scheme, const Population& a,
-                                 const std::vector<Axes>& axes_a, const Population& b,
-                                 const std::vector<Axes>& axes_b,
-                                 const PopulationOptions& options) {
+                                         const std::vector<Axes>& axes_a, const Population& b,
+                                         const std::vector<Axes>& axes_b,
+                                         const PopulationOptions& options) {
   const std::vector<ClassFraction> shares_a = class_fractions(axes_a, scheme, options.limits);
   const std::vector<ClassFraction> shares_b = class_fractions(axes_b, scheme, options.limits);
   std::vector<std::size_t> counts_a, counts_b;
@@ -157,7 +157,8 @@ PopulationSummary summarise_population(const Population& population,
   PopulationSummary summary;
   summary.name = population.name;
   summary.blocks = population.blocks.size();
-  for (const MeasuredBlock& block : population.blocks) summary.blocks_with_mass += block.mass.has_value();
+  for (const MeasuredBlock& block : population.blocks)
+    summary.blocks_with_mass += block.mass.has_value();
   const std::vector<Axes> axes = axes_for_ratios(population);
   const std::vector<double> weights = block_masses(population);
   for (const std::string& scheme : options.selected_schemes()) {

@@ -25,7 +25,7 @@ struct PopulationOptions {
 
 struct SchemeFractions {
   std::string scheme;
-  std::vector<ClassFraction> shares;
+  std::vector<ClassFraction> fractions;
 };
 
 /// Spearman correlation between size and a shape measure.

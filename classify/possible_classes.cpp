@@ -46,12 +46,13 @@ Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
   const auto low = [&](double Axes::*axis) { return lower.*axis / size; };
   const auto high = [&](double Axes::*axis) { return upper.*axis / size; };
   Polygon polygon = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  for (const ClassBoundary& line : {ClassBoundary{.constant = -low(&Axes::I), .i_l = high(&Axes::L)},
-                                  ClassBoundary{.constant = high(&Axes::I), .i_l = -low(&Axes::L)},
-                                  ClassBoundary{.constant = -low(&Axes::S), .s_l = high(&Axes::L)},
-                                  ClassBoundary{.constant = high(&Axes::S), .s_l = -low(&Axes::L)},
-                                  ClassBoundary{.i_l = -low(&Axes::S), .s_l = high(&Axes::I)},
-                                  ClassBoundary{.i_l = high(&Axes::S), .s_l = -low(&Axes::I)}}) {
+  for (const ClassBoundary& line :
+       {ClassBoundary{.constant = -low(&Axes::I), .i_l = high(&Axes::L)},
+        ClassBoundary{.constant = high(&Axes::I), .i_l = -low(&Axes::L)},
+        ClassBoundary{.constant = -low(&Axes::S), .s_l = high(&Axes::L)},
+        ClassBoundary{.constant = high(&Axes::S), .s_l = -low(&Axes::L)},
+        ClassBoundary{.i_l = -low(&Axes::S), .s_l = high(&Axes::I)},
+        ClassBoundary{.i_l = high(&Axes::S), .s_l = -low(&Axes::I)}}) {
     polygon = part_above(polygon, line);
   }
   return polygon;

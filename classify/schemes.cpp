@@ -240,11 +240,12 @@ std::string shape_class(const std::string& scheme, const Axes& axes, const Schem
 }
 
 std::vector<ClassifyingRatio> classifying_ratios(const std::string& scheme, const Axes& axes,
-                                       const SchemeOptions& options) {
+                                                 const SchemeOptions& options) {
   return scheme_named(scheme).ratios(axes, options);
 }
 
-std::vector<ClassBoundary> class_boundaries(const std::string& scheme, const SchemeOptions& options) {
+std::vector<ClassBoundary> class_boundaries(const std::string& scheme,
+                                            const SchemeOptions& options) {
   return scheme_named(scheme).limits(options);
 }
 

@@ -65,7 +65,7 @@ struct ClassifyingRatio {
 /// Returns the ratios that determine the class of given axes. The class changes at the limits.
 /// @throws InputError  if the scheme is unknown
 std::vector<ClassifyingRatio> classifying_ratios(const std::string& scheme, const Axes& axes,
-                                       const SchemeOptions& options = {});
+                                                 const SchemeOptions& options = {});
 
 /// Class boundary: the points where constant + i_l (I/L) + s_l (S/L) + i_l_squared (I/L)^2 = 0.
 struct ClassBoundary {
@@ -78,6 +78,6 @@ struct ClassBoundary {
 /// Returns all class boundaries of a scheme: lines, except for the parabola of Williams.
 /// @throws InputError  if the scheme is unknown
 std::vector<ClassBoundary> class_boundaries(const std::string& scheme,
-                                       const SchemeOptions& options = {});
+                                            const SchemeOptions& options = {});
 
 }  // namespace clast

@@ -263,7 +263,7 @@ std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t
 }
 
 void compute_goodness_of_fit(FittedSizeLaw& law, std::span<const double> sizes, double step,
-                   std::uint64_t seed, std::size_t samples) {
+                             std::uint64_t seed, std::size_t samples) {
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);

@@ -64,7 +64,7 @@ double find_reading_resolution(std::span<const double> values);
 ///              compared halfway between readings
 /// @cite stephens1974
 void compute_goodness_of_fit(FittedSizeLaw& law, std::span<const double> sizes, double step,
-                   std::uint64_t seed, std::size_t samples = 999);
+                             std::uint64_t seed, std::size_t samples = 999);
 
 /// Computes the Kolmogorov-Smirnov distances of `samples` bootstrap samples from the laws fitted to
 /// them. A sample has `count` sizes, which are drawn from `law` and rounded to `step`. Samples with

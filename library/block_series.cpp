@@ -53,8 +53,9 @@ std::vector<VariationRequest> combine_variations(std::span<const Block* const> p
   return requests;
 }
 
-VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests, const BlockSource& source,
-                        const VariationSeriesOptions& options) {
+VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests,
+                                        const BlockSource& source,
+                                        const VariationSeriesOptions& options) {
   options.variation.check();
   std::vector<std::optional<Block>> made(requests.size());
   std::vector<std::string> reasons(requests.size());
@@ -84,8 +85,9 @@ VariedBlockSeries make_variation_series(std::span<const VariationRequest> reques
 }
 
 SampledVariationRequests sample_variation_requests(std::span<const Block* const> parents,
-                            std::span<const BlockForm> population, std::size_t count,
-                            std::uint64_t seed, const std::string& prefix) {
+                                                   std::span<const BlockForm> population,
+                                                   std::size_t count, std::uint64_t seed,
+                                                   const std::string& prefix) {
   if (parents.empty()) throw InputError("there is no block from which to make bodies");
   const FormCopula copula(population);
   Random random(seed);

@@ -36,8 +36,9 @@ struct VariedBlockSeries {
 
 /// Makes all requested bodies.
 /// @param source  library and digest, stored in all bodies
-VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests, const BlockSource& source,
-                        const VariationSeriesOptions& options = {});
+VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests,
+                                        const BlockSource& source,
+                                        const VariationSeriesOptions& options = {});
 
 /// Requests for bodies whose sizes and shapes were sampled from a population.
 struct SampledVariationRequests {
@@ -51,8 +52,9 @@ struct SampledVariationRequests {
 /// @param population  sampled sizes and shapes, of a library (`block_forms`) or a table
 /// @throws InputError  if there is no parent, or if `FormCopula` cannot be fitted
 SampledVariationRequests sample_variation_requests(std::span<const Block* const> parents,
-                            std::span<const BlockForm> population, std::size_t count,
-                            std::uint64_t seed, const std::string& prefix);
+                                                   std::span<const BlockForm> population,
+                                                   std::size_t count, std::uint64_t seed,
+                                                   const std::string& prefix);
 
 /// Returns the axes and convexity of blocks.
 std::vector<BlockForm> block_forms(std::span<const Block* const> blocks);

@@ -76,7 +76,7 @@ PreservedSize parse_preserved_size(const std::string& name);
 std::string name_of(PreservedSize preserved);
 
 struct VariationOptions {
-  PreservedSize keep =
+  PreservedSize preserved_size =
       PreservedSize::kMass;  ///< not used by `InertiaVariation` and `SampledFormVariation`
   double accuracy = 1e-4;    ///< relative accuracy of volume and inertia
 
@@ -99,10 +99,10 @@ Block vary_block(const std::string& id, const Block& parent, const Variation& va
 /// Variation that is stored in `source.options` of a block.
 struct VariationRecord {
   std::string kind;
-  std::string parent;             ///< id of the varied block
-  std::optional<BoxRatios> form;  ///< target ratios of a stretched or sampled body
-  double step = 0.0;              ///< target of other variations; 0 for reference bodies
-  std::string reference;          ///< name of the reference body
+  std::string parent;                      ///< id of the varied block
+  std::optional<BoxRatios> target_ratios;  ///< target ratios of a stretched or sampled body
+  double target_value = 0.0;               ///< target of other variations; 0 for reference bodies
+  std::string reference;                   ///< name of the reference body
 };
 /// Parses the variation of a block. Empty if the block is not a variation.
 std::optional<VariationRecord> parse_variation(const Block& block);

@@ -116,8 +116,9 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
-    body = fit_core(scan, std::move(body),
-                    {.target_distance = kFitFraction * largest_distance, .abandon_distance = largest_distance});
+    body = fit_core(
+        scan, std::move(body),
+        {.target_distance = kFitFraction * largest_distance, .abandon_distance = largest_distance});
   }
   if (options.convex) body = make_sphero_polyhedron(convex_hull(body.vertices), radius);
   if (radius == 0.0) return body;

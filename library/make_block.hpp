@@ -11,10 +11,10 @@ namespace clast {
 
 struct BlockOptions {
   bool core = false;  ///< true: the mesh is the core and is not changed; requires `radius`
-  std::optional<double> radius;  ///< Minkowski radius, m
-  double radius_fraction = 0.02;    ///< ratio of radius to S, if `radius` is not given
-  bool convex = false;           ///< true: the scan is convex, and the core stays convex
-  double density = 2650.0;       ///< kg/m^3
+  std::optional<double> radius;   ///< Minkowski radius, m
+  double radius_fraction = 0.02;  ///< ratio of radius to S, if `radius` is not given
+  bool convex = false;            ///< true: the scan is convex, and the core stays convex
+  double density = 2650.0;        ///< kg/m^3
   bool density_given = false;
   std::optional<double>
       mass;  ///< mass, kg; it determines the density, or checks the volume if a density is given

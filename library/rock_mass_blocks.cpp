@@ -50,7 +50,7 @@ SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_fraction
 
 /// Blocks cut from all masses that could be cut.
 JointedRockMass cut_masses(std::span<const TriangleMesh> masses, const RockMassOptions& options,
-                       std::vector<std::string>& failed) {
+                           std::vector<std::string>& failed) {
   JointedRockMass all;
   std::exception_ptr first;
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -88,8 +88,8 @@ RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const Block
   parallel_for(cut.blocks.size(), options.threads, [&](std::size_t i) {
     const std::string id = id_of(options.prefix, i + 1, cut.blocks.size());
     try {
-      made[i] = make_block(id, rounded_piece(cut.blocks[i], options.block.radius_fraction), of_block,
-                           options.block);
+      made[i] = make_block(id, rounded_piece(cut.blocks[i], options.block.radius_fraction),
+                           of_block, options.block);
     } catch (const GeometryError& error) {
       const std::string reason = error.what();
       reasons[i] = reason.find(id) == std::string::npos ? "block " + id + ": " + reason : reason;

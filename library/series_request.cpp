@@ -51,20 +51,22 @@ void refuse_repeated(const std::vector<VariationRequest>& bodies) {
 }
 
 std::vector<VariationRequest> bodies_wanted(const VariationSeriesRequest& request,
-                                            const BlockLibrary& library, VariationSeriesResult& made) {
+                                            const BlockLibrary& library,
+                                            VariationSeriesResult& made) {
   const std::vector<const Block*> parents = library.select_blocks(request.ids);
-  std::vector<Variation> variations = request.steps.variations();
+  std::vector<Variation> variations = request.targets.variations();
   for (const std::string& id : request.target_ratio_ids) {
     variations.emplace_back(StretchVariation{box_ratios(library.find_block(id).box)});
   }
   std::vector<VariationRequest> bodies = combine_variations(parents, variations);
-  if (bodies.size() + request.draw > kMaxSeriesBodies) {
-    throw InputError(std::to_string(bodies.size() + request.draw) +
+  if (bodies.size() + request.sampled_count > kMaxSeriesBodies) {
+    throw InputError(std::to_string(bodies.size() + request.sampled_count) +
                      " bodies are requested; the limit is " + std::to_string(kMaxSeriesBodies));
   }
-  if (request.draw > 0) {
-    SampledVariationRequests drawn = sample_variation_requests(parents, population_of(request, parents, made.notes),
-                                        request.draw, request.seed, request.prefix);
+  if (request.sampled_count > 0) {
+    SampledVariationRequests drawn =
+        sample_variation_requests(parents, population_of(request, parents, made.notes),
+                                  request.sampled_count, request.seed, request.prefix);
     made.fit = std::move(drawn.fit);
     for (VariationRequest& body : drawn.requests) bodies.push_back(std::move(body));
   }
@@ -74,7 +76,7 @@ std::vector<VariationRequest> bodies_wanted(const VariationSeriesRequest& reques
 
 BlockSource source_of(const VariationSeriesRequest& request) {
   BlockSource source{to_utf8(request.library.string()), sha256_of_file(request.library), "", ""};
-  if (request.draw > 0) source.options = "seed=" + std::to_string(request.seed);
+  if (request.sampled_count > 0) source.options = "seed=" + std::to_string(request.seed);
   if (!request.table.empty()) {
     source.options += " population_sha256=" + sha256_of_file(request.table);
   }
@@ -84,7 +86,7 @@ BlockSource source_of(const VariationSeriesRequest& request) {
 }  // namespace
 
 bool VariationSeriesRequest::is_empty() const {
-  return steps.variations().empty() && target_ratio_ids.empty() && draw == 0;
+  return targets.variations().empty() && target_ratio_ids.empty() && sampled_count == 0;
 }
 
 void VariationSeriesRequest::check() const {
@@ -99,11 +101,12 @@ void VariationSeriesRequest::check() const {
   }
 }
 
-VariationSeriesResult make_variation_series(const VariationSeriesRequest& request, const BlockLibrary& library) {
+VariationSeriesResult make_variation_series(const VariationSeriesRequest& request,
+                                            const BlockLibrary& library) {
   request.check();
   VariationSeriesResult made;
   const std::vector<VariationRequest> bodies = bodies_wanted(request, library, made);
-  made.wanted = bodies.size();
+  made.requested_count = bodies.size();
   made.series = make_variation_series(bodies, source_of(request), request.options);
   if (made.series.blocks.empty()) {
     throw GeometryError("no body could be made; first reason: " + made.series.failures.front());

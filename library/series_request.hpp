@@ -15,12 +15,13 @@ namespace clast {
 /// Request for variations of library blocks and for bodies sampled from a population.
 struct VariationSeriesRequest {
   std::filesystem::path library;
-  std::vector<std::string> ids;       ///< ids of the blocks to vary; empty for all
-  VariationTargets steps;                ///< variations of each block
-  std::vector<std::string> target_ratio_ids;  ///< library blocks to whose ratios the blocks are stretched
-  std::size_t draw = 0;               ///< number of additional bodies sampled from a population
-  std::filesystem::path table;        ///< table of the population of measured blocks; if empty, the
-                                      ///< library blocks are the population
+  std::vector<std::string> ids;  ///< ids of the blocks to vary; empty for all
+  VariationTargets targets;      ///< variations of each block
+  std::vector<std::string>
+      target_ratio_ids;           ///< library blocks to whose ratios the blocks are stretched
+  std::size_t sampled_count = 0;  ///< number of additional bodies sampled from a population
+  std::filesystem::path table;    ///< table of the population of measured blocks; if empty, the
+                                  ///< library blocks are the population
   std::string units;  ///< length unit of the table; if empty, that of its header, otherwise m
   std::string prefix = "V";  ///< prefix of the ids of sampled bodies
   std::uint64_t seed = 1;
@@ -33,18 +34,20 @@ struct VariationSeriesRequest {
 };
 
 struct VariationSeriesResult {
-  VariedBlockSeries series;              ///< at least one body
-  std::size_t wanted = 0;          ///< number of requested bodies
-  std::size_t output_blocks = 0;   ///< number of blocks in `output` after the bodies were added
-  std::optional<CopulaFit> fit;    ///< fit to the population, if bodies were sampled
-  std::vector<std::string> notes;  ///< notes on the table
+  VariedBlockSeries series;         ///< at least one body
+  std::size_t requested_count = 0;  ///< number of requested bodies
+  std::size_t output_blocks = 0;    ///< number of blocks in `output` after the bodies were added
+  std::optional<CopulaFit> fit;     ///< fit to the population, if bodies were sampled
+  std::vector<std::string> notes;   ///< notes on the table
 };
 
 /// Makes the bodies from a loaded library.
-/// @throws InputError  if `VariationSeriesRequest::check` throws, a block or file cannot be used, a body is
+/// @throws InputError  if `VariationSeriesRequest::check` throws, a block or file cannot be used, a
+/// body is
 ///                     requested twice, or there are more than 100,000 bodies
 /// @throws GeometryError  if no body could be made
-VariationSeriesResult make_variation_series(const VariationSeriesRequest& request, const BlockLibrary& library);
+VariationSeriesResult make_variation_series(const VariationSeriesRequest& request,
+                                            const BlockLibrary& library);
 
 /// Reads the library, makes the bodies and adds them to `output`.
 /// @throws InputError  if the other overload would throw, or a library cannot be used

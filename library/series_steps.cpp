@@ -9,8 +9,8 @@ namespace clast {
 namespace {
 
 std::vector<Axes> forms_of(const FormGrid& grid) {
-  if (grid.diagram == "zingg") return zingg_grid(grid.steps, grid.least);
-  if (grid.diagram == "sneed-folk") return sneed_folk_grid(grid.steps, grid.least);
+  if (grid.diagram == "zingg") return zingg_grid(grid.steps, grid.min_ratio);
+  if (grid.diagram == "sneed-folk") return sneed_folk_grid(grid.steps, grid.min_ratio);
   throw InputError("`grid` \"" + grid.diagram + "\" is not a diagram; use sneed-folk or zingg");
 }
 
@@ -48,7 +48,8 @@ const std::vector<std::string>& inertia_body_names() {
 }
 
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written) {
-  if (kVariedRatioRange.contains(i_over_l) && kVariedRatioRange.contains(s_over_l) && s_over_l <= i_over_l) {
+  if (kVariedRatioRange.contains(i_over_l) && kVariedRatioRange.contains(s_over_l) &&
+      s_over_l <= i_over_l) {
     return {i_over_l, s_over_l};
   }
   throw InputError("`to` " + written + ": give I/L,S/L, such as 0.8,0.5, both " +

@@ -13,7 +13,7 @@ namespace clast {
 struct FormGrid {
   std::string diagram = "sneed-folk";  ///< "sneed-folk" or "zingg"
   int steps = 10;
-  double least = 0.2;  ///< minimum of S/L, or of I/L and S/I for zingg
+  double min_ratio = 0.2;  ///< minimum of S/L, or of I/L and S/I for zingg
 };
 
 /// Targets of variations. There may be any number of each kind.

@@ -8,7 +8,7 @@
 namespace clast::massprops_detail {
 
 struct OverlapIntegral {
-  SolidMoments moments;            ///< moments of the volume that is counted more than once
+  SolidMoments moments;       ///< moments of the volume that is counted more than once
   double volume_error = 0.0;  ///< bound on the volume error, m^3
   double second_moment_error =
       0.0;  ///< bound on the error of tr(M) I - M with second moment M, Frobenius norm, m^5

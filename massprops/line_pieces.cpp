@@ -46,7 +46,7 @@ PieceLineClipper::PieceLineClipper(const std::vector<OffsetPiece>& pieces, doubl
     Piece piece{{from.box.low.y(), from.box.high.y()},
                 {from.box.low.x(), from.box.high.x()},
                 {from.box.low.z(), from.box.high.z()},
-                from.round,
+                from.curved_face,
                 from.centre,
                 from.axis,
                 0,
@@ -68,7 +68,7 @@ PieceLineClipper::PieceLineClipper(const std::vector<OffsetPiece>& pieces, doubl
 LineInterval PieceLineClipper::x_range(std::size_t index, double y) const {
   const Piece& piece = pieces_[index];
   LineInterval range = piece.columns;
-  if (piece.round == OffsetPiece::CurvedFace::sphere) {
+  if (piece.curved_face == OffsetPiece::CurvedFace::sphere) {
     const double dy = y - piece.centre.y();
     const double half = std::sqrt(std::max(radius_squared_ - dy * dy, 0.0));
     range.low = std::max(range.low, piece.centre.x() - half);
@@ -88,7 +88,7 @@ LineInterval PieceLineClipper::x_range(std::size_t index, double y) const {
 }
 
 LineInterval PieceLineClipper::clip_round_line(const Piece& piece, double x, double y) const {
-  if (piece.round == OffsetPiece::CurvedFace::none) return piece.heights;
+  if (piece.curved_face == OffsetPiece::CurvedFace::none) return piece.heights;
   const double dx = x - piece.centre.x();
   const double dy = y - piece.centre.y();
   const double along = dx * piece.axis.x() + dy * piece.axis.y();

@@ -35,7 +35,7 @@ class PieceLineClipper {
  private:
   struct Piece {
     LineInterval rows, columns, heights;
-    OffsetPiece::CurvedFace round;
+    OffsetPiece::CurvedFace curved_face;
     Vec3 centre,
         axis;  ///< zero for balls, for which the cylinder formulas give the chord of the ball
     /// Offsets in `height_planes_` of the lower bounds, the upper bounds and the sides. A line

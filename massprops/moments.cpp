@@ -39,8 +39,8 @@ Vec3 vertex_mean(const TriangleMesh& mesh) {
   return first + sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
-MassProperties to_mass_properties(const SolidMoments& moments, const Vec3& origin, const Mat3& rotation,
-                                  double density) {
+MassProperties to_mass_properties(const SolidMoments& moments, const Vec3& origin,
+                                  const Mat3& rotation, double density) {
   const Vec3 centre = moments.first / moments.volume;
   const Mat3 central = moments.second - moments.volume * centre * centre.transpose();
   const Mat3 turned = rotation * central * rotation.transpose();

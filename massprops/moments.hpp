@@ -37,8 +37,8 @@ Vec3 vertex_mean(const TriangleMesh& mesh);
 
 /// Converts moments about `origin` along local axes to mass properties in the source frame.
 /// @param rotation  source_from_local
-MassProperties to_mass_properties(const SolidMoments& moments, const Vec3& origin, const Mat3& rotation,
-                                  double density);
+MassProperties to_mass_properties(const SolidMoments& moments, const Vec3& origin,
+                                  const Mat3& rotation, double density);
 
 /// Checks a density.
 /// @throws InputError  if it is not positive and finite

@@ -69,7 +69,8 @@ bool is_peak(std::span<const Vec3> edges, std::span<const double> exterior_angle
 
 }  // namespace
 
-NormalConeIntegrals integrate_normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles) {
+NormalConeIntegrals integrate_normal_cone(std::span<const Vec3> edges,
+                                          std::span<const double> exterior_angles) {
   NormalConeIntegrals cone;
   // Octant by octant: no polygon then has antipodal corners, whose arc would be undefined.
   for (int octant = 0; octant < 8; ++octant) {

@@ -18,6 +18,7 @@ struct NormalConeIntegrals {
 /// @param edges  unit directions of the edges leaving the vertex
 /// @param exterior_angles  exterior dihedral angle of each edge, > 0 if convex; they distinguish a
 ///                         peak from a notch
-NormalConeIntegrals integrate_normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles);
+NormalConeIntegrals integrate_normal_cone(std::span<const Vec3> edges,
+                                          std::span<const double> exterior_angles);
 
 }  // namespace clast::massprops_detail

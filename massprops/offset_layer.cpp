@@ -134,7 +134,7 @@ SolidMoments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double a
 
 OffsetPiece cylinder_piece(const Vec3& p, const Vec3& q) {
   OffsetPiece piece;
-  piece.round = OffsetPiece::CurvedFace::cylinder;
+  piece.curved_face = OffsetPiece::CurvedFace::cylinder;
   piece.centre = p;
   piece.axis = (q - p).normalized();
   piece.planes.push_back({-piece.axis, -piece.axis.dot(p)});
@@ -199,7 +199,7 @@ void add_overlap(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Triangle
   if (!(clear_radius * slope <= room) || !(together > 0.0)) return;
 
   OffsetPiece piece = cylinder_piece(p, q);
-  piece.round = OffsetPiece::CurvedFace::none;
+  piece.curved_face = OffsetPiece::CurvedFace::none;
   const Vec3 into_left = n1.cross(piece.axis);
   const Vec3 into_right = -n2.cross(piece.axis);
   piece.planes.push_back({n1, n1.dot(p) + r});
@@ -245,7 +245,7 @@ void add_corner(OffsetLayer& skin, const Vec3& v, const Fan& fan) {
     cone.second = (4.0 * kPi / 3.0) * Mat3::Identity();
   }
   OffsetPiece piece;
-  piece.round = OffsetPiece::CurvedFace::sphere;
+  piece.curved_face = OffsetPiece::CurvedFace::sphere;
   piece.centre = v;
   piece.box = ball_box(v, r);
   if (fan.defined) {

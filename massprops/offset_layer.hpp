@@ -16,7 +16,7 @@ struct HalfSpace {
 /// Convex piece: intersection of half-spaces, and optionally of a sphere or cylinder.
 struct OffsetPiece {
   enum class CurvedFace { none, sphere, cylinder };
-  CurvedFace round = CurvedFace::none;
+  CurvedFace curved_face = CurvedFace::none;
   Vec3 centre = Vec3::Zero();  ///< centre of the sphere, or a point on the axis of the cylinder
   Vec3 axis = Vec3::Zero();    ///< axis of the cylinder, unit
   std::vector<HalfSpace> planes;

@@ -117,7 +117,7 @@ const char* world_projection(int method) {
 }
 
 void declare_plan(const KeyDirectory& keys, GeoTiffReferenceSystem& system) {
-  std::vector<LengthUnitDeclaration>& lengths = system.lengths;
+  std::vector<LengthUnitDeclaration>& lengths = system.unit_declarations;
   const int model = keys.code(kModelType);
   if (model >= 1 && model <= 3) {
     constexpr ReferenceSystemKind kKinds[] = {ReferenceSystemKind::kProjected,
@@ -193,8 +193,8 @@ GeoTiffReferenceSystem parse_geotiff_keys(const GeoTiffKeys& records) {
   const KeyDirectory keys(records);
   GeoTiffReferenceSystem system;
   declare_plan(keys, system);
-  declare_heights(keys, system.lengths);
-  declare_citations(keys, system.lengths);
+  declare_heights(keys, system.unit_declarations);
+  declare_citations(keys, system.unit_declarations);
   return system;
 }
 

@@ -17,7 +17,7 @@ struct GeoTiffKeys {
 /// Coordinate system and units declared by GeoTIFF keys.
 struct GeoTiffReferenceSystem {
   std::string crs;  ///< "EPSG:25832"; empty if there is no system or it is user-defined
-  std::vector<LengthUnitDeclaration> lengths;
+  std::vector<LengthUnitDeclaration> unit_declarations;
 };
 
 /// Parses all declarations of length units. These are keys 1024 (kind of system), 2048, 3072 and

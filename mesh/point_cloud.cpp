@@ -48,7 +48,7 @@ void PointBatcher::flush_batch() {
 CloudSummary PointBatcher::finish(CloudSummary summary) {
   flush_batch();
   summary.points = points_;
-  summary.non_finite = non_finite_;
+  summary.non_finite_points = non_finite_;
   return summary;
 }
 
@@ -85,12 +85,12 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
 
 /// Why a file that could be read gives no point.
 std::string nothing_in(const CloudSummary& summary) {
-  if (summary.withheld > 0) {
-    return "holds no usable points: " + std::to_string(summary.withheld) +
+  if (summary.withheld_points > 0) {
+    return "holds no usable points: " + std::to_string(summary.withheld_points) +
            " are flagged as withheld or classed as noise; classify them anew";
   }
-  if (summary.non_finite > 0) {
-    return "holds no usable points: " + std::to_string(summary.non_finite) +
+  if (summary.non_finite_points > 0) {
+    return "holds no usable points: " + std::to_string(summary.non_finite_points) +
            " have a coordinate that is not finite; export it again";
   }
   return "holds no points; export it again";

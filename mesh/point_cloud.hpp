@@ -21,11 +21,12 @@ struct PointBatch {
 inline constexpr std::uint8_t kGroundClass = 2;
 
 struct CloudSummary {
-  std::size_t points = 0;      ///< number of points passed on
-  std::size_t non_finite = 0;  ///< number of skipped points with a non-finite coordinate
-  std::size_t withheld = 0;    ///< number of skipped points that are withheld or noise (LAS)
-  std::string crs;             ///< "EPSG:25832", otherwise WKT; empty if unknown
-  std::vector<LengthUnitDeclaration> lengths = {};
+  std::size_t points = 0;             ///< number of points passed on
+  std::size_t non_finite_points = 0;  ///< number of skipped points with a non-finite coordinate
+  std::size_t withheld_points =
+      0;            ///< number of skipped points that are withheld_points or noise (LAS)
+  std::string crs;  ///< "EPSG:25832", otherwise WKT; empty if unknown
+  std::vector<LengthUnitDeclaration> unit_declarations = {};
 };
 
 /// Reads a cloud in batches, in file order, so that it need not fit into memory. Formats are text

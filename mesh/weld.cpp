@@ -143,7 +143,7 @@ TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
   }
   std::vector<bool> again(triangles.size(), false);
   for (const DuplicateTriangle& copy : find_duplicate_triangles(triangles, WindingMatch::kSame)) {
-    again[copy.again] = true;
+    again[copy.duplicate] = true;
   }
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < triangles.size(); ++t) {

@@ -25,7 +25,7 @@ enum class WindingMatch {
 
 /// Triangle and an earlier one with equal vertices.
 struct DuplicateTriangle {
-  std::uint32_t before = 0, again = 0;
+  std::uint32_t first = 0, duplicate = 0;
 };
 
 /// Finds all duplicate triangles, sorted by vertices, then index.

@@ -36,8 +36,8 @@ std::string request_of(const ScanToBlockOptions& options) {
 /// A batch of scans on its way into a library.
 class Batch {
  public:
-  Batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options, ScanBatchObserver& observer,
-        const ProgressCallback& progress)
+  Batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options,
+        ScanBatchObserver& observer, const ProgressCallback& progress)
       : scans_(scans),
         options_(options),
         observer_(observer),
@@ -254,12 +254,14 @@ void ScanBatchOptions::check(std::size_t scans) const {
       (scan.split ? "`split` may make several" : std::to_string(scans) + " scans are given"));
 }
 
-ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options,
-                              ScanBatchObserver& observer, const ProgressCallback& progress) {
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options, ScanBatchObserver& observer,
+                                       const ProgressCallback& progress) {
   return Batch(scans, options, observer, progress).run();
 }
 
-ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options) {
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options) {
   Reasons reasons;
   const ScanBatchResult result = reconstruct_scan_batch(scans, options, reasons);
   if (!reasons.text.empty()) throw InputError(reasons.text);

@@ -56,12 +56,15 @@ struct ScanBatchResult {
 /// Makes the blocks of the scans and adds them to the library. The result does not depend on the
 /// number of jobs. A failed scan does not affect the others. The library is written at intervals,
 /// and if `progress` throws.
-/// @throws InputError  if the library cannot be read or written, or if `ScanBatchOptions::check` throws
-ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options,
-                              ScanBatchObserver& observer, const ProgressCallback& progress = {});
+/// @throws InputError  if the library cannot be read or written, or if `ScanBatchOptions::check`
+/// throws
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options, ScanBatchObserver& observer,
+                                       const ProgressCallback& progress = {});
 
 /// Makes the blocks without an observer.
 /// @throws InputError  if the other overload would throw, or if a scan failed; states all reasons
-ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options);
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options);
 
 }  // namespace clast

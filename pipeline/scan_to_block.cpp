@@ -115,7 +115,7 @@ ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptio
   const FieldScanOptions reading = reading_options(options);
   if (std::filesystem::is_directory(path)) {
     PhotographedBlocks made = reconstruct_photographs(path, options, reading, source, callbacks);
-    return {std::move(made.found), std::move(made.photos)};
+    return {std::move(made.field_scan), std::move(made.photos)};
   }
   if (!options.block.core) return {read_field_scan(path, reading), {}};
   FieldScan core;

@@ -121,7 +121,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
                {"core", ExportedSurface::kCore},
                {"both", ExportedSurface::kBoth},
                {"surface", ExportedSurface::kSurface}},
-              options.what);
+              options.surface);
   take_choice(given, "frame",
               {{"source", ExportFrame::kSource}, {"principal", ExportFrame::kPrincipal}},
               options.frame);

@@ -173,7 +173,8 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
 /// Keeps what failed and what is to be known, and writes pages where they are wanted.
 class Follower : public ScanBatchObserver {
  public:
-  Follower(const ScanBatchOptions& options, const std::optional<fs::path>& pages) : options_(options) {
+  Follower(const ScanBatchOptions& options, const std::optional<fs::path>& pages)
+      : options_(options) {
     if (pages) pages_.emplace(*pages, options.replace || options.resume);
   }
 

@@ -29,7 +29,7 @@ VariationTargets steps_from(Keywords& given) {
   }
   FormGrid grid;
   std::optional<std::pair<std::string, int>> diagram;
-  given.read("least", grid.least);
+  given.read("least", grid.min_ratio);
   given.read("grid", diagram);
   if (diagram) {
     std::tie(grid.diagram, grid.steps) = *diagram;
@@ -54,8 +54,8 @@ VariationSeriesRequest series_request(Keywords& given) {
   given.read("library", request.library);
   request.ids = given.texts("ids");
   request.target_ratio_ids = given.texts("like");
-  request.steps = steps_from(given);
-  given.read("draw", request.draw);
+  request.targets = steps_from(given);
+  given.read("draw", request.sampled_count);
   given.read("table", request.table);
   given.read("units", request.units);
   given.read("prefix", request.prefix);
@@ -65,7 +65,7 @@ VariationSeriesRequest series_request(Keywords& given) {
   given.read("output", request.output);
   given.read("replace", request.replace);
   given.check_all_used();
-  request.options.variation.keep = parse_preserved_size(keep);
+  request.options.variation.preserved_size = parse_preserved_size(keep);
   request.check();
   return request;
 }

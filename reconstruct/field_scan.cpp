@@ -28,13 +28,15 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
                                             const ScanOptions& options) {
   constexpr double kCorrection = 0.05;  // factors nearer to 1 correct metres, and are no unit
   const bool metres = std::abs(options.unit - 1.0) <= kCorrection;
-  const LengthUnitRequirements use{.unit = metres ? 1.0 : options.unit,
-                          .unit_given = !metres,
-                          .needs_z_up = false,
-                          .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
-                          .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
-                          .has_units_option = true};
-  std::vector<std::string> notes = check_length_units(path.string(), summary.lengths, use);
+  const LengthUnitRequirements use{
+      .unit = metres ? 1.0 : options.unit,
+      .unit_given = !metres,
+      .needs_z_up = false,
+      .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
+      .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
+      .has_units_option = true};
+  std::vector<std::string> notes =
+      check_length_units(path.string(), summary.unit_declarations, use);
   if (summary.points > 0) {
     check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(),
                     use.conversion_command);
@@ -95,8 +97,8 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
     const auto left_out = [&](std::size_t count, const char* why) {
       if (count > 0) notes.push_back(std::to_string(count) + " points left out: " + why);
     };
-    left_out(summary.non_finite, "a coordinate is not finite");
-    left_out(summary.withheld, "the file flags them as withheld or classes them as noise");
+    left_out(summary.non_finite_points, "a coordinate is not finite");
+    left_out(summary.withheld_points, "the file flags them as withheld or classes them as noise");
   }
   return scan;
 }

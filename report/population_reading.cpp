@@ -79,10 +79,11 @@ void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
     brief.push_back(input + ": and " + std::to_string(table.notes.size() - kMaxBriefNotes) +
                     " more notes");
   }
-  if (table.skipped + table.sorted + table.without_mass > 0) {
+  if (table.skipped_rows + table.reordered_rows + table.blocks_without_mass > 0) {
     brief.push_back(input + ": " + format_count(table.blocks.size(), "row") + " used, " +
-                    std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
-                    " sorted, " + std::to_string(table.without_mass) + " without a usable mass");
+                    std::to_string(table.skipped_rows) + " skipped, " +
+                    std::to_string(table.reordered_rows) + " sorted, " +
+                    std::to_string(table.blocks_without_mass) + " without a usable mass");
   }
 }
 
@@ -99,7 +100,7 @@ void add_table(ReportedPopulation& reported, const BlockMeasuringOptions& readin
   for (const std::string& note : table.notes) {
     reported.notes.push_back(stem.empty() ? note : stem + ": " + note);
   }
-  reported.skipped += table.skipped;
+  reported.skipped += table.skipped_rows;
 }
 
 void add_note(ReportedPopulation& reported, const std::string& note) {

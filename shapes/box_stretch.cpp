@@ -93,7 +93,8 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
   Mat3 map = Mat3::Identity(), best_map = map;
   MappedBox found{before, body.radius};
   StretchedBody result{body, Vec3::Ones(), gap};
-  for (int round = 0; round < kStretchRounds && result.max_ratio_difference > kGoodEnough; ++round) {
+  for (int round = 0; round < kStretchRounds && result.max_ratio_difference > kGoodEnough;
+       ++round) {
     const Vec3 sides = found.box.lengths - Vec3::Constant(2.0 * found.radius);
     Vec3 factors = wanted.cwiseQuotient(sides);
     factors /= std::cbrt(factors.prod());

@@ -19,11 +19,11 @@ BoxRatios box_ratios(const OrientedBox& box);
 
 /// Returns the larger relative difference of I/L and S/L from the target.
 double max_ratio_difference(const BoxRatios& ratios,
-                        const BoxRatios& target);  ///< from the target ratios
+                            const BoxRatios& target);  ///< from the target ratios
 
 struct StretchedBody {
   SpheroPolyhedron body;
-  Vec3 stretch = Vec3::Ones();    ///< principal stretches of the core, descending; product 1
+  Vec3 stretch = Vec3::Ones();        ///< principal stretches of the core, descending; product 1
   double max_ratio_difference = 0.0;  ///< remaining difference from the target
 };
 

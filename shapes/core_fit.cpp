@@ -280,8 +280,9 @@ void CoreFitOptions::check() const {
     throw InputError("rounds = " + std::to_string(rounds) + ": must be zero or more");
   }
   if (!(target_distance >= 0.0) || !(abandon_distance >= 0.0)) {
-    throw InputError("good_enough = " + format_significant(target_distance, 6) + " and hopeless = " +
-                     format_significant(abandon_distance, 6) + ": must be zero or more");
+    throw InputError("good_enough = " + format_significant(target_distance, 6) +
+                     " and hopeless = " + format_significant(abandon_distance, 6) +
+                     ": must be zero or more");
   }
 }
 

@@ -167,7 +167,8 @@ class Cutting {
           unit_normal(mass_, triangle)};
       for (const Plane& plane : planes) {
         if (piece.corners.size() < 3) break;
-        piece.corners = clip_polygon_below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
+        piece.corners =
+            clip_polygon_below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
       }
       if (piece.corners.size() < 3) continue;
       piece.area = polygon_area(piece.corners);
@@ -243,7 +244,7 @@ JointSet parse_joint_set(const std::string& text) {
 }
 
 JointedRockMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
-                          const JointCuttingOptions& options) {
+                              const JointCuttingOptions& options) {
   if (sets.empty()) throw InputError("no joint set is given; at least one is needed to cut a mass");
   const MeshReport report = inspect_mesh(on_map);
   if (!report.is_closed() || !report.is_oriented()) {

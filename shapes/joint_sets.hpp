@@ -25,9 +25,9 @@ struct JointSet {
 JointSet parse_joint_set(const std::string& text);
 
 struct JointCuttingOptions {
-  double min_volume = 1e-3;       ///< smallest volume of a block, m^3; smaller cells are omitted
+  double min_volume = 1e-3;        ///< smallest volume of a block, m^3; smaller cells are omitted
   std::size_t max_blocks = 10000;  ///< largest number of blocks; more are an error
-  std::uint64_t seed = 1;           ///< seed of the random joint positions
+  std::uint64_t seed = 1;          ///< seed of the random joint positions
 };
 
 /// Blocks cut from a rock mass.
@@ -48,6 +48,6 @@ struct JointedRockMass {
 /// @throws InputError  if there is no joint set, if there are more blocks than allowed, or if none
 ///                     is large enough
 JointedRockMass cut_by_joints(const TriangleMesh& mass, std::span<const JointSet> sets,
-                          const JointCuttingOptions& options = {});
+                              const JointCuttingOptions& options = {});
 
 }  // namespace clast

@@ -15,8 +15,9 @@ int max_outer_surface_segments(const SpheroPolyhedron& shape);
 
 /// Makes a closed, oriented 2-manifold without self-intersections around the rounded body. Without
 /// reflex edges, it is `rounded_surface_mesh`. With reflex edges, the surface is wrapped with
-/// triangles of about `outer_surface_edge_length`. Vertices then lie on the rounded surface. Creases are
-/// bevelled and clefts closed at that length; the volume error is of second order in it.
+/// triangles of about `outer_surface_edge_length`. Vertices then lie on the rounded surface.
+/// Creases are bevelled and clefts closed at that length; the volume error is of second order in
+/// it.
 /// @param segments  number of segments per quarter turn
 /// @throws GeometryError, InputError  as `rounded_surface_mesh`
 /// @cite portaneri2022

@@ -26,9 +26,9 @@ std::string name_of(ReferenceShape form);
 ReferenceShape parse_reference_shape(const std::string& name);
 
 struct ReferenceBodyOptions {
-  BoxRatios ratios;           ///< ratios of the smallest box; ignored for sphere and EOTA bodies
+  BoxRatios ratios;              ///< ratios of the smallest box; ignored for sphere and EOTA bodies
   double radius_fraction = 0.0;  ///< Minkowski radius divided by S; ignored for the sphere
-  double exponent = 4.0;      ///< n of the superellipsoid, 1 to 20
+  double exponent = 4.0;         ///< n of the superellipsoid, 1 to 20
 
   void check() const;  ///< throws InputError naming the field and its value
 };

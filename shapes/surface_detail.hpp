@@ -31,6 +31,7 @@ struct ScaledDetailSurface {
 /// @throws GeometryError  if a vertex would come too near the centre, or if the surface would
 ///                        intersect itself
 /// @cite garboczi2002
-ScaledDetailSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options);
+ScaledDetailSurface scale_surface_detail(const TriangleMesh& mesh,
+                                         const SurfaceDetailOptions& options);
 
 }  // namespace clast

@@ -20,7 +20,7 @@ struct VolumeBracket {
   /// Upper bound of the volume, m^3; empty if too much of the surface is unscanned.
   std::optional<double> upper_volume = {};
   std::optional<BoxSideBounds> sides = {};  ///< empty if the sides are unknown
-  double filled_fraction = 0.0;          ///< area of filled holes over area of the closed surface
+  double filled_fraction = 0.0;  ///< area of filled holes over area of the closed surface
   std::string assumption = {};  ///< assumption of the bounds, as a sentence; empty if there is none
 };
 

@@ -11,7 +11,7 @@ namespace clast::terrain_detail {
 
 struct RawSurface {
   TriangleMesh mesh;
-  std::vector<std::uint16_t> source;  ///< per triangle: index of the surface file
+  std::vector<std::uint16_t> source_file;  ///< per triangle: index of the surface file
   std::string crs;
   std::vector<std::string> notes;
   double cell = 0.0;  ///< smaller cell size of its grid, m; 0 for meshes

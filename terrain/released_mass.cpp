@@ -200,7 +200,8 @@ ReleasedBody body_of(const BodyBetweenSurfaces& pair, const MapFrame& frame) {
           .centre = frame.to_map((box.low + box.high) / 2.0)};
 }
 
-TriangleMesh solid_on_map(const BodyBetweenSurfaces& pair, const ReleasedBody& body, const MapFrame& frame) {
+TriangleMesh solid_on_map(const BodyBetweenSurfaces& pair, const ReleasedBody& body,
+                          const MapFrame& frame) {
   TriangleMesh mesh = pair.mesh;
   for (Vec3& vertex : mesh.vertices) vertex = frame.to_map(vertex);
   const MeshReport report = inspect_mesh(mesh);
@@ -217,8 +218,9 @@ TriangleMesh solid_on_map(const BodyBetweenSurfaces& pair, const ReleasedBody& b
   return mesh;
 }
 
-void note_wall(const BodyBetweenSurfaces& pair, const ReleasedBody& body, const ReleasedMassOptions& options,
-               const MapFrame& frame, std::vector<std::string>& notes) {
+void note_wall(const BodyBetweenSurfaces& pair, const ReleasedBody& body,
+               const ReleasedMassOptions& options, const MapFrame& frame,
+               std::vector<std::string>& notes) {
   if (pair.max_wall_height <= options.min_thickness + kWallSlack) return;
   notes.push_back("body " + std::to_string(body.rank) + " ends at a wall of up to " +
                   format_significant(pair.max_wall_height, 3) + " m, as at " +

@@ -48,7 +48,7 @@ double border_distance(const Terrain& terrain, const Vec2& place) {
 }
 
 void check_positions_over_terrain(const Terrain& terrain, std::span<const Vec3> positions,
-                       const std::string& name) {
+                                  const std::string& name) {
   const TriangleMesh& mesh = terrain.surface;
   const terrain_detail::PlanIndex index(terrain_detail::plan_boxes(mesh));
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -74,7 +74,7 @@ void check_positions_over_terrain(const Terrain& terrain, std::span<const Vec3> 
 }
 
 void check_positions_near_terrain(const Terrain& terrain, std::span<const Vec2> positions,
-                       const std::string& name) {
+                                  const std::string& name) {
   const Bounds box = bounds(terrain.surface);
   const Vec2 low = terrain.frame.to_map(box.low).head<2>();
   const Vec2 high = terrain.frame.to_map(box.high).head<2>();
@@ -114,7 +114,7 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
 }
 
 std::optional<std::string> edge_length_warning(const Terrain& terrain, double smallest,
-                                             double largest) {
+                                               double largest) {
   const double edge = median_edge_length(terrain.surface);
   const auto text = [&](const std::string& what, double block, const std::string& advice) {
     return "the edges of the ground, " + format_significant(edge, 3) + " m (median), are " + what +

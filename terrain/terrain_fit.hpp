@@ -17,7 +17,7 @@ double border_distance(const Terrain& terrain, const Vec2& position);
 /// @param name  source of the positions for messages: "points.xyz"
 /// @throws InputError  if one is outside; the message gives the first and the terrain's extent
 void check_positions_over_terrain(const Terrain& terrain, std::span<const Vec3> positions,
-                       const std::string& name);
+                                  const std::string& name);
 
 /// Checks that no position is farther from the terrain than the terrain's size. If one is, it is
 /// probably in another map system.
@@ -25,7 +25,7 @@ void check_positions_over_terrain(const Terrain& terrain, std::span<const Vec3> 
 /// @param name  description of the positions for messages: "the barrier"
 /// @throws InputError  if one is too far; the message gives the first and the terrain's extent
 void check_positions_near_terrain(const Terrain& terrain, std::span<const Vec2> positions,
-                       const std::string& name);
+                                  const std::string& name);
 
 /// Returns a warning of positions closer to the border than `distance`, where blocks may leave.
 std::optional<std::string> border_warning(const Terrain& terrain, std::span<const Vec3> positions,
@@ -35,6 +35,6 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
 /// ground is smoother than in reality; with short ones, runs take long.
 /// @param smallest, largest  block diameters, m
 std::optional<std::string> edge_length_warning(const Terrain& terrain, double smallest,
-                                             double largest);
+                                               double largest);
 
 }  // namespace clast

@@ -279,7 +279,7 @@ Terrain read_terrain(const TerrainOptions& options) {
   } else if (rules) {
     terrain_detail::assign_zones(terrain, options.zones);
   } else {
-    for (const std::uint16_t file : raw.source) terrain.zone.push_back(zone_of_file[file]);
+    for (const std::uint16_t file : raw.source_file) terrain.zone.push_back(zone_of_file[file]);
   }
   note_doubts(terrain);
   return terrain;

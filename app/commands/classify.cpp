@@ -218,7 +218,8 @@ void add_classify(CLI::App& app) {
     request.reading.box_given = command->count("--box") > 0;
     request.reading.surfaces = args->json;
     request.options.size = args->size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
-    request.options.schemes = args->schemes == "all" ? scheme_names() : split_comma_separated(args->schemes);
+    request.options.schemes =
+        args->schemes == "all" ? scheme_names() : split_comma_separated(args->schemes);
     check_options_apply(*args, *command);
     check_usage([&] { request.check(); });
     classify(*args);

@@ -59,8 +59,10 @@ constexpr std::size_t kMaxBodies = 10;
 BeforeAfterTerrains terrains_of(const CutArgs& args) {
   BeforeAfterTerrains terrains;
   terrains.up = args.up;
-  for (const std::string& file : split_comma_separated(args.before)) terrains.before.emplace_back(file);
-  for (const std::string& file : split_comma_separated(args.after)) terrains.after.emplace_back(file);
+  for (const std::string& file : split_comma_separated(args.before))
+    terrains.before.emplace_back(file);
+  for (const std::string& file : split_comma_separated(args.after))
+    terrains.after.emplace_back(file);
   return terrains;
 }
 

@@ -136,7 +136,8 @@ Axes axes_from(const std::string& text) {
     return Axes::sorted(lengths[0], lengths[1], lengths[2]);
   }
   throw CLI::ValidationError("--taped", "\"" + text + "\" is not three lengths " +
-                                            kBlockLengthRange.describe() + ", such as 0.65,0.53,0.38");
+                                            kBlockLengthRange.describe() +
+                                            ", such as 0.65,0.53,0.38");
 }
 
 void set_field_notes(const SetArgs& args) {

@@ -107,11 +107,11 @@ void print_series(const VaryArgs& args, const VariationSeriesResult& made) {
 void vary(const VaryArgs& args) {
   VariationSeriesRequest request = args.request;
   check_usage([&] {
-    request.steps = steps_wanted(args);
+    request.targets = steps_wanted(args);
     request.library = args.library;
     request.output = args.output;
     request.table = args.table;
-    request.options.variation.keep = parse_preserved_size(args.keep);
+    request.options.variation.preserved_size = parse_preserved_size(args.keep);
     request.check();
   });
   const VariationSeriesResult made = make_bodies(request);
@@ -123,7 +123,8 @@ void vary(const VaryArgs& args) {
     std::cerr << "clast: warning: " << format_for_terminal(failed[i]) << "\n";
   }
   if (!failed.empty()) {
-    throw GeometryError(std::to_string(failed.size()) + " of " + std::to_string(made.wanted) +
+    throw GeometryError(std::to_string(failed.size()) + " of " +
+                        std::to_string(made.requested_count) +
                         " bodies could not be made; the others are in " + args.output);
   }
 }
@@ -205,7 +206,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->type_name("FORM");
   CLI::Option* draw =
       command
-          .add_option("--draw", args.request.draw,
+          .add_option("--draw", args.request.sampled_count,
                       "Draw this many bodies, with sizes and forms distributed like those of the "
                       "blocks, or of the table of --from")
           ->check(whole_number(1, kMaxSeriesBodies))

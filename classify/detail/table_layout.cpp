@@ -44,7 +44,7 @@ struct ColumnName {
 
 ColumnName column_name(std::string_view header) {
   const ColumnHeading heading = parse_heading(header);
-  ColumnName column{heading.name, heading.single_word(), heading.length};
+  ColumnName column{heading.name, heading.single_word(), heading.length_unit};
   const auto found = std::find_if(kMasses.begin(), kMasses.end(),
                                   [&](const NamedUnit& u) { return heading.unit == u.name; });
   if (found != kMasses.end()) column.mass = &*found;
@@ -144,8 +144,8 @@ std::optional<NamedUnit> named_unit(const Header& header, const DimensionTableLa
 }
 
 /// The unit of L, I, S: as asked for, else as the header says, else metres.
-void set_units(DimensionTableLayout& layout, const Header& header, const std::optional<double>& asked,
-               std::vector<std::string>& notes) {
+void set_units(DimensionTableLayout& layout, const Header& header,
+               const std::optional<double>& asked, std::vector<std::string>& notes) {
   const std::optional<NamedUnit> named = named_unit(header, layout);
   layout.units = asked ? *asked : named ? named->factor : 1.0;
   layout.units_are_known = asked || named;
@@ -175,8 +175,10 @@ void check_columns_differ(const DimensionTableLayout& layout) {
 
 }  // namespace
 
-DimensionTableLayout find_dimension_table_layout(const Record& first, char separator, const DimensionColumns& columns,
-                              const std::string& file, std::vector<std::string>& notes) {
+DimensionTableLayout find_dimension_table_layout(const Record& first, char separator,
+                                                 const DimensionColumns& columns,
+                                                 const std::string& file,
+                                                 std::vector<std::string>& notes) {
   const Header header(first, separator, file);
   DimensionTableLayout layout;
   layout.file = file;

@@ -29,7 +29,9 @@ struct DimensionTableLayout {
 /// Finds the columns by name or number in the first row, which may be the header.
 /// @param notes  receives notes on the units
 /// @throws InputError  if columns or units are invalid (see `read_dimension_table`)
-DimensionTableLayout find_dimension_table_layout(const Record& first, char separator, const DimensionColumns& columns,
-                              const std::string& file, std::vector<std::string>& notes);
+DimensionTableLayout find_dimension_table_layout(const Record& first, char separator,
+                                                 const DimensionColumns& columns,
+                                                 const std::string& file,
+                                                 std::vector<std::string>& notes);
 
 }  // namespace clast::classify_detail

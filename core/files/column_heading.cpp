@@ -162,7 +162,8 @@ std::vector<std::string> words_of(std::string_view text) {
 ColumnHeading parse_heading(std::string_view field) {
   constexpr std::string_view kBlank = " \t\"'";
   const std::string lower = ascii_lower(without(field, kBlank));
-  ColumnHeading heading{.name = lower, .words = {}, .length = {}, .unit = {}, .bracketed = {}};
+  ColumnHeading heading{
+      .name = lower, .words = {}, .length_unit = {}, .unit = {}, .bracketed_text = {}};
   std::string_view rest = without(field, kBlank);
   // The unit is what stands in brackets at the end, or behind the last blank, comma, slash or _.
   constexpr std::string_view kBefore = "_([{<,;/ ", kAfter = ")]}> .";
@@ -172,12 +173,12 @@ ColumnHeading parse_heading(std::string_view field) {
   if (cut != std::string::npos && cut > 0) {
     const std::string ending(without(std::string_view(lower).substr(cut + 1), kAfter));
     const bool in_brackets = std::string_view("([{<").find(lower[cut]) != std::string_view::npos;
-    heading.length = length_named(ending, in_brackets);
-    if (in_brackets && !heading.length) {  // "[m above sea level]"
-      heading.length = length_named(ending.substr(0, ending.find(' ')), true);
+    heading.length_unit = length_named(ending, in_brackets);
+    if (in_brackets && !heading.length_unit) {  // "[m above sea level]"
+      heading.length_unit = length_named(ending.substr(0, ending.find(' ')), true);
     }
-    if (in_brackets) heading.bracketed = ending;
-    if (heading.length || is_other_unit(ending)) {
+    if (in_brackets) heading.bracketed_text = ending;
+    if (heading.length_unit || is_other_unit(ending)) {
       heading.unit = ending;
       const std::size_t last = lower.find_last_not_of(kBefore, cut);
       heading.name = lower.substr(0, last + 1);

@@ -15,9 +15,9 @@ struct ColumnHeading {
   /// Alphanumeric words in lower case without accents ("Höhe" gives "hohe"). Generic words such as
   /// "coordinate" and "value" are left out if other words remain.
   std::vector<std::string> words;
-  std::optional<NamedUnit> length;  ///< length unit in brackets or at the end
-  std::string unit;                 ///< any unit as written; empty if there is none
-  std::string bracketed;            ///< text in brackets at the end, lower case
+  std::optional<NamedUnit> length_unit;  ///< length_unit unit in brackets or at the end
+  std::string unit;                      ///< any unit as written; empty if there is none
+  std::string bracketed_text;            ///< text in brackets at the end, lower case
 
   /// Returns the only word of the heading; empty if it has none or several.
   std::string single_word() const { return words.size() == 1 ? words.front() : std::string(); }

@@ -301,7 +301,8 @@ T Hdf5Group::read_attribute(const std::string& name) const {
     return unpadded_string(bytes, 0, width);
   } else {
     T value{};
-    if (H5Aread(attribute, hdf5_number_type<T>(false), &value) < 0) handle_->fail_damaged("@" + name);
+    if (H5Aread(attribute, hdf5_number_type<T>(false), &value) < 0)
+      handle_->fail_damaged("@" + name);
     return value;
   }
 }

@@ -87,14 +87,14 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
         !is_possible_heading_row(heading.fields, separator)) {
       return std::nullopt;
     }
-    refuse("its heading does not name the columns; each line must be " + table.meaning +
+    refuse("its heading does not name the columns; each line must be " + table.expected_line +
            "; give the columns these names");
   }
   for (const std::size_t column : *columns) {
     const ColumnHeading name = parse_heading(heading.fields[column]);
-    if (name.length && name.length->factor != 1.0) {
-      refuse("\"" + escape_nonprintable(heading.fields[column]) + "\" is in " + name.length->name +
-             "; lengths of this table must be in m");
+    if (name.length_unit && name.length_unit->factor != 1.0) {
+      refuse("\"" + escape_nonprintable(heading.fields[column]) + "\" is in " +
+             name.length_unit->name + "; lengths of this table must be in m");
     }
   }
   return columns;
@@ -136,7 +136,7 @@ class RowReader {
  private:
   [[noreturn]] void refuse(const Record& record, const std::string& problem) const {
     throw InputError(name_ + ":" + std::to_string(record.line) + ": " + problem +
-                     "; a line must be " + table_.meaning);
+                     "; a line must be " + table_.expected_line);
   }
 
   const std::string& name_;
@@ -187,7 +187,7 @@ std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
     for (const std::size_t column : columns) read.values.push_back(reader.number(record, column));
   }
   if (rows.empty()) {
-    throw InputError(name + ": has no line of numbers; each line must be " + table.meaning);
+    throw InputError(name + ": has no line of numbers; each line must be " + table.expected_line);
   }
   return rows;
 }

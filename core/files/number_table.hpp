@@ -21,7 +21,7 @@ struct NumericTableSpec {
   /// Lower-case names by which each column is recognised, in the required order.
   std::vector<std::vector<std::string>> names;
   NumberRange range;
-  std::string meaning;  ///< end of messages "a line must be ...": "three numbers, x y z"
+  std::string expected_line;  ///< end of messages "a line must be ...": "three numbers, x y z"
   /// Finds the columns in a heading; empty if some are missing. If not set, `names` are searched.
   /// @throws InputError  if the heading is invalid; the message does not name the file
   std::function<std::optional<std::vector<std::size_t>>(const std::vector<std::string_view>&)>

@@ -40,7 +40,7 @@ bool is_marked(const fs::path& folder, const OutputFolderKind& kind) {
   std::error_code code;
   const fs::path file = folder / kind.marker_file_name;
   return fs::is_regular_file(file, code) &&
-         read_text_file(file).find(kind.mark) != std::string::npos;
+         read_text_file(file).find(kind.marker_text) != std::string::npos;
 }
 
 /// Why what is there is kept; empty when the folder may be written.

@@ -11,9 +11,9 @@ namespace clast {
 
 /// Kind of an output folder, and properties by which such a folder is recognised.
 struct OutputFolderKind {
-  std::string name;         ///< for messages: "comparison"
+  std::string name;              ///< for messages: "comparison"
   std::string marker_file_name;  ///< file in every such folder: "provenance.json"
-  std::string mark;         ///< text that `marker_file_name` contains
+  std::string marker_text;       ///< text that `marker_file_name` contains
   /// True for output files. Paths are relative to the folder. Other files are never changed.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };

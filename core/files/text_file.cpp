@@ -11,7 +11,7 @@
 namespace clast {
 
 void read_file_in_chunks(const std::filesystem::path& path,
-                    const std::function<void(std::string_view)>& consume) {
+                         const std::function<void(std::string_view)>& consume) {
   check_input_file(path);
   std::ifstream stream(path, std::ios::binary);
   constexpr std::size_t kPiece = 1 << 20;

@@ -10,7 +10,7 @@ namespace clast {
 /// Reads a file in chunks of 1 MB, in order.
 /// @throws InputError  if the file is missing, a folder, a pipe, a device, or unreadable
 void read_file_in_chunks(const std::filesystem::path& path,
-                    const std::function<void(std::string_view)>& consume);
+                         const std::function<void(std::string_view)>& consume);
 
 /// Reads a file.
 /// @throws InputError  if it is missing, a folder, a pipe, a device, or unreadable

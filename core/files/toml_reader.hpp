@@ -64,22 +64,22 @@ class TomlTable {
   const TomlNode& require_key(const std::string& key, const std::string& expected) const;
   /// Reads text; empty if the key is absent. The following functions read other types similarly.
   /// @throws InputError  if the value has the wrong type, is an empty text, or is out of range
-  std::optional<std::string> text(const std::string& key) const;
-  std::optional<bool> boolean(const std::string& key) const;
-  std::optional<double> number(const std::string& key, const NumberRange& range) const;
-  std::optional<std::uint64_t> count(const std::string& key, std::uint64_t least,
-                                     std::uint64_t most) const;
+  std::optional<std::string> read_text(const std::string& key) const;
+  std::optional<bool> read_boolean(const std::string& key) const;
+  std::optional<double> read_number(const std::string& key, const NumberRange& range) const;
+  std::optional<std::uint64_t> read_count(const std::string& key, std::uint64_t min_value,
+                                          std::uint64_t max_value) const;
   /// Reads a text or a list of texts, none of them empty.
-  std::optional<std::vector<std::string>> text_list(const std::string& key) const;
+  std::optional<std::vector<std::string>> read_text_list(const std::string& key) const;
   /// Reads a vector.
   /// @param range  allowed range of each component
-  std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;
-  std::optional<Vec3> vec3(const std::string& key, const NumberRange& range) const;
+  std::optional<Vec2> read_vec2(const std::string& key, const NumberRange& range) const;
+  std::optional<Vec3> read_vec3(const std::string& key, const NumberRange& range) const;
 
   /// Reads a list of `least` to `most` numbers in `range`. `node` is (part of) the value of `key`.
-  std::vector<double> numbers(const std::string& key, const TomlNode& node, std::size_t least,
-                              std::size_t most, const std::string& expected,
-                              const NumberRange& range) const;
+  std::vector<double> read_numbers(const std::string& key, const TomlNode& node,
+                                   std::size_t min_count, std::size_t max_count,
+                                   const std::string& expected, const NumberRange& range) const;
 
   /// Returns the result of `check`. If it throws an InputError, refuses the key with its message.
   /// @param key  must exist

@@ -11,7 +11,8 @@ ContrastVerdict Contrast::verdict() const {
   if (!p_holm) return ContrastVerdict::kUntested;
   if (is_significant())
     return excludes_zero() ? ContrastVerdict::kSignificant : ContrastVerdict::kDistributionDiffers;
-  return excludes_zero() ? ContrastVerdict::kInsignificantAfterCorrection : ContrastVerdict::kInsignificant;
+  return excludes_zero() ? ContrastVerdict::kInsignificantAfterCorrection
+                         : ContrastVerdict::kInsignificant;
 }
 
 Contrast student_contrast(double estimate, double standard_error, double degrees_of_freedom) {
@@ -47,7 +48,7 @@ void apply_holm_correction(const std::vector<Contrast*>& family) {
   const std::vector<double> corrected = holm_adjusted(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
     family[i]->p_holm = corrected[i];
-    family[i]->tests = family.size();
+    family[i]->family_size = family.size();
   }
 }
 

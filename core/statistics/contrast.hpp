@@ -28,8 +28,8 @@ struct Contrast {
   double degrees_of_freedom = NAN;   ///< of the standard error
   std::optional<Interval> interval;  ///< 95 % interval; empty if there is no test
   std::optional<double> p_value;     ///< two-sided, uncorrected
-  std::optional<double> p_holm;      ///< p-value corrected for all tests of the family
-  std::size_t tests = 0;             ///< number of tests of the family
+  std::optional<double> p_holm;      ///< p-value corrected for all family_size of the family
+  std::size_t family_size = 0;       ///< number of family_size of the family
 
   /// True if the corrected p-value is below 0.05.
   bool is_significant() const { return p_holm && *p_holm < 0.05; }

@@ -12,7 +12,7 @@ namespace clast {
 /// Values of units (blocks) at points (release points).
 struct CrossedSample {
   std::vector<double> values;
-  std::vector<bool> high;             ///< per value: true for the second group
+  std::vector<bool> in_second_group;  ///< per value: true for the second group
   std::vector<std::uint32_t> units;   ///< one per value
   std::vector<std::uint32_t> points;  ///< one per value
   /// Stratum of each value. Only values of the same stratum are compared.

@@ -109,7 +109,7 @@ void TemperedSamplingOptions::check() const {
 }
 
 TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood& log_likelihood,
-                               const TemperedSamplingOptions& options) {
+                                    const TemperedSamplingOptions& options) {
   options.check();
   const auto count = static_cast<Index>(options.draws);
   Random random(options.seed);
@@ -122,7 +122,7 @@ TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood&
                      std::to_string(options.draws) + " first draws");
   }
   double scale = 2.38 / std::sqrt(static_cast<double>(dimensions));
-  for (double power = 0.0; power < 1.0; ++sample.temperatures) {
+  for (double power = 0.0; power < 1.0; ++sample.tempering_steps) {
     const double further =
         next_power(sample.log_likelihood, options.effective_fraction * static_cast<double>(count),
                    1.0 - power);

@@ -19,11 +19,11 @@ struct TemperedSamplingOptions {
 };
 
 struct TemperedSample {
-  Eigen::MatrixXd points;          ///< one draw per column, equally weighted
-  Eigen::VectorXd log_likelihood;  ///< one per point
-  double log_evidence = 0.0;       ///< logarithm of the mean likelihood over the cube
-  std::size_t temperatures = 0;    ///< number of tempering steps
-  double acceptance_rate = 0.0;    ///< acceptance rate at the last temperature
+  Eigen::MatrixXd points;           ///< one draw per column, equally weighted
+  Eigen::VectorXd log_likelihood;   ///< one per point
+  double log_evidence = 0.0;        ///< logarithm of the mean likelihood over the cube
+  std::size_t tempering_steps = 0;  ///< number of tempering steps
+  double acceptance_rate = 0.0;     ///< acceptance rate at the last temperature
 };
 
 /// Draws from the density proportional to the likelihood by tempered sequential Monte Carlo. It
@@ -34,6 +34,6 @@ struct TemperedSample {
 /// @throws InputError  if the likelihood is zero or NaN at all initial draws
 /// @cite delmoral2006, chopin2002
 TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood& log_likelihood,
-                               const TemperedSamplingOptions& options = {});
+                                    const TemperedSamplingOptions& options = {});
 
 }  // namespace clast

@@ -28,13 +28,15 @@ bool good(const RoundnessSearchResult& one, double target, double tolerance) {
 }
 
 /// An end that stays twice running counts half, so that both ends close in. @cite dowell1971
-RoundnessSearchResult between(const std::function<RoundnessSearchResult(double)>& at, RoundnessSearchResult low, RoundnessSearchResult high,
-                    double target) {
+RoundnessSearchResult between(const std::function<RoundnessSearchResult(double)>& at,
+                              RoundnessSearchResult low, RoundnessSearchResult high,
+                              double target) {
   double below = low.roundness - target, above = high.roundness - target;
   bool moved_low = false, moved_high = false;
   RoundnessSearchResult best = -below < above ? low : high;
   for (int round = 0; round < kRounds && !good(best, target, kRoundnessTolerance); ++round) {
-    RoundnessSearchResult next = at((low.radius_fraction * above - high.radius_fraction * below) / (above - below));
+    RoundnessSearchResult next =
+        at((low.radius_fraction * above - high.radius_fraction * below) / (above - below));
     const double gap = next.roundness - target;
     if (std::abs(gap) < std::abs(best.roundness - target)) best = next;
     if (gap < 0.0) {
@@ -54,8 +56,8 @@ RoundnessSearchResult between(const std::function<RoundnessSearchResult(double)>
 
 }  // namespace
 
-RoundnessSearchResult find_body_with_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
-                                   double target, double edge_length) {
+RoundnessSearchResult find_body_with_roundness(
+    const std::function<SpheroPolyhedron(double)>& rounded, double target, double edge_length) {
   const auto at = [&](double share) {
     RoundnessSearchResult one{rounded(share), share, 0.0};
     one.roundness = body_roundness(one.body, edge_length).value;

@@ -9,7 +9,7 @@ namespace clast::library_detail {
 struct RoundnessSearchResult {
   SpheroPolyhedron body;
   double radius_fraction = 0.0;  ///< ratio of radius to S
-  double roundness = 0.0;     ///< measured roundness
+  double roundness = 0.0;        ///< measured roundness
 };
 
 /// Finds the body of a given roundness, by regula falsi (Illinois) on the radius. The interval
@@ -19,7 +19,7 @@ struct RoundnessSearchResult {
 /// @param edge_length  edge length of the mesh on which roundness is measured, m
 /// @throws GeometryError  if the target cannot be reached within `kRoundnessTolerance`; states the
 ///                        nearest value
-RoundnessSearchResult find_body_with_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
-                                   double target, double edge_length);
+RoundnessSearchResult find_body_with_roundness(
+    const std::function<SpheroPolyhedron(double)>& rounded, double target, double edge_length);
 
 }  // namespace clast::library_detail

@@ -109,7 +109,8 @@ VariationResult apply_variation(const Block& parent, const VertexCountVariation&
   TriangleMesh core = core_mesh(parent.body);
   // About its middle, or map coordinates would cost digits.
   for (Vec3& vertex : core.vertices) vertex -= parent.box.centre;
-  std::optional<TriangleMesh> fewer = untangle_self_intersections(decimate_mesh(core, target.vertices));
+  std::optional<TriangleMesh> fewer =
+      untangle_self_intersections(decimate_mesh(core, target.vertices));
   if (!fewer || !(signed_volume(*fewer) > 0.0)) {
     throw GeometryError("with " + std::to_string(target.vertices) +
                         " vertices its core would cross itself; give more");
@@ -153,8 +154,9 @@ VariationResult apply_variation(const Block& parent, const InertiaVariation& tar
   const double part = target.form == ReferenceShape::kEllipsoid ? 5.0 : 3.0;
   const Vec3 half = (part * target_spread).cwiseSqrt();
   const BoxRatios ratios = {half[1] / half[2], half[0] / half[2]};
-  SpheroPolyhedron body = scaled(
-      make_reference_body(target.form, {.ratios = ratios, .radius_fraction = share}), 2.0 * half[2]);
+  SpheroPolyhedron body =
+      scaled(make_reference_body(target.form, {.ratios = ratios, .radius_fraction = share}),
+             2.0 * half[2]);
   double gap = 1.0;
   for (int round = 0; round < kMomentRounds && gap > kSameMoments; ++round) {
     const Vec3 now = spread(sphero_mass_properties(body, 1.0));

@@ -10,7 +10,8 @@ namespace clast::mesh_detail {
 /// Collects points and passes them on in batches that fit into the cache.
 class PointBatcher {
  public:
-  explicit PointBatcher(const std::function<void(const PointBatch&)>& consume) : consume_(consume) {}
+  explicit PointBatcher(const std::function<void(const PointBatch&)>& consume)
+      : consume_(consume) {}
 
   /// Adds a point. Non-finite points are counted and skipped.
   void add_point(const Vec3& point);

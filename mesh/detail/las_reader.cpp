@@ -143,7 +143,7 @@ CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink) {
           std::string_view(bytes).substr(i * header.record_size, header.record_size);
       const Flags flags = flags_of(record, header.format);
       if (flags.withheld || flags.asprs_class == kNoise || flags.asprs_class == kHighNoise) {
-        ++summary.withheld;
+        ++summary.withheld_points;
         continue;
       }
       const Vec3 steps(number_at<std::int32_t>(record, 0), number_at<std::int32_t>(record, 4),

@@ -157,7 +157,7 @@ class LinesOfPoints {
           "point numbers instead of x? Name the columns in a first line, such as "
           "\"id x y z\", or give `columns`");
     }
-    return columns_.lengths;
+    return columns_.unit_declarations;
   }
 
   /// Refuses a scan that holds another number of points than the line before it says.
@@ -314,12 +314,12 @@ class LinesOfPoints {
     for (std::size_t axis = 0; axis < 3 && columns_.axes[axis] < units.size(); ++axis) {
       const std::string unit(units[columns_.axes[axis]]);
       const ColumnHeading heading = parse_heading("x [" + unit + "]");
-      if (!heading.length) continue;
+      if (!heading.length_unit) continue;
       LengthUnitDeclaration declared{.source = "unit \"" + escape_nonprintable(unit) +
                                                "\" of line " + std::to_string(head.number)};
       (axis < 2 ? declared.plan : declared.height) =
-          DeclaredUnit{heading.length->factor, heading.length->name};
-      columns_.lengths.push_back(std::move(declared));
+          DeclaredUnit{heading.length_unit->factor, heading.length_unit->name};
+      columns_.unit_declarations.push_back(std::move(declared));
     }
   }
 
@@ -441,7 +441,7 @@ CloudSummary read_text_cloud(std::istream& stream, PointBatcher& sink,
     points.read(line, lines.number());
   }
   CloudSummary summary;
-  summary.lengths = points.finish();
+  summary.unit_declarations = points.finish();
   if (has_point_counts) points.check_count();
   return sink.finish(std::move(summary));
 }

@@ -9,7 +9,7 @@ namespace clast::pipeline_detail {
 
 /// Blocks, with cameras and scale of the photographs.
 struct PhotographedBlocks {
-  FieldScan found;
+  FieldScan field_scan;
   PhotoScan photos;
 };
 

@@ -43,7 +43,7 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
         std::to_string(count) +
         " blocks stand on the ground; the one near the middle was used, `split` uses all of them");
   }
-  chosen.blocks.push_back(with_ground(standing.blocks[standing.central], points, ground));
+  chosen.blocks.push_back(with_ground(standing.blocks[standing.central_block], points, ground));
   return chosen;
 }
 

@@ -174,7 +174,8 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
 
 /// States the bounds of a block without an unseen side, if they are worth it.
 void add_bounds(FieldBlock& block, const ClosedScan& closed) {
-  const std::optional<VolumeBracketWithNotes> bounds = compute_closed_scan_bracket(closed, block.scan.report);
+  const std::optional<VolumeBracketWithNotes> bounds =
+      compute_closed_scan_bracket(closed, block.scan.report);
   if (!bounds) return;
   block.bounds = *bounds;
   block.scan.notes.insert(block.scan.notes.end(), bounds->notes.begin(), bounds->notes.end());

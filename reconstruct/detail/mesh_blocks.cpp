@@ -62,7 +62,7 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
   if (inspect_mesh(mesh).is_closed()) return std::nullopt;
   note_change(DefectKind::kNonManifoldVertex, split_non_manifold_vertices(mesh));
   const SpikeSummary spikes = flatten_spikes(mesh);
-  note(DefectKind::kSpike, spikes.count, 0.0, spikes.position, spikes.highest * options.unit);
+  note(DefectKind::kSpike, spikes.count, 0.0, spikes.position, spikes.max_height * options.unit);
   report = report_with_fillings(std::move(report), ragged, surface_area(mesh), options.unit);
   return OpenSheet{std::move(mesh), std::move(report)};
 }
@@ -119,7 +119,8 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 
 /// Returns a note if the second component is too large for debris. The first is the block.
 std::string left_out(const std::vector<SurfaceComponent>& components) {
-  if (components.size() < 2 || components[1].area <= kMaxDebrisAreaFraction * components[0].area) return "";
+  if (components.size() < 2 || components[1].area <= kMaxDebrisAreaFraction * components[0].area)
+    return "";
   return "another component of the scan that stands close to this block, with " +
          format_significant(100.0 * components[1].area / components[0].area, 3) +
          " % of its area, near " + format_point(components[1].mesh.vertices[0]) +

@@ -82,7 +82,7 @@ class Standing {
       return result;
     }
     share_out(result);
-    result.central = central_component();
+    result.central_block = central_component();
     return result;
   }
 

@@ -12,9 +12,9 @@ namespace clast {
 
 /// Options of ground detection; lengths are fractions of the scan's diagonal.
 struct GroundDetectionOptions {
-  std::uint64_t seed = 1;    ///< seed of the random planes
-  int trials = 1000;         ///< number of random planes
-  double tolerance = 0.01;   ///< maximum distance of points from the initial plane
+  std::uint64_t seed = 1;          ///< seed of the random planes
+  int trials = 1000;               ///< number of random planes
+  double tolerance = 0.01;         ///< maximum distance of points from the initial plane
   double min_block_height = 0.03;  ///< minimum height of blocks above the ground
 
   void check() const;  ///< throws InputError naming the field and its value

@@ -28,7 +28,7 @@ struct AzimuthGap {
 inline constexpr double kWideAzimuthGap = 20.0 * kRadiansPerDegree;
 
 struct CameraRing {
-  Vec3 middle = Vec3::Zero();           ///< centre of the block, in its frame
+  Vec3 block_centre = Vec3::Zero();     ///< centre of the block, in its frame
   std::vector<CameraPosition> cameras;  ///< one entry per photo, in their order
   std::vector<AzimuthGap> gaps;         ///< wider than `kWideAzimuthGap`, in order of azimuth
   double largest_gap = 0.0;             ///< width of the largest gap, rad; 2 pi without cameras

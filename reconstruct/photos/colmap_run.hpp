@@ -17,9 +17,11 @@ struct ColmapOptions {
   std::filesystem::path masks = {};
   double time_limit = 3600.0;  ///< time limit of each step, s
   int features = 4000;         ///< maximum number of features per photo
-  int max_image_side = 2000;  ///< maximum length of the longer side, px; larger photos are scaled down
-  std::size_t max_exhaustive_photos = 60;  ///< maximum number of photos for which all pairs are matched;
-                                      ///< otherwise, neighbours in order are matched first
+  int max_image_side =
+      2000;  ///< maximum length of the longer side, px; larger photos are scaled down
+  std::size_t max_exhaustive_photos =
+      60;  ///< maximum number of photos for which all pairs are matched;
+           ///< otherwise, neighbours in order are matched first
   /// Minimum fraction of photos with a camera. Otherwise, a side of the block is missing.
   double min_posed_fraction = 0.6;
 

@@ -23,12 +23,12 @@ namespace clast {
 struct CameraIntrinsics {
   int width = 0;  ///< px
   int height = 0;
-  double fx = 0.0, fy = 0.0;        ///< focal length, px
-  double cx = 0.0, cy = 0.0;        ///< principal point, px
-  double skew = 0.0;                ///< px
-  std::array<double, 4> radial{};   ///< k1 to k4
-  std::array<double, 3> divisor{};  ///< d1 to d3
-  double p1 = 0.0, p2 = 0.0;        ///< tangential distortion
+  double fx = 0.0, fy = 0.0;               ///< focal length, px
+  double cx = 0.0, cy = 0.0;               ///< principal point, px
+  double skew = 0.0;                       ///< px
+  std::array<double, 4> radial{};          ///< k1 to k4
+  std::array<double, 3> radial_divisor{};  ///< d1 to d3
+  double p1 = 0.0, p2 = 0.0;               ///< tangential distortion
   bool fisheye = false;
 
   /// Checks all values.

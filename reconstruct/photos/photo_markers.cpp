@@ -70,7 +70,8 @@ std::optional<LocatedMarker> placed(const PhotoModel& model,
         if (one.id == id) observations.push_back({i, one.corners[k]});
       }
     }
-    const auto corner = photos_detail::triangulate(model, observations, options.max_reprojection_error);
+    const auto corner =
+        photos_detail::triangulate(model, observations, options.max_reprojection_error);
     if (!corner || corner->inlier_count < options.min_photos) return std::nullopt;
     marker.corners[k] = corner->position;
     marker.photos = std::min(marker.photos, corner->inlier_count);
@@ -138,7 +139,7 @@ MarkerSearchResult search_markers(const PhotoModel& model, const MarkerOptions& 
     if (std::optional<LocatedMarker> marker = placed(model, detected, id, options)) {
       search.markers.push_back(*marker);
     } else {
-      search.missed.push_back({id, photos});
+      search.unlocated.push_back({id, photos});
     }
   }
   return search;

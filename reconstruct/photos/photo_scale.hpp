@@ -56,8 +56,8 @@ struct ComparedLength {
 
 struct PhotoScale {
   double metres_per_unit = 1.0;
-  double spread = 0.0;                 ///< relative standard deviation of the used factors
-  bool from_bars = false;              ///< true if estimated from distances (bars or a board)
+  double spread = 0.0;                   ///< relative standard deviation of the used factors
+  bool from_bars = false;                ///< true if estimated from distances (bars or a board)
   std::vector<ComparedLength> measures;  ///< lengths that determined the scale: distances or sides
   /// Mean marker side, scaled by the distances, relative to the given side. Set if both are known.
   std::optional<double> marker_side_ratio;

@@ -42,10 +42,10 @@ void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
 
 /// Photo scan: model, markers, scale and points.
 struct PhotoScan {
-  PhotoModel model;                         ///< in metres if `metric`
-  MarkerSearchResult markers;               ///< positions in the frame of `model`
-  std::vector<BoardCorner> corners;         ///< corners of a ChArUco board, in the frame of `model`
-  std::optional<PhotoScale> scale;          ///< scale from markers or a board
+  PhotoModel model;                  ///< in metres if `metric`
+  MarkerSearchResult markers;        ///< positions in the frame of `model`
+  std::vector<BoardCorner> corners;  ///< corners of a ChArUco board, in the frame of `model`
+  std::optional<PhotoScale> scale;   ///< scale from markers or a board
   std::vector<std::string> photos_without_camera;  ///< names of photos without camera, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`

@@ -43,7 +43,7 @@ PhotoSummary summarise_photos(const PhotoScan& scan, const FieldBlock& block,
     evidence.markers.push_back(
         {marker.id, marker.photos, marker.error, marker.side(), reason.empty(), reason});
   }
-  for (const UnlocatedMarker& marker : scan.markers.missed) {
+  for (const UnlocatedMarker& marker : scan.markers.unlocated) {
     evidence.markers.push_back(
         {marker.id, marker.photos, 0.0, 0.0, false,
          "too few photos show it completely and sharply, or they contradict each other"});

@@ -136,8 +136,8 @@ void ScaleBoard::check() const {
 }
 
 BoardLengths measure_marker_distances(const ScaleBoard& board,
-                                    const std::vector<LocatedMarker>& markers,
-                                    double max_disagreement) {
+                                      const std::vector<LocatedMarker>& markers,
+                                      double max_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   std::string missing;

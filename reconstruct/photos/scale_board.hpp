@@ -66,8 +66,8 @@ struct BoardLengths {
 /// @throws InputError  if the remaining markers still disagree; among three, the wrong one cannot
 ///                     be identified
 BoardLengths measure_marker_distances(const ScaleBoard& board,
-                                    const std::vector<LocatedMarker>& markers,
-                                    double max_disagreement);
+                                      const std::vector<LocatedMarker>& markers,
+                                      double max_disagreement);
 
 /// Measures the rows and columns of a ChArUco board. Each length is that between the outermost
 /// corners that were found. Corners are excluded in the same way as markers.

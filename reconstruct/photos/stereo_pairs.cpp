@@ -110,8 +110,8 @@ void StereoPairOptions::check() const {
 }
 
 std::vector<StereoPair> choose_stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
-                                     const std::vector<std::size_t>& excluded,
-                                     const StereoPairOptions& options) {
+                                            const std::vector<std::size_t>& excluded,
+                                            const StereoPairOptions& options) {
   options.check();
   const std::vector<std::size_t> usable = usable_photos(model, region, excluded);
   std::set<std::pair<std::size_t, std::size_t>> chosen;

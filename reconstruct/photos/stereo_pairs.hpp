@@ -43,7 +43,7 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
 /// @param excluded  ascending indices of photos that are not used, such as blurred ones
 /// @throws InputError  if there are too few pairs; states how far the photos are apart
 std::vector<StereoPair> choose_stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
-                                     const std::vector<std::size_t>& excluded = {},
-                                     const StereoPairOptions& options = {});
+                                            const std::vector<std::size_t>& excluded = {},
+                                            const StereoPairOptions& options = {});
 
 }  // namespace clast

@@ -51,8 +51,9 @@ std::vector<SurfaceComponent> connected_components(const TriangleMesh& mesh) {
     component.area = surface_area(component.mesh);
     components.push_back(std::move(component));
   }
-  std::stable_sort(components.begin(), components.end(),
-                   [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.area > b.area; });
+  std::stable_sort(
+      components.begin(), components.end(),
+      [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.area > b.area; });
   return components;
 }
 

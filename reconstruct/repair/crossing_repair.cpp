@@ -133,7 +133,8 @@ TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin) {
   return mesh;
 }
 
-std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh, const Vec3& origin) {
+std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh,
+                                                                 const Vec3& origin) {
   return CrossingRepair(mesh, origin).free_surface();
 }
 

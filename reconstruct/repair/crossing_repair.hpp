@@ -28,6 +28,7 @@ struct IntersectionFreeSurface {
 /// @param origin  origin of the vertex coordinates; the result is snapped to the same grid
 /// @return closed, oriented surface of one component without self-intersections; empty if no method
 /// succeeds within `kMaxIntersectionVolumeChange`
-std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh, const Vec3& origin);
+std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh,
+                                                                 const Vec3& origin);
 
 }  // namespace clast::reconstruct_detail

@@ -62,9 +62,9 @@ void drop_touching(TriangleMesh& mesh, EdgeSplitResult& touching) {
   });
   std::vector<std::uint32_t> source;
   for (std::size_t t = 0; t < drop.size(); ++t) {
-    if (!drop[t]) source.push_back(touching.source[t]);
+    if (!drop[t]) source.push_back(touching.original_triangle[t]);
   }
-  touching.source = std::move(source);
+  touching.original_triangle = std::move(source);
   touching.split.area = remove_triangles(mesh, drop).area;
 }
 
@@ -135,7 +135,8 @@ bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source
 
 }  // namespace
 
-std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
+std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh,
+                                              std::span<const HalfEdge> sides) {
   const Vec3 start = mesh.vertices[sides[0].low];
   const Vec3 along = (mesh.vertices[sides[0].high] - start).normalized();
   std::vector<Vec3> result;
@@ -149,8 +150,8 @@ std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh, std::spa
 
 EdgeSplitResult split_non_manifold_edges(TriangleMesh& mesh) {
   EdgeSplitResult result;
-  result.source.resize(mesh.triangles.size());
-  std::iota(result.source.begin(), result.source.end(), 0u);
+  result.original_triangle.resize(mesh.triangles.size());
+  std::iota(result.original_triangle.begin(), result.original_triangle.end(), 0u);
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   DisjointSets corners(3 * mesh.triangles.size());
   const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
@@ -168,7 +169,7 @@ EdgeSplitResult split_non_manifold_edges(TriangleMesh& mesh) {
   for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = corners.find(c);
   split_by_groups(mesh, group);
   for (int round = 0; round < kCutRounds; ++round) {
-    if (!halve_touching_edges(mesh, result.source)) return result;
+    if (!halve_touching_edges(mesh, result.original_triangle)) return result;
   }
   drop_touching(mesh, result);
   return result;

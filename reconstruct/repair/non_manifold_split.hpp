@@ -11,13 +11,14 @@ namespace clast::reconstruct_detail {
 
 /// Returns the directions from an edge into its triangles, perpendicular to the edge.
 /// @param sides  half-edges of one edge, not empty
-std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh, std::span<const HalfEdge> sides);
+std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh,
+                                              std::span<const HalfEdge> sides);
 
 /// Result of splitting non-manifold edges.
 struct EdgeSplitResult {
   RepairChange split;  ///< number of split edges
   /// Index of the original triangle, one per triangle.
-  std::vector<std::uint32_t> source;
+  std::vector<std::uint32_t> original_triangle;
 };
 
 /// Splits non-manifold edges into manifold edges without moving vertices. Touching sheets are

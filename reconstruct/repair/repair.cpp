@@ -26,10 +26,10 @@ namespace clast {
 
 namespace {
 
-using reconstruct_detail::SurfaceComponent;
 using reconstruct_detail::RepairChange;
 using reconstruct_detail::RepairLog;
 using reconstruct_detail::SpikeSummary;
+using reconstruct_detail::SurfaceComponent;
 
 /// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
 constexpr double kWelds[] = {1.0, 10.0, 100.0};
@@ -142,11 +142,12 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   std::optional<reconstruct_detail::IntersectionFreeSurface> freed =
       reconstruct_detail::repair_self_intersections(mesh, origin);
   if (!freed) {
-    throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
-                        " pairs of triangles, the first near " + log.format_position(where) +
-                        ", and these can't be removed without changing its volume by more than " +
-                        format_significant(100.0 * reconstruct_detail::kMaxIntersectionVolumeChange, 2) + " %" +
-                        reconstruct_detail::kRepairAdvice);
+    throw GeometryError(
+        "the surface passes through itself at " + std::to_string(crossings.size()) +
+        " pairs of triangles, the first near " + log.format_position(where) +
+        ", and these can't be removed without changing its volume by more than " +
+        format_significant(100.0 * reconstruct_detail::kMaxIntersectionVolumeChange, 2) + " %" +
+        reconstruct_detail::kRepairAdvice);
   }
   log.report.crossing_volume_change =
       std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh)) - 1.0;
@@ -166,9 +167,9 @@ void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec
   const SpikeSummary second =
       options.fill_missing ? reconstruct_detail::flatten_spikes(mesh) : SpikeSummary{};
   log.add_defect(DefectKind::kNonManifoldVertex, split);
-  const SpikeSummary& highest = first.highest > second.highest ? first : second;
+  const SpikeSummary& highest = first.max_height > second.max_height ? first : second;
   log.add_defect(DefectKind::kSpike, first.count + second.count, 0.0, highest.position,
-                 highest.highest);
+                 highest.max_height);
   reconstruct_detail::check_volume(mesh);
   if (options.fill_missing) replace_crossings(mesh, origin, log);
 }

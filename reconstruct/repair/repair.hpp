@@ -16,7 +16,8 @@ struct RepairOptions {
   /// Fills missing surface. If false, holes of more than four edges and non-manifold edges are
   /// errors, and spikes and self-intersections are kept, as for cores with exact vertices.
   bool fill_missing = true;
-  double max_hole_fraction = 0.4;  ///< maximum area of a filling as a fraction of the repaired surface
+  double max_hole_fraction =
+      0.4;  ///< maximum area of a filling as a fraction of the repaired surface
   /// Converts positions for messages and report, for example to file coordinates. If empty,
   /// positions are unchanged.
   std::function<Vec3(const Vec3&)> to_reported_position = {};
@@ -26,8 +27,8 @@ struct RepairOptions {
 
 template <class Visit>
 void visit_fields(const RepairOptions& options, Visit&& visit) {
-  const auto& [weld_tolerance, keep_inner_shells, fill_missing, max_hole_fraction, to_reported_position] =
-      options;
+  const auto& [weld_tolerance, keep_inner_shells, fill_missing, max_hole_fraction,
+               to_reported_position] = options;
   visit("weld_tolerance", weld_tolerance);
   visit("keep_inner_shells", keep_inner_shells);
   visit("invent", fill_missing);

@@ -71,13 +71,13 @@ class Sentences {
       case RetentionReason::kClosed:
         text += "The kept copy is closed";
         break;
-      case RetentionReason::kWhole:
+      case RetentionReason::kMoreComplete:
         text += "The kept copy covers the whole block";
         break;
       case RetentionReason::kFiner:
         text += "The kept copy has more triangles";
         break;
-      case RetentionReason::kSize:
+      case RetentionReason::kLarger:
         text += "Neither copy is more complete or finer, so the larger one was kept";
         break;
     }
@@ -163,7 +163,7 @@ class Sentences {
           format_count(fans, "hole", "holes") + " with " +
           format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
           (largest_fan <= reconstruct_detail::kMaxFanEdges ? "a fan"
-                                                        : "triangles between their corners"));
+                                                           : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +

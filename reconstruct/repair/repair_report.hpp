@@ -53,10 +53,10 @@ struct FilledHole {
 
 /// Reason why this one of two copies was kept.
 enum class RetentionReason {
-  kSize,    ///< it is larger; neither is more complete or finer
-  kFiner,   ///< it has more triangles
-  kWhole,   ///< the other copy covers only a part of the block
-  kClosed,  ///< the other copy is open
+  kLarger,        ///< it is larger; neither is more complete or finer
+  kFiner,         ///< it has more triangles
+  kMoreComplete,  ///< the other copy covers only a part of the block
+  kClosed,        ///< the other copy is open
 };
 
 /// Removed copy of (part of) the surface, of a block scanned or stored twice.
@@ -69,7 +69,7 @@ struct DuplicateSurface {
   double volume_change = 0.0;  ///< change of the block's volume if this copy were kept instead, m^3
   double retained_volume =
       0.0;  ///< volume of the block with the retained copy, m^3; 0 if that is open
-  RetentionReason retention_reason = RetentionReason::kSize;
+  RetentionReason retention_reason = RetentionReason::kLarger;
 };
 
 /// Fraction of the repaired surface above which a hole is reported separately, as uncertain.

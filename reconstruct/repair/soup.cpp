@@ -77,7 +77,8 @@ FinVotes fin_votes(const TriangleMesh& mesh, double max_fin_fraction) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() < 3) return;
     const double length = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm();
-    const std::array<std::size_t, 2> stay = smoothest_pair(triangle_directions_at_edge(mesh, sides));
+    const std::array<std::size_t, 2> stay =
+        smoothest_pair(triangle_directions_at_edge(mesh, sides));
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t here = patch[sides[i].triangle];
       bordered[here] += length;
@@ -136,9 +137,9 @@ RepairChange remove_opposite_pairs(TriangleMesh& mesh) {
   std::vector<DuplicateTriangle> pairs;
   for (const DuplicateTriangle& copy :
        find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
-    if (second[copy.before]) continue;  // is in a pair already
+    if (second[copy.first]) continue;  // is in a pair already
     pairs.push_back(copy);
-    second[copy.again] = true;
+    second[copy.duplicate] = true;
   }
   if (pairs.empty()) return {};
   // Sides of a triangle over which the surface goes on to just one other, pairs counted once.
@@ -191,7 +192,7 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
   const ConsistentOrientation facing = find_consistent_orientation(mesh, triangle_neighbours(mesh));
   OrientationResult result;
   result.orientable = !facing.conflict_vertex;
-  result.conflict = facing.conflict_vertex.value_or(0);
+  result.conflict_vertex = facing.conflict_vertex.value_or(0);
   for (const std::vector<std::uint32_t>& component : facing.components) {
     const auto against = std::count_if(component.begin(), component.end(),
                                        [&](std::uint32_t t) { return facing.is_flipped[t]; });
@@ -231,7 +232,7 @@ SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction) {
   const OrientationResult again = orient_consistently(mesh);
   repair.orientation.flipped += again.flipped;
   repair.orientation.orientable = again.orientable;
-  repair.orientation.conflict = again.conflict;
+  repair.orientation.conflict_vertex = again.conflict_vertex;
   return repair;
 }
 

@@ -38,8 +38,8 @@ RepairChange remove_border_fins(TriangleMesh& mesh);
 struct OrientationResult {
   std::size_t flipped = 0;  ///< number of flipped triangles
   bool orientable = true;
-  std::uint32_t conflict = 0;  ///< vertex where orientations conflict
-  std::uint32_t first = 0;     ///< vertex of the first flipped triangle
+  std::uint32_t conflict_vertex = 0;  ///< vertex where orientations conflict
+  std::uint32_t first = 0;            ///< vertex of the first flipped triangle
 };
 
 /// Orients triangles consistently across manifold edges. Each component keeps the orientation of

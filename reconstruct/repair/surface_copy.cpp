@@ -199,7 +199,7 @@ DuplicateSurface describe_copy(const SurfaceCopy& copy, const SurfaceComponent& 
   if (inspect_mesh(kept).is_closed() && !doubled.closed) {
     doubled.retention_reason = RetentionReason::kClosed;
   } else if (doubled.area_fraction < kCompleteCopy) {
-    doubled.retention_reason = RetentionReason::kWhole;
+    doubled.retention_reason = RetentionReason::kMoreComplete;
   } else if (static_cast<double>(of_kept) > kFiner * static_cast<double>(of_copy)) {
     doubled.retention_reason = RetentionReason::kFiner;
   }

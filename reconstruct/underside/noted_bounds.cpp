@@ -79,13 +79,14 @@ bool ScannedSurface::contains(const Vec3& position) const {
 }
 
 std::optional<VolumeBracketWithNotes> compute_closed_scan_bracket(const ClosedScan& scan,
-                                                       const RepairReport& report) {
+                                                                  const RepairReport& report) {
   const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.uncertainty == nullptr && report.duplicates.empty()) return std::nullopt;
   const UnobservedPartBounds found =
       bound_unobserved_parts(scan.surface, {closure, {}, false, scan.uncertainty});
-  VolumeBracketWithNotes bounds{scaled(found, scan.unit), describe_hollows(found.hollows, scan.unit)};
+  VolumeBracketWithNotes bounds{scaled(found, scan.unit),
+                                describe_hollows(found.hollows, scan.unit)};
   bounds.lower_volume =
       std::max(std::min(bounds.lower_volume, bounds.estimated_volume - report.volume_below),
                kMinVolumeLeft * bounds.estimated_volume);

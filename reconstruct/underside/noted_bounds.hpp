@@ -52,7 +52,7 @@ struct VolumeBracketWithNotes : VolumeBracket {
 /// @param report  report of the repair, in metres
 /// @returns bounds in m and m^3; empty if they are so narrow that they are insignificant
 std::optional<VolumeBracketWithNotes> compute_closed_scan_bracket(const ClosedScan& scan,
-                                                       const RepairReport& report);
+                                                                  const RepairReport& report);
 
 /// Brackets the volume of a block with a closed underside.
 /// @param side  closed scan, in metres

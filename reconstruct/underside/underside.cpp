@@ -237,8 +237,9 @@ class Closing {
   }
 
   /// The shape that the sections make likeliest, no larger than the upper one.
-  void guess(const std::vector<double>& heights, const reconstruct_detail::HorizontalSections& sections,
-             double bottom, const reconstruct_detail::BottomClosure& closure) {
+  void guess(const std::vector<double>& heights,
+             const reconstruct_detail::HorizontalSections& sections, double bottom,
+             const reconstruct_detail::BottomClosure& closure) {
     const auto quantile = [&](double fraction) {
       return heights[static_cast<std::size_t>(fraction * static_cast<double>(heights.size() - 1))];
     };
@@ -347,7 +348,8 @@ class Closing {
   /// more pointed, then drawn back, until it does not.
   void choose_best_closure(const reconstruct_detail::BottomClosure& closure, double deepest) {
     const double added = result_.estimated_volume - closure_volume_;
-    reconstruct_detail::ClosureDisplacement start = closure.displacement_for_volume(added, kBestPower, deepest);
+    reconstruct_detail::ClosureDisplacement start =
+        closure.displacement_for_volume(added, kBestPower, deepest);
     if (faces_ground())
       start = closure.displacement_touching_ground(*options_.ground, start, added, kMaxPointedBest);
     deepest = std::max(deepest, start.depth);
@@ -356,7 +358,8 @@ class Closing {
       return find_self_intersections(result_.best_estimate).size() <= crossings;
     };
     for (double power = start.power; power <= kMaxPointedBest; power *= 1.5) {
-      result_.best_estimate = closure.lowered_mesh(closure.displacement_for_volume(added, power, deepest));
+      result_.best_estimate =
+          closure.lowered_mesh(closure.displacement_for_volume(added, power, deepest));
       if (fits()) break;
     }
     double fraction = 1.0;
@@ -399,7 +402,8 @@ void UndersideOptions::check() const {
     throw InputError("deepest = " + format_significant(max_depth_fraction, 3) +
                      ": the buried fraction of the observed height must be above 0, up to 10");
   }
-  if (!(min_hole_fraction > 0.0 && min_hole_fraction < max_filling_fraction && max_filling_fraction < 1.0)) {
+  if (!(min_hole_fraction > 0.0 && min_hole_fraction < max_filling_fraction &&
+        max_filling_fraction < 1.0)) {
     throw InputError("smallest_share = " + format_significant(min_hole_fraction, 3) +
                      " and largest_share = " + format_significant(max_filling_fraction, 3) +
                      ": must be fractions between 0 and 1, the smaller first");

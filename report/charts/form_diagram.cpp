@@ -75,10 +75,11 @@ std::string blocks_svg(const Population& population, std::size_t number,
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
-    svg += draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.axes_in_table_unit), true,
-                           "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
-                           format_block_title(block, options)) +
-           "\n";
+    svg +=
+        draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.axes_in_table_unit), true,
+                        "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
+                        format_block_title(block, options)) +
+        "\n";
   }
   return svg;
 }

@@ -53,7 +53,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const auto add = [&](const ReportedPopulation& reported, const std::string& name, bool by_mass) {
     ClassFractionSeries series{name, series_colour(all.size()), {}};
     classes.clear();
-    for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
+    for (const ClassFraction& share : reported.summary.schemes[scheme].fractions) {
       classes.push_back(share.name);
       series.shares.push_back(share_bar(share, by_mass));
     }

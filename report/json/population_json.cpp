@@ -99,7 +99,7 @@ Json shares_json(const PopulationSummary& summary) {
   Json population = Json::object();
   for (const SchemeFractions& scheme : summary.schemes) {
     population[scheme.scheme] = Json::array();
-    for (const ClassFraction& share : scheme.shares) {
+    for (const ClassFraction& share : scheme.fractions) {
       Json row = {{"class", share.name},
                   {"blocks", share.count},
                   {"share", share.fraction},

@@ -65,10 +65,10 @@ std::string describe_pair(const Comparison& comparison,
   for (const DepositQuantityDifference* one : pair) {
     const std::string& words = deposit_quantities()[one->first.figure].words;
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
-    tests = std::max(tests, one->tests);
+    tests = std::max(tests, one->family_size);
     const ContrastVerdict verdict = one->verdict();
-    const bool with_gap =
-        verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kInsignificantAfterCorrection;
+    const bool with_gap = verdict == ContrastVerdict::kSignificant ||
+                          verdict == ContrastVerdict::kInsignificantAfterCorrection;
     append_item(lists[verdict],
                 words + (with_gap ? " " + describe_difference(*one) : std::string()));
   }
@@ -108,9 +108,9 @@ std::string differences_table(const Comparison& comparison,
                interval_text(one.interval, figure.decimals),
                one.p_value ? format_significant(*one.p_value, 2) : "-",
                one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm                              ? "-"
+               !one.p_holm                                      ? "-"
                : one.verdict() == ContrastVerdict::kSignificant ? "yes"
-                                                        : "no"});
+                                                                : "no"});
   }
   return table.html();
 }

@@ -80,12 +80,14 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
   std::size_t tests = 0;
   for (const Difference* one : picture.rows) {
     const ContrastVerdict verdict = one->verdict();
-    const bool with_gap = verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kUntested;
+    const bool with_gap =
+        verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kUntested;
     append_item(lists[verdict], row_name(comparison, *one) +
                                     (with_gap ? " " + describe_difference(*one) : std::string()));
-    tests = std::max(tests, one->tests);
+    tests = std::max(tests, one->family_size);
   }
-  return format_headed_list(picture.title + ", more than chance:", lists[ContrastVerdict::kSignificant]) +
+  return format_headed_list(picture.title + ", more than chance:",
+                            lists[ContrastVerdict::kSignificant]) +
          format_headed_list("Equal on average, but spread differently:",
                             lists[ContrastVerdict::kDistributionDiffers]) +
          format_headed_list("Not clear, since one of " + std::to_string(tests) +

@@ -92,7 +92,7 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
       }
       if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
       HtmlTable table(heads, 1);
-      for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
+      for (const ClassFraction& share : reported.summary.schemes[scheme].fractions) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
                                           format_percent(share.fraction),
                                           range_text(share.low, share.high)};
@@ -185,7 +185,8 @@ std::string blocks_section(const PopulationReport& report) {
     for (const MeasuredBlock& block : blocks) {
       std::vector<std::string> cells = {block.name};
       for (const SchemeFractions& scheme : reported.summary.schemes) {
-        cells.push_back(shape_class(scheme.scheme, block.axes_in_table_unit, report.options.limits));
+        cells.push_back(
+            shape_class(scheme.scheme, block.axes_in_table_unit, report.options.limits));
       }
       const ClassCertainty certainty =
           assess_class_certainty(first, block.axes, block.axis_error, report.options.limits);

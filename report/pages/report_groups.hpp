@@ -19,7 +19,8 @@ std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind k
 std::string short_group_name(const Group& group);
 
 /// Formats mean and standard deviation; "-" for an empty sample.
-std::string format_mean_and_deviation(const SampleSummary& summary, int decimals, double unit = 1.0);
+std::string format_mean_and_deviation(const SampleSummary& summary, int decimals,
+                                      double unit = 1.0);
 /// Formats a value of a summary; "-" for an empty sample.
 std::string format_measured(double value, const SampleSummary& summary, int decimals);
 

@@ -105,7 +105,8 @@ std::string against_distance(const Comparison& comparison, const std::vector<Pro
     const Group& group = comparison.groups[g];
     if (group.file != file) continue;
     const Bins along = bins_of_group(bins, g);
-    const auto add = [&](const char* name, const char* dash, double SampleSummary::*value, bool shown) {
+    const auto add = [&](const char* name, const char* dash, double SampleSummary::*value,
+                         bool shown) {
       Trace trace{
           group.key + ", " + name, class_colour(group.key), dash, Trace::Kind::kLine, {}, {}};
       for (const ProfileBin* bin : along) {

@@ -34,7 +34,8 @@ const std::vector<Statistic> kAllStatistics = {{"mean", &SampleSummary::mean},
                                                {"median", &SampleSummary::median},
                                                {"p95", &SampleSummary::p95},
                                                {"max", &SampleSummary::max}};
-const std::vector<Statistic> kMeanAndStd = {{"mean", &SampleSummary::mean}, {"std", &SampleSummary::std}};
+const std::vector<Statistic> kMeanAndStd = {{"mean", &SampleSummary::mean},
+                                            {"std", &SampleSummary::std}};
 const std::vector<Statistic> kUpper = {
     {"mean", &SampleSummary::mean}, {"p95", &SampleSummary::p95}, {"max", &SampleSummary::max}};
 
@@ -73,7 +74,7 @@ const std::string& group_name(const ComparisonRow<Item>& row) {
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
   const auto stops = [](const Row& row) { return row->deposit.stops; };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", [](const Row& row) { return row->group.name; }},
         {"count", "", "number of runs that came to rest; the statistics are over these runs",
          [=](const Row& row) { return stops(row).rest; }}},
@@ -137,7 +138,7 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
        [](const Row& row) { return row->p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
        [](const Row& row) { return row->p_holm.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::family_size},
       {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
          if (!row->p_holm) return NAN;
@@ -157,7 +158,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
                               "95 % confidence interval; empty for a single realisation",
                               [interval](const Row& row) { return bounds_of(interval(row)); });
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<Measured>},
         {"measured", "", "number of measured stops of the group", &Measured::measured},
         {"simulated", "", "number of simulated runs at rest", &Measured::simulated}},
@@ -198,7 +199,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns() {
   using Row = ComparisonRow<ProfileBin>;
   const char* along = "distance from each run's release point along downslope";
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<ProfileBin>},
         {"from_m", "m", along, &ProfileBin::from},
         {"to_m", "m", along, &ProfileBin::to},
@@ -234,7 +235,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
     parameters.push_back({field.name, field.unit, field.meaning,
                           [=](const Row& row) { return ground(row).*field.value; }});
   }
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
         {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
         {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
@@ -275,7 +276,7 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
                              SampleSummary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"barrier", "", "name of the barrier; for a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name of the group", &Row::group},
         {"runs", "",

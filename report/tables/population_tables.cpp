@@ -195,7 +195,7 @@ std::vector<ShareRow> share_rows(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     const bool weighed = reported.summary.blocks_with_mass > 0;
     for (const SchemeFractions& scheme : reported.summary.schemes) {
-      for (const ClassFraction& share : scheme.shares) {
+      for (const ClassFraction& share : scheme.fractions) {
         rows.push_back({reported.population.name, scheme.scheme, share, weighed});
       }
     }
@@ -260,7 +260,7 @@ PopulationTable population_table(const std::string& name,
     return
         [=](const PopulationReport& report) { return fill(columns(report.options), rows(report)); };
   };
-  return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
+  return {name, filled(format_csv<Row>), filled(to_table_values<Row>)};
 }
 
 }  // namespace

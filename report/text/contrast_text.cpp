@@ -66,8 +66,9 @@ std::string describe_effect(const Difference& difference, const Comparison& comp
       return means + ", which can be chance, but the values are spread differently";
     default:
       return means + ", which can be chance" +
-             (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
-                                   : "");
+             (difference.family_size > 1
+                  ? " among " + std::to_string(difference.family_size) + " differences"
+                  : "");
   }
 }
 
@@ -86,7 +87,7 @@ std::string describe_effect(const DepositQuantityDifference& difference) {
     case ContrastVerdict::kSignificant:
       return text;
     case ContrastVerdict::kInsignificantAfterCorrection:
-      return text + "; one of " + std::to_string(difference.tests) +
+      return text + "; one of " + std::to_string(difference.family_size) +
              " differences can be as large by chance";
     case ContrastVerdict::kUntested:
       break;

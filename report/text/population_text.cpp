@@ -19,7 +19,7 @@ std::string shares_text(const SchemeFractions& scheme, bool weighed) {
       table.headings.push_back(name);
     }
   }
-  for (const ClassFraction& share : scheme.shares) {
+  for (const ClassFraction& share : scheme.fractions) {
     table.rows.push_back({share.name, std::to_string(share.count), percentage(share.fraction),
                           percentage(share.low), percentage(share.high)});
     if (!weighed) continue;

@@ -12,7 +12,8 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 /// The rectangle around all points with a side along `direction`.
-EnclosingRectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction, double radius) {
+EnclosingRectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction,
+                                   double radius) {
   const Vec2 inward(-direction.y(), direction.x());
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const Vec2& point : points) {

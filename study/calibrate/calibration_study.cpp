@@ -141,7 +141,7 @@ Unknown read_unknown(const DeclaredTable& table) {
       table.checked("parameter", [&] { return parameter_range(unknown.parameter); });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
-      table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
+      table.read_numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
   unknown.low = ends[0];
   unknown.high = ends[1];
   if (!(unknown.low < unknown.high)) {

@@ -22,7 +22,7 @@ ObservedTrajectorySet read_trajectories(const std::filesystem::path& file) {
   const std::vector<NumericRow> rows = read_numeric_table(
       file, {.names = {{"trajectory"}, {"time_s"}, {"x"}, {"y"}, {"speed_m_s"}, {"spin_rad_s"}},
              .range = {-1e8, 1e8},
-             .meaning = kColumns});
+             .expected_line = kColumns});
   std::map<double, ObservedTrajectory> by_number;
   for (const NumericRow& row : rows) {
     ObservedTrajectory& own = by_number[row.values[0]];

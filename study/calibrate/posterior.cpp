@@ -254,7 +254,7 @@ CalibrationPosterior infer_posterior(const CalibrationStudy& study, const Calibr
   posterior.shares = std::move(sample.points);
   posterior.log_likelihood = std::move(sample.log_likelihood);
   posterior.log_evidence = sample.log_evidence;
-  posterior.temperatures = sample.temperatures;
+  posterior.temperatures = sample.tempering_steps;
   posterior.accepted = sample.acceptance_rate;
   posterior.member_figures = figures.values;
   posterior.draws = posterior.shares;

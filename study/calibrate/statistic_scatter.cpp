@@ -114,8 +114,8 @@ SolidMoments moments_of(const std::vector<VectorXd>& draws) {
 using DrawSamples = std::function<std::vector<Sample>()>;
 
 SolidMoments bootstrap_moments(const std::vector<const Observation*>& observations,
-                          const std::vector<std::vector<SelectedOutcome>>& seen,
-                          const SiteBlocks& site, bool whole, const DrawSamples& draw) {
+                               const std::vector<std::vector<SelectedOutcome>>& seen,
+                               const SiteBlocks& site, bool whole, const DrawSamples& draw) {
   std::vector<VectorXd> draws;
   for (std::size_t i = 0; i < kScatterDraws; ++i) {
     draws.push_back(figures_of(observations, seen, site, draw(), whole));

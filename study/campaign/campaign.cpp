@@ -55,15 +55,15 @@ const MemberTable<Campaign>& terrain_keys() {
         number(kGroundRadiusRange), &Campaign::terrain_radius},
        {"resolution_m", "m", "cell size of clouds and resampled rasters", number(kCellSizeRange),
         kTerrain, &Options::resolution},
-       {"percentile", "", "height of a cloud's cell: percentile of its points", number(kPercentileRange),
-        kTerrain, &Options::percentile},
+       {"percentile", "", "height of a cloud's cell: percentile of its points",
+        number(kPercentileRange), kTerrain, &Options::percentile},
        {"outliers_m", "m",
         "points of a cloud at a larger distance from the surrounding ground are left out",
         number(kOutlierDistanceRange), kTerrain, &Options::outliers},
        {"fill_m", "m", "holes up to this width are filled", number(kHoleWidthRange), kTerrain,
         &Options::fill},
-       {"crack_m", "m", "cracks between tiles up to this width are closed", number(kCrackWidthRange),
-        kTerrain, &Options::crack},
+       {"crack_m", "m", "cracks between tiles up to this width are closed",
+        number(kCrackWidthRange), kTerrain, &Options::crack},
        {"spike_steepness", "",
         "single vertices are levelled if they protrude by more than this many times the distance "
         "to their neighbours",
@@ -180,7 +180,7 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
   std::vector<Vec2> points;
   for (const TomlNode& point : line->list) {
     const std::vector<double> xy =
-        table.numbers("through", point, 2, 2, "points [x, y]", kMapCoordinateRange);
+        table.read_numbers("through", point, 2, 2, "points [x, y]", kMapCoordinateRange);
     points.emplace_back(xy[0], xy[1]);
     if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
       table.refuse("through", point, "consecutive points must differ");
@@ -197,7 +197,7 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
     Barrier barrier;
     barrier_keys().read(table, barrier);
     barrier.through = read_barrier_line(table, barrier.name);
-    if (const std::optional<std::string> direction = table.text("direction")) {
+    if (const std::optional<std::string> direction = table.read_text("direction")) {
       if (is_ring(barrier.through)) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }

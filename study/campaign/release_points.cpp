@@ -32,7 +32,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
   };
   const NumericTableSpec table{.names = {{"x"}, {"y"}, {"z"}},
                                .range = kMapCoordinateRange,
-                               .meaning = "three numbers, x y z",
+                               .expected_line = "three numbers, x y z",
                                .find = find};
   for (const NumericRow& row : read_numeric_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);

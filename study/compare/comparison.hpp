@@ -86,8 +86,8 @@ struct BarrierGroupStatistics {
   /// 95 % interval of probability (`clustered_proportion_interval`); empty for one realisation.
   std::optional<Interval> interval;
   SampleSummary height, clearance, speed;  ///< m, m, m/s
-  SampleSummary top;  ///< height of the centre plus largest radius of the block, m: an upper bound of the
-                ///< height of the block's surface above the ground
+  SampleSummary top;  ///< height of the centre plus largest radius of the block, m: an upper bound
+                      ///< of the height of the block's surface above the ground
   SampleSummary translational, rotational, total;  ///< J
   SampleSummary rotation_rate;                     ///< rad/s
 };
@@ -104,8 +104,8 @@ struct StopCounts {
 struct DepositStatistics {
   std::size_t started = 0;
   StopCounts stops;
-  SampleSummary runout;                 ///< m
-  SampleSummary lateral;                ///< rad
+  SampleSummary runout;           ///< m
+  SampleSummary lateral;          ///< rad
   Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 

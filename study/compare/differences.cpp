@@ -125,7 +125,7 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
     return std::clamp<std::size_t>(kMaxDifferenceDrawn / numbers, 200, most);
   };
   found.interval = bootstrap_difference_interval(a, b, drawn_from, kDifferenceSeed,
-                                        draws(by_runs ? runs : clusters.count(), 2000));
+                                                 draws(by_runs ? runs : clusters.count(), 2000));
   const TestResult test = *clustered_ks_test(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
@@ -174,7 +174,7 @@ std::optional<Difference> compute_runout_difference(const Comparison& comparison
       difference_between(comparison, first, second, quantities(comparison).front());
   if (found && found->p_value) {
     found->p_holm = found->p_value;
-    found->tests = 1;
+    found->family_size = 1;
   }
   return found;
 }

@@ -107,8 +107,9 @@ RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
   }
   if (values.values.size() < 2) return found;
   const std::size_t drawn = clusters.count() > 1 ? clusters.count() : values.values.size();
-  found.interval = bootstrap_mean_interval(values, clusters.count(), kAnswerSeed,
-                                  std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
+  found.interval =
+      bootstrap_mean_interval(values, clusters.count(), kAnswerSeed,
+                              std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
   return found;
 }
 
@@ -167,7 +168,9 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
 }
 
 /// Returns p95 of the passages, or the largest if they are few.
-double limit_of_passages(const SampleSummary& of, bool largest) { return largest ? of.max : of.p95; }
+double limit_of_passages(const SampleSummary& of, bool largest) {
+  return largest ? of.max : of.p95;
+}
 
 /// Sets the ranges over the draws of the ground.
 void add_draw_ranges(const Comparison& comparison, std::size_t line,

@@ -16,7 +16,9 @@ struct Runouts {
   std::vector<double> masses;
   std::vector<double> start_x, start_y;  ///< map
 
-  Vec2 mean_start() const { return {summarise_sample(start_x).mean, summarise_sample(start_y).mean}; }
+  Vec2 mean_start() const {
+    return {summarise_sample(start_x).mean, summarise_sample(start_y).mean};
+  }
 };
 
 std::set<std::string> library_blocks(const Comparison& comparison, std::uint32_t file) {

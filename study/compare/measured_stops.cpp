@@ -38,9 +38,9 @@ Columns columns_of(const Record& header, const std::string& file) {
       refuse("has two columns \"" + name + "\"; keep only one of them");
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
-    if (heading.length && heading.length->factor != 1.0) {
+    if (heading.length_unit && heading.length_unit->factor != 1.0) {
       refuse("\"" + escape_nonprintable(header.fields[column]) + "\" is in " +
-             heading.length->name + "; positions must be in m");
+             heading.length_unit->name + "; positions must be in m");
     }
   };
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
@@ -196,7 +196,8 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 ContrastVerdict judge_agreement(const MeasuredGroup& group) {
   if (group.measured < kMinMeasured) return ContrastVerdict::kTooFewValues;
   const ContrastVerdict verdict = group.medians.verdict();
-  return verdict == ContrastVerdict::kInsignificantAfterCorrection ? ContrastVerdict::kSignificant : verdict;
+  return verdict == ContrastVerdict::kInsignificantAfterCorrection ? ContrastVerdict::kSignificant
+                                                                   : verdict;
 }
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {

@@ -42,7 +42,7 @@ struct MeasuredGroup {
   std::size_t group = 0;          ///< index into Comparison::groups
   std::size_t measured = 0;       ///< number of observed stops
   std::size_t simulated = 0;      ///< number of simulated runs at rest
-  SampleSummary runout, lateral;        ///< of the observed stops, m and rad
+  SampleSummary runout, lateral;  ///< of the observed stops, m and rad
   Quartiles quartiles;            ///< of the observed runouts, m
   double simulated_runout = 0.0;  ///< mean of the simulated runouts, m
   Quartiles simulated_quartiles;

@@ -77,8 +77,8 @@ std::vector<ProfileBin> compute_profiles(const Comparison& comparison) {
       // Map frames of all files are the same.
       const Vec2 place = comparison.results.front().frame.origin.head<2>() + values.places / runs;
       bins.push_back({g, bin * width, (bin + 1) * width, values.energy.size(),
-                      summarise_sample(values.energy), summarise_sample(values.speed), summarise_sample(values.height),
-                      place});
+                      summarise_sample(values.energy), summarise_sample(values.speed),
+                      summarise_sample(values.height), place});
     }
   }
   return bins;

@@ -57,7 +57,8 @@ void vary(const Campaign& campaign, const BlockLibrary& library,
     const std::vector<std::string>& failed = series.series.failures;
     if (!failed.empty()) {
       throw GeometryError(
-          std::to_string(failed.size()) + " of " + format_count(series.wanted, "body", "bodies") +
+          std::to_string(failed.size()) + " of " +
+          format_count(series.requested_count, "body", "bodies") +
           " can't be made; leave out the keys that request them. First reason: " + failed.front());
     }
     return series;

@@ -175,7 +175,8 @@ class Closing {
 
 }  // namespace
 
-std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair, double thickness) {
+std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair,
+                                                        double thickness) {
   const ThickPart part = Outlining(pair, thickness).part();
   if (part.pair.triangles.empty()) return {};
   TriangleMesh plan;

@@ -49,6 +49,7 @@ struct BodyBetweenSurfaces {
 /// over edges of the overlay. It has vertical walls of height `thickness` along its outline. At the
 /// border of the overlay, the walls are as high as the body. Its volume is the integral of the
 /// vertical thickness over the plan.
-std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair, double thickness);
+std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair,
+                                                        double thickness);
 
 }  // namespace clast::terrain_detail

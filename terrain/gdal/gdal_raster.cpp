@@ -173,7 +173,8 @@ std::vector<std::string> check_raster_map(const std::filesystem::path& path,
   const LengthUnitRequirements metres{
       .conversion_command = "gdalwarp -t_srs EPSG:CODE",
       .correction_command = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
-  std::vector<LengthUnitDeclaration> declared = parse_geotiff_keys(read_geotiff_keys(path)).lengths;
+  std::vector<LengthUnitDeclaration> declared =
+      parse_geotiff_keys(read_geotiff_keys(path)).unit_declarations;
   const std::string wkt = system ? full_wkt(*system) : std::string();
   if (system && system->IsProjected()) {  // its scale at the place is known
     for (LengthUnitDeclaration& each : declared) each.world_projection.clear();

@@ -44,8 +44,8 @@ RawSurface read_meshes(const TerrainOptions& options) {
     if (resolve_up_axis(options.up, options.surface[i]) == "y") {
       for (Vec3& vertex : mesh.vertices) vertex = y_up_to_z_up(vertex);
     }
-    surface.source.insert(surface.source.end(), mesh.triangles.size(),
-                          static_cast<std::uint16_t>(i));
+    surface.source_file.insert(surface.source_file.end(), mesh.triangles.size(),
+                               static_cast<std::uint16_t>(i));
     surface.mesh = merged(std::move(surface.mesh), mesh);
   }
   return surface;
@@ -54,7 +54,7 @@ RawSurface read_meshes(const TerrainOptions& options) {
 RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
   surface.mesh = triangulate_grid(grid, path);
-  surface.source.assign(surface.mesh.triangles.size(), 0);
+  surface.source_file.assign(surface.mesh.triangles.size(), 0);
   surface.cell = grid.step.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return !std::isfinite(height); });

@@ -125,7 +125,7 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
     throw InputError(lines.front().name +
                      ": no breakline lies over the ground; convert both to one map system");
   }
-  surface.source.resize(mesh.triangles.size(), 0);
+  surface.source_file.resize(mesh.triangles.size(), 0);
   report.notes.push_back(std::to_string(lines.size()) + " breaklines run along edges, over " +
                          std::to_string(on_lines) + " vertices");
 }

@@ -249,7 +249,7 @@ void divide_at(RawSurface& surface, const BorderSide& at, const std::vector<Junc
   for (std::size_t i = 0; i < junctions.size(); ++i) {
     const std::uint32_t next = i + 1 < junctions.size() ? junctions[i + 1].vertex : last;
     triangles.push_back({junctions[i].vertex, next, apex});
-    surface.source.push_back(surface.source[at.triangle]);
+    surface.source_file.push_back(surface.source_file[at.triangle]);
   }
 }
 

@@ -90,7 +90,7 @@ double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32
 
 /// The plane through all neighbours but the one without which they are flattest.
 std::optional<NeighbourPlane> plane_without_one(const TriangleMesh& mesh, const Rings& rings,
-                                           std::uint32_t vertex) {
+                                                std::uint32_t vertex) {
   std::optional<NeighbourPlane> best;
   double flattest = 0.0;
   const std::span<const std::uint32_t> ring = rings.at(vertex);
@@ -132,8 +132,8 @@ void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes
   for (const auto& [unused, v] : suspects) {
     // A second spike beside it would pull the plane along.
     const std::optional<NeighbourPlane> plane = rings.at(v).size() > 4
-                                               ? plane_without_one(mesh, rings, v)
-                                               : fit_neighbour_plane(mesh, rings.at(v), v);
+                                                    ? plane_without_one(mesh, rings, v)
+                                                    : fit_neighbour_plane(mesh, rings.at(v), v);
     if (!plane) continue;
     const double off = std::abs(mesh.vertices[v].z() - plane->height);
     if (off <= steepness * plane->distance) continue;

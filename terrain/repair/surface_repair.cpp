@@ -35,7 +35,7 @@ std::vector<bool> copies_of_triangles(const RawSurface& surface,
   std::vector<bool> is_copy(mesh.triangles.size(), false);
   for (const auto& [one, two] : find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
     is_copy[two] = true;
-    const std::uint16_t file = surface.source[one], other = surface.source[two];
+    const std::uint16_t file = surface.source_file[one], other = surface.source_file[two];
     if (zone_of_file[file] != zone_of_file[other] && !is_degenerate(mesh, mesh.triangles[one])) {
       throw GeometryError(files[file] + " and " + files[other] + " both hold the triangle at " +
                           format_map_point(centroid(mesh, mesh.triangles[one])) +

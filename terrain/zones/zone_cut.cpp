@@ -207,7 +207,8 @@ class CutMesh {
 
 }  // namespace
 
-std::size_t insert_edges_along_segments(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments) {
+std::size_t insert_edges_along_segments(TriangleMesh& mesh,
+                                        std::span<const std::array<Vec2, 2>> segments) {
   const std::size_t before = mesh.triangles.size();
   CutMesh cut(mesh);
   for (const auto& [from, to] : segments) {

@@ -12,6 +12,7 @@ namespace clast::terrain_detail {
 /// Segments within a micrometre of a vertex or edge are snapped to it.
 /// @param segments  end points in plan, in the frame of the mesh; zero-length segments are ignored
 /// @return number of added triangles
-std::size_t insert_edges_along_segments(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments);
+std::size_t insert_edges_along_segments(TriangleMesh& mesh,
+                                        std::span<const std::array<Vec2, 2>> segments);
 
 }  // namespace clast::terrain_detail

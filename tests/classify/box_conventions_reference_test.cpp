@@ -113,7 +113,9 @@ TEST_P(AuthumeBoxes, ConventionDecidesTheElongation) {
     EXPECT_TRUE(certainty.near_limit);
     const ClassCertainty taped = assess_class_certainty("sneed-folk", axes, kTapeError);
     EXPECT_FALSE(taped.is_certain);
-    EXPECT_EQ(std::count(taped.other_possible_classes.begin(), taped.other_possible_classes.end(), "E"), 1);
+    EXPECT_EQ(
+        std::count(taped.other_possible_classes.begin(), taped.other_possible_classes.end(), "E"),
+        1);
   }
 }
 

@@ -65,7 +65,8 @@ std::set<std::string> scanned_classes(const std::string& scheme, const Axes& axe
 }
 
 std::set<std::string> said_classes(const ClassCertainty& certainty) {
-  std::set<std::string> said(certainty.other_possible_classes.begin(), certainty.other_possible_classes.end());
+  std::set<std::string> said(certainty.other_possible_classes.begin(),
+                             certainty.other_possible_classes.end());
   said.insert(certainty.name);
   return said;
 }

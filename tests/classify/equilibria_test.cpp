@@ -18,7 +18,7 @@ const Pose kSomeMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 StaticEquilibriumCounts equilibria(const std::vector<Vec3>& points, double radius = 0.1) {
   const TriangleMesh hull = transformed(convex_hull(points), kSomeMotion);
   return count_static_equilibria(make_sphero_polyhedron(hull, radius),
-                           solid_mass_properties(hull, 1.0).centre);
+                                 solid_mass_properties(hull, 1.0).centre);
 }
 
 void expect_counts(const StaticEquilibriumCounts& e, std::size_t S, std::size_t U, std::size_t H) {
@@ -101,7 +101,8 @@ TEST(Equilibria, PoincareHopfHoldsForAnyCentreInside) {
     const TriangleMesh hull = convex_hull(points);
     const Vec3 middle = solid_mass_properties(hull, 1.0).centre;
     const Vec3 centre = middle + 0.5 * random.uniform() * (points[0] - middle);
-    const StaticEquilibriumCounts e = count_static_equilibria(make_sphero_polyhedron(hull, 0.1), centre);
+    const StaticEquilibriumCounts e =
+        count_static_equilibria(make_sphero_polyhedron(hull, 0.1), centre);
     EXPECT_TRUE(e.is_consistent())
         << "seed " << seed << ": " << e.stable << " " << e.unstable << " " << e.saddle;
     EXPECT_GE(e.stable, 1u);

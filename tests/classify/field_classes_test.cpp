@@ -48,7 +48,8 @@ TEST(FieldClasses, EveryClassWithinTheErrorOfTheTapeIsNamed) {
     std::vector<std::set<std::string>> said;
     for (const std::string& scheme : scheme_names()) {
       const ClassCertainty certainty = assess_class_certainty(scheme, axes, kTapeError);
-      said.emplace_back(certainty.other_possible_classes.begin(), certainty.other_possible_classes.end());
+      said.emplace_back(certainty.other_possible_classes.begin(),
+                        certainty.other_possible_classes.end());
       said.back().insert(certainty.name);
       said.back().erase("neither");  // a line: a grid hits it only by chance
       EXPECT_EQ(certainty.is_certain, certainty.other_possible_classes.empty());

@@ -30,10 +30,10 @@ TEST(Summarised, HoldsEverySchemeAndMeasure) {
   EXPECT_EQ(summary.blocks_with_mass, 40u);
   ASSERT_EQ(summary.schemes.size(), scheme_names().size());
   for (const SchemeFractions& scheme : summary.schemes) {
-    EXPECT_EQ(scheme.shares.size(), class_names(scheme.scheme).size());
+    EXPECT_EQ(scheme.fractions.size(), class_names(scheme.scheme).size());
     std::size_t count = 0;
     double mass = 0.0;
-    for (const ClassFraction& share : scheme.shares) {
+    for (const ClassFraction& share : scheme.fractions) {
       count += share.count;
       mass += share.mass_fraction;
     }
@@ -63,7 +63,7 @@ TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
   const PopulationSummary summary = summarise_population(population);
   EXPECT_EQ(summary.blocks, 41u);
   std::size_t counted = 0;
-  for (const ClassFraction& share : summary.schemes.front().shares) counted += share.count;
+  for (const ClassFraction& share : summary.schemes.front().fractions) counted += share.count;
   EXPECT_EQ(counted, 41u);
   EXPECT_EQ(summary.size.by_number.blocks, 40u);
   EXPECT_EQ(summary.size.by_number.d90, metric.size.by_number.d90);

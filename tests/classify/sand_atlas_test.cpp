@@ -48,7 +48,7 @@ TEST_P(SandAtlas, FlatnessAndElongationAreReproducedToTheLastDigit) {
     EXPECT_NEAR(grain.axes.L, 1e-6 * std::stod(fields.at(3)), 1e-15);
   }
   EXPECT_EQ(row, table.blocks.size());
-  EXPECT_EQ(table.skipped, 0u);
+  EXPECT_EQ(table.skipped_rows, 0u);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ SolidMoments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
   all.high += Vec3::Constant(r);
   const auto add = [&](OffsetPiece::CurvedFace round, const Vec3& p, const Vec3& q) {
     OffsetPiece part;
-    part.round = round;
+    part.curved_face = round;
     part.centre = p;
     part.box = all;
     if (round == OffsetPiece::CurvedFace::cylinder) {

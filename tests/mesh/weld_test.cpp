@@ -84,13 +84,13 @@ TEST(Weld, CopiesOfATriangleAreFoundByTurn) {
   const std::vector<DuplicateTriangle> same =
       find_duplicate_triangles(triangles, WindingMatch::kSame);
   ASSERT_EQ(same.size(), 1u);
-  EXPECT_EQ(same[0].before, 1u);
-  EXPECT_EQ(same[0].again, 2u);
+  EXPECT_EQ(same[0].first, 1u);
+  EXPECT_EQ(same[0].duplicate, 2u);
   const std::vector<DuplicateTriangle> either =
       find_duplicate_triangles(triangles, WindingMatch::kEither);
   ASSERT_EQ(either.size(), 2u);
-  EXPECT_EQ(either[1].before, 2u);
-  EXPECT_EQ(either[1].again, 3u);
+  EXPECT_EQ(either[1].first, 2u);
+  EXPECT_EQ(either[1].duplicate, 3u);
 }
 
 TEST(Weld, EmptyMeshStaysEmpty) { EXPECT_TRUE(weld_vertices({}, 0.1).vertices.empty()); }

@@ -154,7 +154,7 @@ TEST(BlocksOnGround, ThreeBlocksAreThreeInOrderOfX) {
   EXPECT_LE(wrong_share(scene, standing.blocks[0], 1), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[1], 2), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[2], 0), 0.005);
-  EXPECT_EQ(standing.central, 1u);  // the smallest of all, but in the middle
+  EXPECT_EQ(standing.central_block, 1u);  // the smallest of all, but in the middle
   const BlocksOnGround again = find_blocks_on_ground(scene.points, *find_ground(scene.points));
   for (int k = 0; k < 3; ++k) EXPECT_EQ(again.blocks[k].points, standing.blocks[k].points);
 }

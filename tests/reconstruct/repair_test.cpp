@@ -393,8 +393,8 @@ TEST(Repair, TheSameDirtGivesTheSameBits) {
 TEST(Repair, BadOptionsAreRefusedByName) {
   EXPECT_TRUE(contains(refusal([] { repair_mesh(tetrahedron(), {.weld_tolerance = -1.0}); }),
                        "weld_tolerance"));
-  EXPECT_TRUE(
-      contains(refusal([] { repair_mesh(tetrahedron(), {.max_hole_fraction = 1.5}); }), "largest_hole"));
+  EXPECT_TRUE(contains(refusal([] { repair_mesh(tetrahedron(), {.max_hole_fraction = 1.5}); }),
+                       "largest_hole"));
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const PopulationReport report = report_of({blocks("a", 30), blocks("b", 20, false)});
   const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
   EXPECT_EQ(shares.rows.size(), 2u * (10 + 4 + 2));
-  const ClassFraction& first = report.populations[0].summary.schemes[0].shares[0];
+  const ClassFraction& first = report.populations[0].summary.schemes[0].fractions[0];
   EXPECT_EQ(shares.number(0, "blocks"), double(first.count));
   EXPECT_EQ(shares.number(0, "mass_share_high"), first.mass_high);
   EXPECT_EQ(shares.rows[16].at("population"), "b");

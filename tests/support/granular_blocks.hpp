@@ -15,8 +15,8 @@ constexpr double kBlockDensityRange = 2600.0;  ///< kg/m^3
 
 /// A convex body of 12 vertices and 20 faces, rounded: an icosahedron stretched to the half axes.
 inline RigidBody convex_block(const Vec3& half_axes, double radius) {
-  return body_of(make_sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius), kBlockDensityRange,
-                 2.0 * (half_axes.minCoeff() + radius));
+  return body_of(make_sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius),
+                 kBlockDensityRange, 2.0 * (half_axes.minCoeff() + radius));
 }
 
 /// Blocks of five sizes, 0.85 to 1.15 times the middle one, which has the volume of a ball 1 m in

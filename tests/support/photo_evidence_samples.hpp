@@ -77,7 +77,7 @@ struct EvidenceSample {
     for (const int id : {0, 1, 2, 5}) {
       scan.markers.markers.push_back(made_up_marker(id, {0.5 * id, 0.1 * id * id, 0.0}, 0.2));
     }
-    scan.markers.missed = {{3, 2}};
+    scan.markers.unlocated = {{3, 2}};
     const ScaleBoard board{.dictionary = "4x4_50",
                            .markers = {{0, {0.0, 0.0, 0.0}},
                                        {1, {0.5, 0.1, 0.0}},

@@ -176,8 +176,8 @@ TEST_F(Released, OfSeveralBodiesThoseAskedForAreTaken) {
   EXPECT_EQ(two.bodies[1].rank, 3u);
   EXPECT_EQ(two.excluded[0].rank, 2u);
   EXPECT_EQ(find_released_mass(before, after, {.bodies = "all"}).bodies.size(), 3u);
-  EXPECT_EQ(
-      find_released_mass(before, after, {.bodies = "all", .min_volume = 20.0}).bodies.size(), 2u);
+  EXPECT_EQ(find_released_mass(before, after, {.bodies = "all", .min_volume = 20.0}).bodies.size(),
+            2u);
   const std::string said =
       refusal<InputError>([&] { find_released_mass(before, after, {.bodies = "4"}); });
   EXPECT_TRUE(contains(said, "`bodies` = 4: there are 3 bodies")) << said;

@@ -47,8 +47,9 @@ TEST_F(TerrainFit, AReleaseOutsideIsRefused) {
       "points.xyz: release point 2 at x 652012.000, y 5203005.000, z 9.000 is off the ground, "
       "which lies in x 652000 to 652010, y 5203000 to 5203010 (map, z up); move the point, or "
       "check its map system and up axis");
-  EXPECT_EQ(refusal<Error>(
-                [&] { check_positions_over_terrain(ground(), std::span(places).first(1), "points.xyz"); }),
+  EXPECT_EQ(refusal<Error>([&] {
+              check_positions_over_terrain(ground(), std::span(places).first(1), "points.xyz");
+            }),
             "");
 }
 

@@ -115,7 +115,8 @@ struct Hdf5WriteBuffer<std::string> {
         file_type(fixed_string_type(width)),
         memory_type(fixed_string_type(width)),
         bytes(padded_strings(all, width)) {}
-  explicit Hdf5WriteBuffer(std::span<const std::string> all) : Hdf5WriteBuffer(all, longest_size(all)) {}
+  explicit Hdf5WriteBuffer(std::span<const std::string> all)
+      : Hdf5WriteBuffer(all, longest_size(all)) {}
   const void* data() const { return bytes.data(); }
 
   std::size_t element_size;

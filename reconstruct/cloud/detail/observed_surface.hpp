@@ -9,7 +9,7 @@
 namespace clast::reconstruct_detail {
 
 struct ObservedSurface {
-  std::vector<bool> observed;        ///< one flag per triangle
+  std::vector<bool> is_observed;     ///< one flag per triangle
   std::size_t gaps = 0;              ///< number of holes that are small enough to be filled
   double gap_fraction = 0.0;         ///< area of these gaps over the surface area
   Vec3 gap_position = Vec3::Zero();  ///< position in the largest gap, m

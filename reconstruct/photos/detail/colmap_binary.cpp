@@ -93,7 +93,7 @@ std::map<std::uint32_t, std::size_t> read_colmap_cameras(const std::filesystem::
     lens_of[id] = model.lenses.size();
     model.lenses.push_back(
         make_colmap_intrinsics(known.name, static_cast<int>(std::min(width, 1000000ul)),
-                         static_cast<int>(std::min(height, 1000000ul)), parameters));
+                               static_cast<int>(std::min(height, 1000000ul)), parameters));
   }
   return lens_of;
 }

@@ -17,7 +17,7 @@ PhotoModel read_alicevision(const std::filesystem::path& file);
 /// shifted by half a pixel to the convention of `CameraIntrinsics`.
 /// @throws InputError  if the model is unknown or the number of parameters wrong
 CameraIntrinsics make_colmap_intrinsics(const std::string& model, int width, int height,
-                                  const std::vector<double>& p);
+                                        const std::vector<double>& p);
 
 /// Sorts photos by name and updates the indices.
 PhotoModel photos_sorted_by_name(PhotoModel model);

@@ -31,7 +31,7 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
 /// @param welded  surface after welding, before other repairs; for counts in messages
 /// @throws GeometryError  if the filling exceeds the fraction `largest` of the repaired surface
 void check_hole_size(const FilledHole& hole, double largest, const TriangleMesh& welded,
-                const RepairLog& log);
+                     const RepairLog& log);
 
 /// Checks that the surface is closed.
 /// @param welded  see `check_hole`

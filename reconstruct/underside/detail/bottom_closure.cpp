@@ -13,7 +13,8 @@ constexpr int kPowerSteps = 40;  ///< halvings of a range of powers
 
 }  // namespace
 
-double BottomClosure::lowering_at_vertex(std::size_t vertex, const ClosureDisplacement& move) const {
+double BottomClosure::lowering_at_vertex(std::size_t vertex,
+                                         const ClosureDisplacement& move) const {
   return move.depth * std::pow(patch_.deflection[vertex], move.power);
 }
 
@@ -26,13 +27,16 @@ TriangleMesh BottomClosure::lowered_mesh(const ClosureDisplacement& move) const 
   return mesh;
 }
 
-ClosureDisplacement BottomClosure::displacement_for_volume(double added, double power, double deepest) const {
+ClosureDisplacement BottomClosure::displacement_for_volume(double added, double power,
+                                                           double deepest) const {
   while (added / volume_per_depth(power) > deepest && power > kMinPower) power *= 0.8;
   return {power, added / volume_per_depth(power)};
 }
 
-ClosureDisplacement BottomClosure::displacement_touching_ground(const Plane& ground, const ClosureDisplacement& blunt,
-                                                  double added, double max_power) const {
+ClosureDisplacement BottomClosure::displacement_touching_ground(const Plane& ground,
+                                                                const ClosureDisplacement& blunt,
+                                                                double added,
+                                                                double max_power) const {
   if (touches(ground, blunt)) return blunt;
   const auto of_power = [&](double power) {
     return ClosureDisplacement{power, added / volume_per_depth(power)};

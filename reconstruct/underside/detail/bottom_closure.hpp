@@ -35,8 +35,9 @@ class BottomClosure {
   ClosureDisplacement displacement_for_volume(double added, double power, double deepest) const;
   /// Returns the shape with the volume `added` that touches the ground, because a block does not
   /// float. The power of `blunt` is increased up to `max_power`.
-  ClosureDisplacement displacement_touching_ground(const Plane& ground, const ClosureDisplacement& blunt, double added,
-                                     double max_power) const;
+  ClosureDisplacement displacement_touching_ground(const Plane& ground,
+                                                   const ClosureDisplacement& blunt, double added,
+                                                   double max_power) const;
 
  private:
   /// Returns the added volume per depth, m^2.

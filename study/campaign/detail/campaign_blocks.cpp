@@ -36,7 +36,7 @@ BlockFilter read_filter(const DeclaredTable& table) {
     filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
     return filter;
   }
-  filter.ids = *table.text_list("select");
+  filter.ids = *table.read_text_list("select");
   for (std::size_t i = 0; i < filter.ids.size(); ++i) {
     const auto here = filter.ids.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(filter.ids.begin(), here, *here) != here) {
@@ -67,7 +67,7 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
   const TomlTable shares(node, table.file(), "[blocks] draw shares", class_names(draw.scheme));
   double sum = 0.0;
   for (const std::string& name : class_names(draw.scheme)) {
-    const std::optional<double> share = shares.number(name, kClassFraction);
+    const std::optional<double> share = shares.read_number(name, kClassFraction);
     if (!share || *share == 0.0) continue;
     draw.shares.emplace_back(name, *share);
     sum += *share;

@@ -180,7 +180,7 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
   release.fresh_orientations = true;
   for (const DeclaredTable& table : tables) {
     if (tables.size() > 1) table.require_key("name", "a text in quotes, since there are several");
-    release.name = table.text("name").value_or("");
+    release.name = table.read_text("name").value_or("");
     if (const TomlNode* name = table.find("name");
         name && release.name.find_first_not_of(" \t") == std::string::npos) {
       table.refuse("name", *name, "must not be blank");

@@ -17,7 +17,8 @@ std::vector<BoxRatios> read_ratios(const DeclaredTable& table) {
   }
   std::vector<BoxRatios> all;
   for (const TomlNode& pair : node.list) {
-    const std::vector<double> ratios = table.numbers("to", pair, 2, 2, expected, kVariedRatioRange);
+    const std::vector<double> ratios =
+        table.read_numbers("to", pair, 2, 2, expected, kVariedRatioRange);
     if (ratios[1] > ratios[0]) table.refuse("to", pair, "S/L must be at most I/L");
     all.push_back({ratios[0], ratios[1]});
   }
@@ -28,12 +29,13 @@ const MemberTable<FormGrid>& grid_keys() {
   static const MemberTable<FormGrid> keys(
       {"blocks.vary.grid", "A grid of forms over a diagram"},
       {{"diagram", "", "form diagram",
-        required("\"sneed-folk\" or \"zingg\"", words(form_grid_diagram_names())), &FormGrid::diagram},
+        required("\"sneed-folk\" or \"zingg\"", words(form_grid_diagram_names())),
+        &FormGrid::diagram},
        {"steps", "", "number of steps along each side",
         required("a whole number of steps along each side", count(1, kMaxGridSteps)),
         &FormGrid::steps},
-       {"least", "", "smallest S/L of sneed-folk, smallest I/L and S/I of zingg", number(kMinRatioRange),
-        &FormGrid::least}});
+       {"least", "", "smallest S/L of sneed-folk, smallest I/L and S/I of zingg",
+        number(kMinRatioRange), &FormGrid::min_ratio}});
   return keys;
 }
 
@@ -47,12 +49,14 @@ const MemberTable<VariationSeriesRequest>& population_keys() {
   static const MemberTable<VariationSeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "number of bodies",
-        required("a whole number of bodies", count(1, kMaxSeriesBodies)), &VariationSeriesRequest::draw},
+        required("a whole number of bodies", count(1, kMaxSeriesBodies)),
+        &VariationSeriesRequest::sampled_count},
        {"seed", "", "seed of the draw", seed(), &VariationSeriesRequest::seed},
        {"table", "", "table of measured blocks, with columns L, I and S", text(),
         &VariationSeriesRequest::table},
        {"units", "", "length unit of the table", text(), &VariationSeriesRequest::units},
-       {"prefix", "", "prefix of the ids, which are numbered", text(), &VariationSeriesRequest::prefix}});
+       {"prefix", "", "prefix of the ids, which are numbered", text(),
+        &VariationSeriesRequest::prefix}});
   return keys;
 }
 
@@ -91,7 +95,7 @@ void check_steps(const DeclaredTable& table, const VariationTargets& steps) {
 
 const MemberTable<VariationSeriesRequest>& vary_keys() {
   using Steps = VariationTargets;
-  constexpr auto kSteps = &VariationSeriesRequest::steps;
+  constexpr auto kSteps = &VariationSeriesRequest::targets;
   const auto numbers = [](const NumberRange& range) {
     return one_or_more(number(range), kMaxSeriesBodies);
   };
@@ -123,8 +127,8 @@ const MemberTable<VariationSeriesRequest>& vary_keys() {
         count(kMinDegree, kMaxDegree), kSteps, &Steps::degree},
        {"reference", "", "simple bodies with the block's I/L and S/L",
         one_or_more(words(reference_shape_names())), kSteps, &Steps::reference},
-       {"exponent", "", "exponent of the superellipsoid", number(kSuperellipsoidExponentRange), kSteps,
-        &Steps::exponent},
+       {"exponent", "", "exponent of the superellipsoid", number(kSuperellipsoidExponentRange),
+        kSteps, &Steps::exponent},
        {"inertia", "", "bodies with the block's mass and principal moments",
         one_or_more(words(inertia_body_names())), kSteps, &Steps::inertia},
        {"population", "",
@@ -132,7 +136,7 @@ const MemberTable<VariationSeriesRequest>& vary_keys() {
         table(population_keys().keys), &read_population},
        {"keep", "", "quantity that is equal for a body and its block",
         words({"mass", "volume", "L"}), &parse_preserved_size, &VariationSeriesRequest::options,
-        &VariationSeriesOptions::variation, &VariationOptions::keep}});
+        &VariationSeriesOptions::variation, &VariationOptions::preserved_size}});
   return keys;
 }
 
@@ -145,7 +149,7 @@ VariationSeriesRequest read_vary(const DeclaredTable& blocks) {
   const DeclaredTable table = blocks.inner_table("vary");
   VariationSeriesRequest request;
   vary_keys().read(table, request);
-  check_steps(table, request.steps);
+  check_steps(table, request.targets);
   if (request.is_empty()) {
     table.refuse(
         "no variation is requested; give to, grid, like, convexity, rounding, roundness, vertices, "

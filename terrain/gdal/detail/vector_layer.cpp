@@ -44,7 +44,7 @@ OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path&
 }
 
 TransformationPointer make_transformation(OGRLayer& layer, const std::string& crs,
-                                   const std::filesystem::path& path) {
+                                          const std::filesystem::path& path) {
   const OGRSpatialReference* from = layer.GetSpatialRef();
   OGREnvelope extent;
   if (!from || crs.empty() || layer.GetExtent(&extent) != OGRERR_NONE) return nullptr;

@@ -37,7 +37,7 @@ OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path&
 /// are too large for degrees, they are taken as metres in the terrain's system.
 /// @throws InputError  if GDAL cannot transform between the systems
 TransformationPointer make_transformation(OGRLayer& layer, const std::string& crs,
-                                   const std::filesystem::path& path);
+                                          const std::filesystem::path& path);
 
 /// Returns the geometry of a feature in the terrain's coordinate system; null if it has none. Arcs
 /// are replaced by lines that deviate by at most a thousandth of the radius.

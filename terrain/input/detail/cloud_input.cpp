@@ -158,7 +158,8 @@ void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Ve
   const LengthUnitRequirements metres{
       .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
       .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE"};
-  for (const std::string& note : check_length_units(path.string(), summary.lengths, metres)) {
+  for (const std::string& note :
+       check_length_units(path.string(), summary.unit_declarations, metres)) {
     result.notes.push_back(path.string() + ": " + note);
   }
   check_map_scale(path.string(), summary.crs, centre, metres.conversion_command);
@@ -192,8 +193,8 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
     const auto note = [&](std::size_t count, const std::string& what) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
     };
-    note(summary.withheld, " points flagged as noise or withheld were left out");
-    note(summary.non_finite, " points without finite coordinates were left out");
+    note(summary.withheld_points, " points flagged as noise or withheld were left out");
+    note(summary.non_finite_points, " points without finite coordinates were left out");
     cloud.kept = ground_classes(by_class, path, result.notes);
     ClassSurvey kept = all;
     if (cloud.kept) {

@@ -3,7 +3,8 @@
 namespace clast::terrain_detail {
 
 std::optional<NeighbourPlane> fit_neighbour_plane(const TriangleMesh& mesh,
-                                        std::span<const std::uint32_t> ring, std::uint32_t vertex) {
+                                                  std::span<const std::uint32_t> ring,
+                                                  std::uint32_t vertex) {
   if (ring.size() < 3) return std::nullopt;
   const Vec3& centre = mesh.vertices[vertex];
   // Not the vertex's own height: that of a spike may be so large that nothing is left beside it.

@@ -20,6 +20,7 @@ struct NeighbourPlane {
 /// Fits the plane; empty if there are fewer than three neighbours or if they are collinear.
 /// @param ring  neighbours, without the vertex itself
 std::optional<NeighbourPlane> fit_neighbour_plane(const TriangleMesh& mesh,
-                                        std::span<const std::uint32_t> ring, std::uint32_t vertex);
+                                                  std::span<const std::uint32_t> ring,
+                                                  std::uint32_t vertex);
 
 }  // namespace clast::terrain_detail

@@ -47,7 +47,7 @@ TEST(ColumnHeadings, NameWordsAndUnitAreTakenApart) {
     const ColumnHeading heading = parse_heading(each.text);
     EXPECT_EQ(heading.name, each.name) << each.text;
     EXPECT_EQ(heading.words, each.words) << each.text;
-    EXPECT_EQ(heading.length ? heading.length->factor : 0.0, each.metres) << each.text;
+    EXPECT_EQ(heading.length_unit ? heading.length_unit->factor : 0.0, each.metres) << each.text;
   }
   EXPECT_EQ(parse_heading("mass [t]").unit, "t");
   EXPECT_EQ(parse_heading("slope (deg)").unit, "deg");

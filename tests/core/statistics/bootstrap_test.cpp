@@ -126,7 +126,8 @@ TEST(Bootstrap, MeanOfRepeatedValuesIsNoSurerThanThatOfEachOnce) {
       repeated.clusters.push_back(cluster);
     }
   }
-  const Interval a = *bootstrap_mean_interval(once, 25, 3), b = *bootstrap_mean_interval(repeated, 25, 3);
+  const Interval a = *bootstrap_mean_interval(once, 25, 3),
+                 b = *bootstrap_mean_interval(repeated, 25, 3);
   EXPECT_NEAR(a.low, b.low, 1e-12);
   EXPECT_NEAR(a.high, b.high, 1e-12);
 }

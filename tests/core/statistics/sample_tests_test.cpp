@@ -102,7 +102,9 @@ TEST(TwoSampleKs, KnowsNothingOfAnEmptySampleAndSeesNoneInEqualOnes) {
   EXPECT_EQ(two_sample_ks_test(Values{1, 2, 3}, Values{3, 2, 1})->p_value, 1.0);
 }
 
-TEST(Ranks, TiesShareTheMean) { EXPECT_EQ(fractional_ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4})); }
+TEST(Ranks, TiesShareTheMean) {
+  EXPECT_EQ(fractional_ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4}));
+}
 
 // Without ties rho = 1 - 6 sum d^2/(n (n^2 - 1)); for n = 4 the 24 orders give P(rho = 1) = 1/24.
 TEST(Spearman, OfFourPairsCountsAllOrders) {

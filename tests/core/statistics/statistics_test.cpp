@@ -38,7 +38,8 @@ TEST(Summary, OfOneValueHasNoSpread) {
 }
 
 TEST(Summary, SpreadKeepsItsDigitsAtMapCoordinates) {
-  const SampleSummary summary = summarise_sample(std::vector<double>{5e6 + 1, 5e6 + 2, 5e6 + 3, 5e6 + 4});
+  const SampleSummary summary =
+      summarise_sample(std::vector<double>{5e6 + 1, 5e6 + 2, 5e6 + 3, 5e6 + 4});
   EXPECT_NEAR(summary.std, std::sqrt(5.0 / 3.0), 1e-9);
 }
 

@@ -45,7 +45,8 @@ TEST(TemperedSampling, FindsARidgeAndLeavesTheRestUniform) {
 TEST(TemperedSampling, KnowsTheMeanLikelihood) {
   const double expected =
       std::log(2.0 * kPi * kSpread * kSpread * std::sqrt(1.0 - kTogether * kTogether));
-  EXPECT_NEAR(draw_tempered_sample(3, ridge, {.draws = 4000, .seed = 5}).log_evidence, expected, 0.1);
+  EXPECT_NEAR(draw_tempered_sample(3, ridge, {.draws = 4000, .seed = 5}).log_evidence, expected,
+              0.1);
 }
 
 // exp(-20 x) on [0, 1]: the mean is 1/20 but for e^-20, and draws at the side are not lost.
@@ -63,7 +64,7 @@ TEST(TemperedSampling, ALevelLikelihoodLeavesTheCubeUniform) {
   };
   const TemperedSample sample = draw_tempered_sample(2, level, {.draws = 3000});
   EXPECT_NEAR(sample.points.row(1).mean(), 0.5, 0.02);
-  EXPECT_EQ(sample.temperatures, 1u);
+  EXPECT_EQ(sample.tempering_steps, 1u);
   EXPECT_NEAR(sample.log_evidence, 0.0, 1e-12);
 }
 
@@ -76,8 +77,9 @@ TEST(TemperedSampling, SeedsDecideEveryBit) {
 TEST(TemperedSampling, RefusesSenselessOptionsAndALikelihoodThatIsNowhere) {
   EXPECT_EQ(refusal<InputError>([] { draw_tempered_sample(1, ridge, {.draws = 2}); }),
             "tempered sampling: draws 2 is out of range");
-  EXPECT_EQ(refusal<InputError>([] { draw_tempered_sample(1, ridge, {.effective_fraction = 1.0}); }),
-            "tempered sampling: kept 1 is out of range");
+  EXPECT_EQ(
+      refusal<InputError>([] { draw_tempered_sample(1, ridge, {.effective_fraction = 1.0}); }),
+      "tempered sampling: kept 1 is out of range");
   const auto nowhere = [](const MatrixXd& places) -> VectorXd {
     return VectorXd::Constant(places.cols(), -std::numeric_limits<double>::infinity());
   };

@@ -52,7 +52,8 @@ TEST(StereoPairs, BlurredPhotosAndThoseThatLookAwayAreLeftOut) {
   PhotoModel model = with_lens();
   add_ring(model, 24, 0.0);
   model.photos[5].camera_from_world = {Vec3::Zero(), Random(1).rotation()};
-  const std::vector<StereoPair> pairs = choose_stereo_pairs(model, {Vec3::Zero(), 0.5, true}, {7, 9});
+  const std::vector<StereoPair> pairs =
+      choose_stereo_pairs(model, {Vec3::Zero(), 0.5, true}, {7, 9});
   for (const StereoPair& pair : pairs) {
     for (const std::size_t out : {5u, 7u, 9u}) {
       EXPECT_NE(pair.first, out);

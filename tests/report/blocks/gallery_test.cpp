@@ -45,7 +45,7 @@ TEST(Gallery, ItsFolderIsKnown) {
   const Block block = filled_block("one");
   const Block* const one = &block;
   const auto file = write_gallery({&one, 1}, "Blocks", folder.path());
-  EXPECT_TRUE(contains(read_text_file(file), kind.mark));
+  EXPECT_TRUE(contains(read_text_file(file), kind.marker_text));
 }
 
 }  // namespace

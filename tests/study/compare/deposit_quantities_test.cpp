@@ -86,7 +86,7 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_NEAR(length.interval->low, 10.0 - half_width, 1e-7);
   EXPECT_NEAR(length.interval->high, 10.0 + half_width, 1e-7);
   // p is 0.0194, and three figures are tested: length, H / L, travel angle.
-  EXPECT_EQ(length.tests, 3u);
+  EXPECT_EQ(length.family_size, 3u);
   EXPECT_GT(*length.p_holm, *length.p_value);
   // What never differs has neither interval nor verdict.
   const DepositQuantityDifference& area = named(figures, "area_m2");

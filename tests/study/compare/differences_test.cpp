@@ -79,7 +79,7 @@ TEST(Differences, OneThatIsThereIsFoundWithItsSize) {
     const Difference& runout = between_classes(comparison, "runout_m");
     EXPECT_TRUE(runout.is_significant()) << seed;
     EXPECT_EQ(runout.points, 8u);
-    EXPECT_EQ(runout.tests, 4u);
+    EXPECT_EQ(runout.family_size, 4u);
     EXPECT_GT(runout.cliffs_delta, 0.0);
     // Clusters that both classes share leave the scatter only: 3 sqrt(2/96) = 0.43 m.
     ASSERT_TRUE(runout.interval);
@@ -109,7 +109,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
     EXPECT_FALSE(difference.p_value);
     EXPECT_FALSE(difference.p_holm);
     EXPECT_FALSE(difference.is_significant());
-    EXPECT_EQ(difference.tests, 0u);
+    EXPECT_EQ(difference.family_size, 0u);
     EXPECT_EQ(difference.verdict(), ContrastVerdict::kUntested);
     EXPECT_NE(describe_effect(difference, one)
                   .find("one realisation does not show whether this is chance"),

@@ -59,7 +59,8 @@ TEST(KeyResults, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
     if (run.block == 1) run.result.final_state.position.x() += i++ % 2 == 0 ? 12.0 : -12.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_EQ(only(summarise_key_results(comparison)).gap->verdict, ContrastVerdict::kDistributionDiffers);
+  EXPECT_EQ(only(summarise_key_results(comparison)).gap->verdict,
+            ContrastVerdict::kDistributionDiffers);
 }
 
 TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
