@@ -11,7 +11,7 @@ namespace clast {
 
 /// Calls `produce(i)` for every i in [0, count) on up to `jobs` threads (0: one per core). Calls
 /// `consume(i, result)` with each result, in order of i and one at a time. At most four results per
-/// thread wait. If either function throws, no new job starts and the exception is rethrown.
+/// thread are buffered. If either function throws, no new job starts and the exception is rethrown.
 template <class Make, class Take>
 void run_ordered_jobs(std::size_t count, unsigned jobs, const Make& produce, const Take& consume) {
   constexpr std::size_t kAhead = 4;

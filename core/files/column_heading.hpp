@@ -9,7 +9,8 @@
 
 namespace clast {
 
-/// Parsed heading: "Coord. X [ft]" has the name "coord. x", the word "x" and the unit ft.
+/// Parsed heading of a table column. "Coord. X [ft]" has the name "coord. x", the word "x" and the
+/// unit ft.
 struct ColumnHeading {
   std::string name;  ///< lower case, without unit
   /// Alphanumeric words in lower case without accents ("Höhe" gives "hohe"). Generic words such as
@@ -25,10 +26,11 @@ struct ColumnHeading {
   std::string snake_case() const;
 };
 
-/// Parses a heading.
+/// Parses the heading of a table column.
 /// @param field  heading without quotes, as returned by `DelimitedTextReader`
 ColumnHeading parse_heading(std::string_view field);
 
+/// Certainty that a text labels a summary row of a table, such as the mean of the other rows.
 enum class SummaryRowLabel {
   kNone,
   kAmbiguous,  ///< one or two letters that may also name an item: "SD", "n"

@@ -29,7 +29,7 @@ class CsvWriter {
   void write_count(std::uint64_t value);
   void write_empty_cells(int count);
   void end_row();
-  /// Writes the header.
+  /// Writes the header row.
   /// @param names  column names, separated by commas
   void write_header(std::string_view names);
 

@@ -9,12 +9,13 @@
 
 namespace clast {
 
-/// Kind of an output folder, and properties by which such a folder is recognised.
+/// Kind of an output folder. A folder is of this kind if its marker file contains `marker_text`.
 struct OutputFolderKind {
   std::string name;              ///< for messages: "comparison"
-  std::string marker_file_name;  ///< file in every such folder: "provenance.json"
-  std::string marker_text;       ///< text that `marker_file_name` contains
-  /// True for output files. Paths are relative to the folder. Other files are never changed.
+  std::string marker_file_name;  ///< name of the marker file: "provenance.json"
+  std::string marker_text;       ///< text in the marker file
+  /// Returns true for files that clast writes to such a folder, given paths relative to it. Other
+  /// files are never changed.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };
 

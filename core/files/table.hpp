@@ -21,7 +21,7 @@ template <class Row>
 struct TableColumn {
   std::string name;     ///< with unit: "speed_m_s"
   std::string unit;     ///< "m/s"; empty if there is none
-  std::string meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line
+  std::string meaning;  ///< description in Markdown; adjacent columns with equal ones share a line
   std::function<TableCell(const Row&)> value;
 };
 
@@ -47,7 +47,7 @@ TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
   return result;
 }
 
-/// Makes columns of whole rows from columns of a part of a row. `part(row)` returns that part.
+/// Converts columns of a part of a row to columns of the row. `part(row)` returns that part.
 template <class Row, class PartRow, class Part>
 TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part& part) {
   TableColumns<Row> result;

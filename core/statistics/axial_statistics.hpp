@@ -21,7 +21,7 @@ struct AxialMean {
   double resultant_length =
       0.0;  ///< mean resultant_length length of the doubled angles, 1 for parallel axes
 };
-/// Computes the axial mean.
+/// Computes the mean direction and resultant length of axes.
 /// @param angles  direction of one end of each axis, rad
 AxialMean axial_mean(std::span<const double> angles);
 
@@ -31,9 +31,9 @@ AxialMean axial_mean(std::span<const double> angles);
 /// @return 1 if there are no axes
 double rayleigh_p_value(const AxialMean& mean);
 
-/// Returns the p-value of uniformity for axes that are dependent within clusters. In each draw,
-/// each cluster is rotated by a random angle. p = (1 + number of draws with at least the observed
-/// resultant)/(1 + draws).
+/// Tests the uniformity of axes that are dependent within clusters, and returns the p-value. In
+/// each random draw, each cluster is rotated by a random angle. p = (1 + number of draws with at
+/// least the observed resultant length)/(1 + draws).
 /// @param angles  rad
 /// @param cluster_count  number of clusters
 /// @param draws  number of random draws, positive

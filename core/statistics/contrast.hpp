@@ -25,7 +25,7 @@ enum class ContrastVerdict {
 struct Contrast {
   double estimate = 0.0;
   double standard_error = NAN;       ///< NaN if the interval comes from a bootstrap
-  double degrees_of_freedom = NAN;   ///< of the standard error
+  double degrees_of_freedom = NAN;   ///< degrees of freedom of the standard error
   std::optional<Interval> interval;  ///< 95 % interval; empty if there is no test
   std::optional<double> p_value;     ///< two-sided, uncorrected
   std::optional<double> p_holm;      ///< p-value corrected for all family_size of the family

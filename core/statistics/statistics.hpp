@@ -32,14 +32,14 @@ double arithmetic_mean(std::span<const double> values);
 /// Returns the median of at least one value; for even sizes, the larger of the two middle values.
 double upper_median(std::vector<double> values);
 
-/// Interval. The default is [0, 1], for an unknown probability.
+/// Closed interval. The default is [0, 1], the interval of an unknown probability.
 struct Interval {
   double low = 0.0;
   double high = 1.0;
 };
 
-/// Returns how many decimals of a value with a given interval are significant. The interval is then
-/// at least five units of the last decimal wide.
+/// Returns the number of significant decimals of a value with a given interval. It is the smallest
+/// for which the interval is at least five units of the last decimal wide.
 int significant_decimals(const Interval& interval, int max_decimals);
 
 /// Returns Wilson's 95 % interval of a probability, after `hits` successes in `trials` independent

@@ -13,7 +13,7 @@ namespace clast::hdf5 {
 /// Disables HDF5's own error output in this thread.
 void silence_hdf5_errors();
 
-/// HDF5 identifier that is closed by its owner.
+/// Owner of an HDF5 identifier, which it closes on destruction.
 class ScopedId {
  public:
   using CloseFunction = herr_t (*)(hid_t);
@@ -33,8 +33,8 @@ class ScopedId {
 /// Returns HDF5's innermost error message of the last call in brackets, or an empty text.
 std::string last_hdf5_error();
 
-/// Makes a zero-padded text type of fixed width. HDF5's variable-length text is stored in a heap
-/// without checksums, and a damaged heap crashes inside HDF5.
+/// Makes an HDF5 type for zero-padded text of fixed width. Variable-length text would be stored in
+/// a heap without checksums, and a damaged heap crashes HDF5.
 ScopedId fixed_string_type(std::size_t width);
 
 /// Returns the HDF5 type of numbers T, native in memory or little-endian in the file.
@@ -85,13 +85,13 @@ bool is_lossless_conversion(hid_t stored) {
   }
 }
 
-/// Concatenates texts, each padded or truncated to `width` bytes, never inside a character.
+/// Concatenates texts, each padded or truncated to `width` bytes. No UTF-8 character is split.
 std::string padded_strings(std::span<const std::string> texts, std::size_t width);
 std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width);
 /// Returns the size of the longest text in bytes, at least 1.
 std::size_t longest_size(std::span<const std::string> texts);
 
-/// Values in the layout that HDF5 writes.
+/// Values in the memory layout from which HDF5 writes them, with their HDF5 types.
 template <class T>
 struct Hdf5WriteBuffer {
   explicit Hdf5WriteBuffer(std::span<const T> all)
