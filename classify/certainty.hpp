@@ -24,9 +24,10 @@ struct ClassCertainty {
       other_possible_classes;  ///< other classes that are possible within the error
 };
 
-/// Classifies a block. Each axis has an independent error of up to `axis_error`.
-/// `other_possible_classes` is exact: the ratios of all axes L >= I >= S within the error form a
-/// convex polygon, which is intersected with the region of each class (docs/theory.md).
+/// Classifies a block and determines how certain the class is. Each axis has an independent error
+/// of up to `axis_error`. `other_possible_classes` is exact: the ratios of all axes L >= I >= S
+/// within the error form a convex polygon, which is intersected with the region of each class
+/// (docs/theory.md).
 /// @param axis_error  m, zero or positive
 /// @throws InputError  if the scheme is unknown, or the error negative or not finite
 ClassCertainty assess_class_certainty(const std::string& scheme, const Axes& axes,

@@ -18,9 +18,9 @@ struct StaticEquilibriumCounts {
   bool is_consistent() const { return stable + unstable == saddle + 2; }
 };
 
-/// Counts the equilibria of the convex hull; the rounding radius does not change them. Faces within
-/// 1e-6 rad of each other are treated as one. Finely meshed round parts have many equilibria, so
-/// use simplified bodies.
+/// Counts the static equilibria of the body's convex hull; the rounding radius does not change
+/// them. Faces within 1e-6 rad of each other are treated as one. Finely meshed round parts have
+/// many equilibria, so use simplified bodies.
 /// @param centre  centre of mass
 /// @throws GeometryError  if the vertices enclose no volume
 StaticEquilibriumCounts count_static_equilibria(const SpheroPolyhedron& body, const Vec3& centre);

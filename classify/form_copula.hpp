@@ -11,6 +11,7 @@
 
 namespace clast {
 
+/// Size and shape of a block.
 struct BlockForm {
   Axes axes;                        ///< m
   std::optional<double> convexity;  ///< empty if unknown
@@ -22,7 +23,7 @@ struct RankCorrelation {
   double population = 0.0, sampled = 0.0;  ///< Spearman's coefficient
 };
 
-/// Agreement of sampled blocks with their population.
+/// Measures of the agreement of sampled blocks with their population.
 struct CopulaFit {
   std::vector<RankCorrelation> correlations;
   /// Largest difference between the distribution functions of population and sampled blocks

@@ -28,7 +28,7 @@ struct SchemeFractions {
   std::vector<ClassFraction> fractions;
 };
 
-/// Spearman correlation between size and a shape measure.
+/// Spearman correlation between the size of blocks and a shape measure.
 struct SizeShapeCorrelation {
   const ShapeMeasure* measure = nullptr;
   std::size_t blocks = 0;          ///< number of blocks with a value of the measure

@@ -55,14 +55,15 @@ const std::vector<std::string>& class_names(const std::string& scheme);
 std::string shape_class(const std::string& scheme, const Axes& axes,
                         const SchemeOptions& options = {});
 
-/// Ratio used by a scheme, with its class boundaries.
+/// Axis ratio by which a scheme classifies blocks, with its class boundaries.
 struct ClassifyingRatio {
   std::string name;
   double value = 0.0;
   std::vector<double> limits;  ///< ascending
 };
 
-/// Returns the ratios that determine the class of given axes. The class changes at the limits.
+/// Returns the ratios of given axes by which a scheme classifies them, with the limits at which the
+/// class changes.
 /// @throws InputError  if the scheme is unknown
 std::vector<ClassifyingRatio> classifying_ratios(const std::string& scheme, const Axes& axes,
                                                  const SchemeOptions& options = {});

@@ -21,6 +21,7 @@ struct OverlapIntegral {
 /// midpoint rule is used. Columns without overlap contribute no error.
 class ColumnQuadrature {
  public:
+  /// Prepares the quadrature of a core and its offset layer.
   /// @param core  core of `decompose_offset_layer`; moments are about the origin, near its centre
   ColumnQuadrature(const TriangleMesh& core, const OffsetLayer& skin);
 

@@ -19,7 +19,7 @@ struct HeightPlane {
   double height_at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
-/// Convex pieces prepared for intersection with vertical lines. They are sorted by their lowest y.
+/// Intersection of convex pieces with vertical lines. The pieces are sorted by their lowest y.
 class PieceLineClipper {
  public:
   PieceLineClipper(const std::vector<OffsetPiece>& pieces, double radius);
@@ -29,7 +29,8 @@ class PieceLineClipper {
   LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
   /// Returns the range of x in which vertical lines at `y` can intersect the piece.
   LineInterval x_range(std::size_t piece, double y) const;
-  /// Interval of z of the vertical line through (x, y) in the piece. x must be in `x_range`.
+  /// Returns the interval of z in which the vertical line through (x, y) is inside a piece. x must
+  /// be in `x_range`.
   LineInterval clip_line(std::size_t piece, double x, double y) const;
 
  private:
@@ -53,7 +54,7 @@ class PieceLineClipper {
   std::vector<HeightPlane> height_planes_;
 };
 
-/// Triangles of the core prepared for intersection with vertical lines. Sorted by lowest y.
+/// Crossings of the core's triangles with vertical lines. The triangles are sorted by lowest y.
 class TriangleLineCrossings {
  public:
   explicit TriangleLineCrossings(const TriangleMesh& core);

@@ -26,7 +26,7 @@ struct SolidMoments {
   }
 };
 
-/// Moments of the signed tetrahedron between the origin and a triangle. @cite mirtich1996
+/// Returns the moments of the signed tetrahedron of the origin and a triangle. @cite mirtich1996
 SolidMoments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Returns the moments of a closed mesh about `origin`.

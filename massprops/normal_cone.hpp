@@ -6,7 +6,7 @@
 
 namespace clast::massprops_detail {
 
-/// Integrals over the part of the unit sphere in a cone.
+/// Integrals over the part of the unit sphere inside the normal cone of a vertex.
 struct NormalConeIntegrals {
   double solid_angle = 0.0;    ///< integral of 1
   Vec3 first = Vec3::Zero();   ///< integral of the unit vector u

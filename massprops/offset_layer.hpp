@@ -23,8 +23,8 @@ struct OffsetPiece {
   Bounds box;
 };
 
-/// Pieces of the layer. They are a prism on each face, a wedge on each convex edge, and a spherical
-/// sector in the normal cone of each vertex.
+/// Layer between a core and its rounded surface, as convex pieces: a prism on each face, a wedge on
+/// each convex edge, and a spherical sector in the normal cone of each vertex.
 ///
 /// The union of core and pieces is the rounded body, for any core. For a convex core the pieces are
 /// disjoint; `piece_moments` plus the core's moments is then exact. At reflex edges, pieces
@@ -42,7 +42,7 @@ struct OffsetLayer {
   bool has_reflex_edge = false;  ///< by more than 1e-9 rad, or with an undefined angle
 };
 
-/// Decomposes the layer.
+/// Decomposes the layer between a core and its rounded surface into convex pieces.
 /// @param core  closed, consistently oriented, with an origin near its centre
 /// @param clear_radius  radius, at least `radius`, for which overlaps must be clear of the far
 ///                      edges; radii with a common value have overlaps at the same edges

@@ -10,7 +10,7 @@
 
 namespace clast {
 
-/// Side of a triangle or polygon; `forward` if it runs from `low` to `high`.
+/// Half-edge: side of a triangle or polygon. It is `forward` if it runs from `low` to `high`.
 struct HalfEdge {
   std::uint32_t low = 0, high = 0;  ///< vertices, low < high
   std::uint32_t triangle = 0;       ///< index of the triangle or polygon
@@ -19,7 +19,7 @@ struct HalfEdge {
 
   std::uint32_t from() const { return forward ? low : high; }
   std::uint32_t to() const { return forward ? high : low; }
-  /// Triangle corners at both vertices and opposite. Corner 3 t + k is vertex k of triangle t.
+  /// Returns the triangle corner at vertex `low`, where corner 3 t + k is vertex k of triangle t.
   std::uint32_t low_corner() const { return 3 * triangle + (side + (forward ? 0 : 1)) % 3; }
   std::uint32_t high_corner() const { return 3 * triangle + (side + (forward ? 1 : 0)) % 3; }
   std::uint32_t opposite_corner() const { return 3 * triangle + (side + 2) % 3; }
@@ -38,7 +38,8 @@ inline bool has_repeated_vertex(const TriangleMesh::Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Half-edges, sorted by edge, then triangle. Triangles with a repeated vertex are skipped.
+/// Returns the half-edges of a mesh, sorted by edge, then triangle. Triangles with a repeated
+/// vertex are skipped.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 
 /// Returns the half-edges of polygons, sorted by edge, polygon and side. Sides from a vertex to

@@ -22,6 +22,7 @@ enum class ReferenceSystemKind {
   kVertical     ///< heights only
 };
 
+/// Length units declared by one coordinate system or heading of a file.
 struct LengthUnitDeclaration {
   std::string source;  ///< origin for messages: "GeoTIFF key 3072 = 26913, NAD83 / UTM zone 13N"
   ReferenceSystemKind kind = ReferenceSystemKind::kUnstated;
@@ -39,7 +40,7 @@ LengthUnitDeclaration determine_crs_units(const std::string& crs, std::string so
 /// Returns the length unit of an EPSG code such as 9003; empty for other codes.
 std::optional<DeclaredUnit> epsg_length_unit(int code);
 
-/// Required use of coordinates, and advice for messages.
+/// Requirements on length unit and axes of a file, and advice for error messages.
 struct LengthUnitRequirements {
   double unit = 1.0;  ///< assumed metres per unit of the file
   /// True if the user gave `unit`, which then overrides declarations.
@@ -53,7 +54,7 @@ struct LengthUnitRequirements {
   bool has_units_option = false;
 };
 
-/// Checks that coordinates are lengths in the assumed unit.
+/// Checks that the coordinates of a file are lengths in the required unit.
 /// @param name  name of the file, for messages
 /// @return notes on declarations that are overridden or not understood
 /// @throws InputError  if coordinates are in degrees, geocentric or in another unit, if horizontal

@@ -8,8 +8,9 @@
 
 namespace clast {
 
-/// Returns the target of each vertex: the first remaining vertex within `tolerance` (m), or itself.
-/// A tolerance below the rounding error of the coordinates merges only equal vertices.
+/// Finds the vertex into which each vertex is merged: the first remaining one within `tolerance`
+/// (m), or itself. A tolerance below the rounding error of the coordinates merges only equal
+/// vertices.
 /// @throws InputError  if the tolerance is negative or not finite
 std::vector<std::uint32_t> find_weld_targets(std::span<const Vec3> vertices, double tolerance);
 
@@ -23,7 +24,7 @@ enum class WindingMatch {
   kEither  ///< equal or opposite winding
 };
 
-/// Triangle and an earlier one with equal vertices.
+/// Duplicate triangle, and the first triangle with the same vertices.
 struct DuplicateTriangle {
   std::uint32_t first = 0, duplicate = 0;
 };

@@ -35,7 +35,8 @@ struct JointedRockMass {
   double volume = 0.0;               ///< volume of the mass, m^3
   std::vector<TriangleMesh> blocks;  ///< convex, closed, outward, disjoint, inside the mass
   double block_volume = 0.0;         ///< total volume of the blocks, m^3
-  /// Returns the volume of the mass in no block: omitted cells and parts cut at curved surfaces.
+  /// Returns the volume of the mass that belongs to no block: omitted cells and parts cut at curved
+  /// surfaces.
   double lost_volume() const { return volume - block_volume; }
 };
 

@@ -6,11 +6,12 @@
 
 namespace clast {
 
-/// Returns the edge length with which `outer_surface_mesh` wraps a body with reflex edges, m: one
-/// segment of a quarter turn, but at least 1/150 of the diagonal; empty for a body without.
+/// Returns the triangle edge length of `outer_surface_mesh` for a body with reflex edges, m: one
+/// segment of a quarter turn, but at least 1/150 of the diagonal. Empty for other bodies.
 std::optional<double> outer_surface_edge_length(const SpheroPolyhedron& shape, int segments);
 
-/// Returns the largest number of segments that refines a wrapped body.
+/// Returns the number of segments above which `outer_surface_mesh` is not refined further, for a
+/// body with reflex edges.
 int max_outer_surface_segments(const SpheroPolyhedron& shape);
 
 /// Makes a closed, oriented 2-manifold without self-intersections around the rounded body. Without

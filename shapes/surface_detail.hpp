@@ -13,6 +13,7 @@ struct SurfaceDetailOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// Method by which the coarse shape was computed: spherical harmonics or a bilaplacian filter.
 enum class CoarseShapeMethod { kHarmonics, kBilaplacian };
 
 struct ScaledDetailSurface {

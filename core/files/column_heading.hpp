@@ -16,7 +16,7 @@ struct ColumnHeading {
   /// Alphanumeric words in lower case without accents ("Höhe" gives "hohe"). Generic words such as
   /// "coordinate" and "value" are left out if other words remain.
   std::vector<std::string> words;
-  std::optional<NamedUnit> length_unit;  ///< length_unit unit in brackets or at the end
+  std::optional<NamedUnit> length_unit;  ///< length unit in brackets or at the end
   std::string unit;                      ///< any unit as written; empty if there is none
   std::string bracketed_text;            ///< text in brackets at the end, lower case
 

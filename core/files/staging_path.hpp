@@ -22,7 +22,7 @@ class StagingPath {
   const std::filesystem::path& path() const { return path_; }
   /// Releases the lock. Call it once the path no longer exists.
   void unlock() { lock_.reset(); }
-  /// Returns the path to which files of the target are moved before the exchange:
+  /// Returns the path to which files of the target are moved during the exchange:
   /// ".NAME.partPID.former".
   std::filesystem::path backup_path() const;
 

@@ -19,7 +19,7 @@ struct AxialMean {
   std::size_t count = 0;
   double direction = NAN;  ///< rad, in (-pi/2, pi/2]; NaN if there is no preferred direction
   double resultant_length =
-      0.0;  ///< mean resultant_length length of the doubled angles, 1 for parallel axes
+      0.0;  ///< mean resultant length of the doubled angles, 1 for parallel axes
 };
 /// Computes the mean direction and resultant length of axes.
 /// @param angles  direction of one end of each axis, rad

@@ -21,15 +21,15 @@ enum class ContrastVerdict {
   kTooFewValues,
 };
 
-/// Difference between two groups.
+/// Difference between two groups, with its uncertainty and test.
 struct Contrast {
   double estimate = 0.0;
   double standard_error = NAN;       ///< NaN if the interval comes from a bootstrap
   double degrees_of_freedom = NAN;   ///< degrees of freedom of the standard error
   std::optional<Interval> interval;  ///< 95 % interval; empty if there is no test
   std::optional<double> p_value;     ///< two-sided, uncorrected
-  std::optional<double> p_holm;      ///< p-value corrected for all family_size of the family
-  std::size_t family_size = 0;       ///< number of family_size of the family
+  std::optional<double> p_holm;      ///< p-value corrected for multiple tests by Holm's method
+  std::size_t family_size = 0;       ///< number of tests for which `p_holm` is corrected
 
   /// True if the corrected p-value is below 0.05.
   bool is_significant() const { return p_holm && *p_holm < 0.05; }

@@ -29,7 +29,7 @@ class PointBatcher {
   std::size_t non_finite_ = 0;
 };
 
-/// Readers of text, LAS and PCD clouds.
+/// Reads a text, LAS or PCD cloud and passes its points to `sink`.
 /// @param columns  columns of x, y and z, as in `stream_cloud`
 /// @param has_point_counts  true if the number of points precedes each scan, as in .pts files
 /// @throws InputError  if the file is corrupt or truncated

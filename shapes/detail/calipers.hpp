@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Rectangle with its direction and its sides, which include twice the radius.
+/// Rectangle around discs, given by its direction and side lengths.
 struct EnclosingRectangle {
   Vec2 direction = Vec2::UnitX();  ///< unit vector along the side `along`
   double along = 0.0, across = 0.0;
