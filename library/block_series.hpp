@@ -12,6 +12,7 @@
 
 namespace clast {
 
+/// Request for one varied block: its parent, variation and id.
 struct VariationRequest {
   const Block* parent = nullptr;
   Variation variation;
@@ -34,7 +35,7 @@ struct VariedBlockSeries {
   std::vector<std::string> failures;  ///< ids of bodies that could not be made, with reasons
 };
 
-/// Makes all requested bodies.
+/// Makes all requested varied blocks, in parallel.
 /// @param source  library and digest, stored in all bodies
 VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests,
                                         const BlockSource& source,
@@ -46,8 +47,8 @@ struct SampledVariationRequests {
   CopulaFit fit;
 };
 
-/// Samples bodies. For each sampled shape, one of the three parents with the nearest shape is
-/// chosen at random and stretched to it. Ids are PREFIX and a number.
+/// Samples requests for varied blocks. For each sampled shape, one of the three parents with the
+/// nearest shape is chosen at random and stretched to it. Ids are PREFIX and a number.
 /// @param parents  scanned blocks, not balls or capsules
 /// @param population  sampled sizes and shapes, of a library (`block_forms`) or a table
 /// @throws InputError  if there is no parent, or if `FormCopula` cannot be fitted

@@ -10,7 +10,7 @@ namespace clast {
 struct LibraryUpdateOptions {
   /// If true, an empty library is created if there is none.
   bool create_if_missing = false;
-  /// Called once if another process writes to the library, before waiting.
+  /// Function that is called once before waiting for another process that writes to the library.
   std::function<void()> on_wait = {};
 };
 

@@ -49,9 +49,9 @@ constexpr double kMomentsTolerance = 5e-3;
 /// True if the deviation and moments of the block are within tolerance. Always true for a core.
 bool is_within_tolerance(const Block& block, const BlockOptions& options);
 
-/// Makes a block. If `options.core`, `surface` is the core; only its coplanar faces are merged.
-/// Otherwise, it is `surface` offset inwards by the radius, fitted to `scan` until the block is
-/// within tolerance or no longer improves, and scaled about its centre to the volume of the scan.
+/// Makes a block from a closed mesh. If `options.core`, the mesh is the core, whose coplanar faces
+/// are merged. Otherwise, the core is the mesh offset inwards by the radius. It is fitted to `scan`
+/// until the block is within tolerance or no longer improves, and scaled to the volume of the scan.
 /// @param surface  simplified mesh, closed, outward; outer surface of the rock, or its core
 /// @param scan  closed scan at full resolution, from which `surface` was simplified; reference of
 ///              deviation and volume

@@ -20,7 +20,7 @@ struct RockMassOptions {
       {};  ///< called for each finished block, from any thread, one call at a time
 };
 
-/// Blocks of one or more rock masses, in the frame of these.
+/// Blocks cut from one or more rock masses, in the frame of the masses.
 struct RockMassBlocks {
   std::vector<Block> blocks;
   double volume = 0.0;                ///< total volume of the masses, m^3

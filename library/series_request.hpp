@@ -41,7 +41,7 @@ struct VariationSeriesResult {
   std::vector<std::string> notes;   ///< notes on the table
 };
 
-/// Makes the bodies from a loaded library.
+/// Makes the requested bodies from the blocks of `library`.
 /// @throws InputError  if `VariationSeriesRequest::check` throws, a block or file cannot be used, a
 /// body is
 ///                     requested twice, or there are more than 100,000 bodies
@@ -49,7 +49,7 @@ struct VariationSeriesResult {
 VariationSeriesResult make_variation_series(const VariationSeriesRequest& request,
                                             const BlockLibrary& library);
 
-/// Reads the library, makes the bodies and adds them to `output`.
+/// Reads the library of the request, makes the requested bodies and adds them to `output`.
 /// @throws InputError  if the other overload would throw, or a library cannot be used
 /// @throws GeometryError  if no body could be made
 VariationSeriesResult make_variation_series(const VariationSeriesRequest& request);

@@ -16,7 +16,7 @@ struct FormGrid {
   double min_ratio = 0.2;  ///< minimum of S/L, or of I/L and S/I for zingg
 };
 
-/// Targets of variations. There may be any number of each kind.
+/// Target values of a series of variations, any number of each kind.
 struct VariationTargets {
   std::vector<BoxRatios> ratios;
   std::optional<FormGrid> grid;

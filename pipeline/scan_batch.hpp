@@ -41,7 +41,7 @@ class ScanBatchObserver {
   virtual void on_block_retained(const Block& /*block*/) {}
   /// Called if a block reported as added is not written, because another process has added its id.
   virtual void on_block_refused(const std::string& /*id*/) {}
-  /// Called for a scan, or a block of a scan, that is not in the library.
+  /// Called for a scan, or a block of a scan, that could not be added to the library.
   virtual void on_scan_failed(const ScanFile& /*scan*/, const std::string& /*reason*/) {}
   virtual void on_note(const std::string& /*text*/) {}
 };
@@ -62,7 +62,7 @@ ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
                                        const ScanBatchOptions& options, ScanBatchObserver& observer,
                                        const ProgressCallback& progress = {});
 
-/// Makes the blocks without an observer.
+/// Makes the blocks of the scans and adds them to the library, without an observer.
 /// @throws InputError  if the other overload would throw, or if a scan failed; states all reasons
 ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
                                        const ScanBatchOptions& options);

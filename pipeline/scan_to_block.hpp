@@ -56,7 +56,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("photos", photos);
 }
 
-/// Data from which a block was made.
+/// Scan data from which a block was made.
 struct BlockOrigin {
   /// Mesh as read, in units and axes of the file. A cloud has no triangles; null for .shp.
   const TriangleMesh* raw = nullptr;

@@ -35,8 +35,8 @@ struct HeightGrid {
   }
 };
 
-/// Triangulates a grid. Any four adjacent cell centres with heights are joined by two triangles.
-/// Diagonals alternate to avoid a directional bias.
+/// Triangulates a height grid. Any four adjacent cell centres with heights are joined by two
+/// triangles. Diagonals alternate to avoid a directional bias.
 /// @throws InputError  if there are no such four cells; the message names `path`
 TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::path& path);
 

@@ -12,7 +12,7 @@ struct RoundnessSearchResult {
   double roundness = 0.0;        ///< measured roundness
 };
 
-/// Finds the body of a given roundness, by regula falsi (Illinois) on the radius. The interval
+/// Finds the body with a given roundness, by regula falsi (Illinois) on the radius. The interval
 /// begins at the largest radius. Its other end is the first of a descending sequence with a smaller
 /// roundness than the target, because small radii take longest to measure.
 /// @param rounded  function that returns the body for a ratio of radius to S

@@ -7,6 +7,7 @@
 
 namespace clast::library_detail {
 
+/// Body of a variation before it is scaled to its size.
 struct VariationResult {
   SpheroPolyhedron body;
   std::string record;  ///< additional "key=value" pairs for `BlockSource::options`

@@ -7,7 +7,7 @@
 
 namespace clast::pipeline_detail {
 
-/// Blocks, with cameras and scale of the photographs.
+/// Blocks reconstructed from photographs, with cameras and scale of the photographs.
 struct PhotographedBlocks {
   FieldScan field_scan;
   PhotoScan photos;

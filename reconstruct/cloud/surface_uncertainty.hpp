@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Bounds due to point spacing and noise.
+/// Bounds of the true surface and volume, due to point spacing and noise.
 struct SurfaceUncertainty {
   std::vector<Vec3> inner_points;  ///< points whose hull is inside that of the block, m
   std::vector<Vec3> outer_points;  ///< points whose hull contains the block, m

@@ -16,13 +16,13 @@ struct ChosenBlock {
   Plane ground;                ///< tangent plane of the ground below it
 };
 
-/// Selected blocks.
+/// Blocks selected from a scan, with notes.
 struct ChosenBlocks {
   std::vector<ChosenBlock> blocks;
   std::vector<std::string> notes;
 };
 
-/// Selects all blocks if `split`, otherwise the block near the centre of the scan.
+/// Selects all blocks above the ground if `split`, otherwise the block near the centre of the scan.
 /// @param name  name of the scan, for messages
 /// @throws GeometryError  if no part above the ground is a block
 ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Ground& ground,

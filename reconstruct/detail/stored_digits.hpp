@@ -17,7 +17,8 @@ struct CoordinateResolution {
 /// Empty if all axes have more digits.
 std::optional<CoordinateResolution> find_coordinate_resolution(const TriangleMesh& mesh);
 
-/// Returns a note if the file stores too few digits; otherwise empty.
+/// Checks the resolution of the coordinates in a file. Returns a note if the file stores too few
+/// digits; otherwise empty.
 /// @param mesh  mesh as read from `path`, in the units of the file
 /// @param unit  metres per unit
 /// @throws InputError  if the resolution is too coarse for the shape of the block

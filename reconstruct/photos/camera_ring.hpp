@@ -24,7 +24,8 @@ struct AzimuthGap {
   double width = 0.0;                 ///< rad
 };
 
-/// Width above which gaps are reported, rad. Photos should be 10 to 15 degrees apart.
+/// Width above which azimuth gaps between cameras are reported, rad. Photos should be 10 to 15
+/// degrees apart.
 inline constexpr double kWideAzimuthGap = 20.0 * kRadiansPerDegree;
 
 struct CameraRing {
@@ -35,7 +36,7 @@ struct CameraRing {
   double gap_azimuth = 0.0;             ///< azimuth of the centre of the largest gap, rad
 };
 
-/// Computes the camera positions.
+/// Computes the positions of the cameras around a block, and the gaps between them.
 /// @param block_from_model  transform from the camera model to the frame of the block, z up
 CameraRing compute_camera_ring(const PhotoScan& scan, const Pose& block_from_model);
 

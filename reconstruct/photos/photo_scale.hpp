@@ -23,7 +23,8 @@ void visit_fields(const ScaleBar& options, Visit&& visit) {
   visit("length", length);
 }
 
-/// Known lengths. Marker distances have priority over marker sides, because they are longer.
+/// Known lengths from which the scale is estimated. Marker distances have priority over marker
+/// sides, because they are longer.
 struct ScaleOptions {
   std::vector<ScaleBar> bars = {};
   std::optional<ScaleBoard> board = {};
@@ -43,7 +44,7 @@ void visit_fields(const ScaleOptions& options, Visit&& visit) {
   visit("largest_disagreement", max_disagreement);
 }
 
-/// Known length compared with the model.
+/// Known length compared with its length in the model.
 struct ComparedLength {
   std::string name;     ///< such as "marker 2", "markers 0 and 3" or "row 2 of the board, ..."
   double length = 0.0;  ///< as given, m
@@ -65,9 +66,9 @@ struct PhotoScale {
   std::vector<std::string> notes;
 };
 
-/// Estimates the scale as the mean of the factors of consistent lengths. Bars and board distances
-/// have priority over marker sides. If there are three or more lengths, those whose factor deviates
-/// too much from the median are excluded and reported.
+/// Estimates the scale of a camera model as the mean of the factors of consistent lengths. Bars and
+/// board distances have priority over marker sides. If there are three or more lengths, those whose
+/// factor deviates too much from the median are excluded and reported.
 /// @param corners  corners of the ChArUco board, if there is one
 /// @throws InputError  if no distance or side is given, a bar names a marker that was not found, or
 ///                     lengths contradict each other

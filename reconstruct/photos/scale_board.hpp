@@ -54,6 +54,7 @@ struct KnownLength {
   std::vector<int> markers = {};  ///< ids of the markers that define it
 };
 
+/// Distances measured on a scale board, with excluded markers or corners.
 struct BoardLengths {
   std::vector<KnownLength> lengths;
   std::vector<std::string> notes;  ///< notes on missing and excluded markers or corners

@@ -15,8 +15,8 @@ struct StereoPair {
   double angle = 0.0;                 ///< angle between the viewing directions at the block, rad
 };
 
-/// Criteria for pairs. The photos must be far enough apart to give depth, and near enough to look
-/// alike. Angles in rad.
+/// Selection criteria of stereo pairs. The photos must be far enough apart to give depth, and near
+/// enough to look alike. Angles in rad.
 struct StereoPairOptions {
   double min_angle = 6.0 * kRadiansPerDegree;
   double preferred_angle = 15.0 * kRadiansPerDegree;
@@ -38,8 +38,8 @@ void visit_fields(const StereoPairOptions& options, Visit&& visit) {
   visit("fewest_pairs", min_pairs);
 }
 
-/// Chooses partners for each photo that shows the centre of the region. They have angles nearest to
-/// the best angle, on both sides if possible. Pairs are in the order of the photos.
+/// Chooses stereo partners for each photo that shows the centre of the region. They have angles
+/// nearest to the best angle, on both sides if possible. Pairs are in the order of the photos.
 /// @param excluded  ascending indices of photos that are not used, such as blurred ones
 /// @throws InputError  if there are too few pairs; states how far the photos are apart
 std::vector<StereoPair> choose_stereo_pairs(const PhotoModel& model, const PhotoRegion& region,

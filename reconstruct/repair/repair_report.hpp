@@ -51,7 +51,7 @@ struct FilledHole {
   double volume_below = 0.0, volume_above = 0.0;
 };
 
-/// Reason why this one of two copies was kept.
+/// Reason why one of two copies of a surface was kept.
 enum class RetentionReason {
   kLarger,        ///< it is larger; neither is more complete or finer
   kFiner,         ///< it has more triangles
@@ -72,7 +72,7 @@ struct DuplicateSurface {
   RetentionReason retention_reason = RetentionReason::kLarger;
 };
 
-/// Fraction of the repaired surface above which a hole is reported separately, as uncertain.
+/// Area fraction of the repaired surface above which a hole is reported separately.
 constexpr double kLargeHoleFraction = 0.1;
 
 struct RepairReport {

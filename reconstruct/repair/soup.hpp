@@ -8,6 +8,7 @@
 
 namespace clast::reconstruct_detail {
 
+/// Number, area and position of the changes of a repair step.
 struct RepairChange {
   std::size_t count = 0;
   double area = 0.0;             ///< removed area
@@ -46,16 +47,17 @@ struct OrientationResult {
 /// the majority of its triangles.
 OrientationResult orient_consistently(TriangleMesh& mesh);
 
-/// Changes by the steps of `repair_soup`.
+/// Repairs made by each step of `repair_soup`.
 struct SoupRepairResult {
   RepairChange folded, fins, touching;
   OrientationResult
       orientation;  ///< orientation before and after splitting edges; counts are added
 };
 
-/// Runs the steps above and `split_non_manifold_edges`. If orientations conflict at few triangles,
-/// these are removed. In the result, all edges are manifold and consistently oriented. If this is
-/// impossible, `orientation` reports the conflict, and the mesh is not completely processed.
+/// Makes the edges of a triangle soup manifold, by the functions above and
+/// `split_non_manifold_edges`. If orientations conflict at few triangles, these are removed. In the
+/// result, all edges are manifold and consistently oriented. If this is impossible, `orientation`
+/// reports the conflict, and the mesh is not completely processed.
 /// @param max_fin_fraction  maximum area of a fin as a fraction of the surface area
 SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction);
 

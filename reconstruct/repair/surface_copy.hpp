@@ -17,10 +17,10 @@ struct SurfaceCopy {
   double scale = 1.0;     ///< size of the copy relative to the surface
 };
 
-/// Registers a component to the surface (point to plane [chen1992], with scale). It is a copy if it
-/// was within 8 % of the diagonal from the surface, if its normals are consistently equal or
-/// opposite, if the scale differs by at most 12 %, and if registration improves the fit several
-/// times. Bubbles do not meet these conditions.
+/// Decides if a component is a copy of the surface, by registration (point to plane [chen1992],
+/// with scale). It is a copy if it was within 8 % of the diagonal from the surface, if its normals
+/// are consistently equal or opposite, if the scale differs by at most 12 %, and if registration
+/// improves the fit several times. Bubbles do not meet these conditions.
 /// @param tree  tree of the surface, outward or inward
 /// @param diagonal  diagonal of the surface, m
 /// @cite chen1992

@@ -48,13 +48,13 @@ struct VolumeBracketWithNotes : VolumeBracket {
   std::vector<std::string> notes;
 };
 
-/// Brackets the volume of a closed scan.
+/// Computes bounds of the volume of a closed scan.
 /// @param report  report of the repair, in metres
 /// @returns bounds in m and m^3; empty if they are so narrow that they are insignificant
 std::optional<VolumeBracketWithNotes> compute_closed_scan_bracket(const ClosedScan& scan,
                                                                   const RepairReport& report);
 
-/// Brackets the volume of a block with a closed underside.
+/// Computes bounds of the volume of a block with a closed underside.
 /// @param side  closed scan, in metres
 /// @param report  report of the repair, in metres; copies of the surface widen the bounds
 VolumeBracket compute_underside_bracket(const Underside& side, const RepairReport& report);

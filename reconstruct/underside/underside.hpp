@@ -38,7 +38,8 @@ struct UndersideOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Scan that is closed in two ways, with bounds. Both meshes have the same triangles, outward.
+/// Scan whose underside is closed in two ways, with volume bounds. Both meshes have the same
+/// triangles, outward.
 struct Underside : VolumeBracket {
   TriangleMesh lower_mesh;  ///< closed by membranes across the rims
   TriangleMesh best_estimate;
@@ -52,8 +53,8 @@ struct Underside : VolumeBracket {
   std::vector<std::string> notes;
 };
 
-/// Closes the largest hole as underside and the others by flat membranes, and brackets them
-/// together. Holes below 0.3 % of the surface are treated as observed.
+/// Closes the largest hole of a scan as underside and the others by flat membranes, and computes
+/// common bounds. Holes below 0.3 % of the surface are treated as observed.
 ///
 /// The upper volume fills the space between the closures and the flank planes (`fit_flank_planes`),
 /// down to a known ground and without free space. There is no upper volume if it would exceed the

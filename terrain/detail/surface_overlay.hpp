@@ -45,10 +45,10 @@ struct BodyBetweenSurfaces {
   Vec3 wall_position = Vec3::Zero();  ///< top of the highest wall
 };
 
-/// Extracts the bodies where the top is more than `thickness` above the base. A body is connected
-/// over edges of the overlay. It has vertical walls of height `thickness` along its outline. At the
-/// border of the overlay, the walls are as high as the body. Its volume is the integral of the
-/// vertical thickness over the plan.
+/// Extracts the bodies between two surfaces where the top is more than `thickness` above the base.
+/// A body is connected over edges of the overlay. It has vertical walls of height `thickness` along
+/// its outline. At the border of the overlay, the walls are as high as the body. Its volume is the
+/// integral of the vertical thickness over the plan.
 std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair,
                                                         double thickness);
 

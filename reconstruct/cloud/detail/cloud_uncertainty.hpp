@@ -14,9 +14,10 @@ struct SurfacePointStatistics {
   double noise = 0.0;                ///< standard deviation of the removed noise, m
 };
 
-/// Computes bounds of the true surface. Outer bound: edges and tips may extend beyond the points to
-/// the planes through their neighbours, including scatter, and at most by a few point spacings.
-/// Inner bound: a point above the plane of its neighbours may be noise and not belong to the block.
+/// Computes bounds of the true surface behind points. Outer bound: edges and tips may extend beyond
+/// the points to the planes through their neighbours, including scatter, and at most by a few point
+/// spacings. Inner bound: a point above the plane of its neighbours may be noise and not belong to
+/// the block.
 /// @param surface  closed, outward; its vertices are the points
 /// @returns inner and outer bounds
 SurfaceUncertainty compute_surface_uncertainty(const TriangleMesh& surface,

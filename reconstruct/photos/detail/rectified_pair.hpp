@@ -29,7 +29,7 @@ struct Rectification {
   }
 };
 
-/// Rectifies a pair.
+/// Rectifies a pair of photos for stereo matching.
 /// @param max_image_side  largest image side
 Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
                            const PhotoRegion& region, int max_image_side);

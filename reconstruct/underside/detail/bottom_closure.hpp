@@ -9,13 +9,14 @@
 
 namespace clast::reconstruct_detail {
 
-/// Displacement of the closure. Each vertex moves by `depth` (m) times its deflection raised to
-/// `power`. Larger powers give a more pointed bottom.
+/// Displacement of the surface that closes a hole. Each vertex moves by `depth` (m) times its
+/// deflection raised to `power`. Larger powers give a more pointed bottom.
 struct ClosureDisplacement {
   double power = 0.0, depth = 0.0;
 };
 
-/// Closure that is lowered along one direction. The added volume is proportional to the depth.
+/// Surface that closes a hole and can be lowered along one direction. The added volume is
+/// proportional to the depth.
 class BottomClosure {
  public:
   static constexpr double kMinPower = 0.05;  ///< minimum of `ClosureDisplacement::power`
@@ -30,11 +31,11 @@ class BottomClosure {
 
   /// Returns `closed` with the lowered closure.
   TriangleMesh lowered_mesh(const ClosureDisplacement& move) const;
-  /// Returns the shape with the volume `added` (m^3). The power is reduced such that the depth is
-  /// at most `deepest` (m), if possible.
+  /// Returns the displacement that adds the volume `added` (m^3). The power is reduced such that
+  /// the depth is at most `deepest` (m), if possible.
   ClosureDisplacement displacement_for_volume(double added, double power, double deepest) const;
-  /// Returns the shape with the volume `added` that touches the ground, because a block does not
-  /// float. The power of `blunt` is increased up to `max_power`.
+  /// Returns the displacement that adds the volume `added` and reaches the ground, because a block
+  /// does not float. The power of `blunt` is increased up to `max_power`.
   ClosureDisplacement displacement_touching_ground(const Plane& ground,
                                                    const ClosureDisplacement& blunt, double added,
                                                    double max_power) const;

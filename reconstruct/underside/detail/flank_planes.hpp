@@ -9,7 +9,8 @@
 
 namespace clast::reconstruct_detail {
 
-/// Planes with outward normals n. The body is inside the half-spaces n . p <= d.
+/// Tangent planes of an observed surface, with outward normals n. The body is inside the
+/// half-spaces n . p <= d.
 struct FlankPlanes {
   std::vector<Plane> planes;
   double outward_offset = 0.0;  ///< outward offset from the observed surface, m

@@ -1,5 +1,5 @@
 #pragma once
-/// Bounds of bodies with unobserved parts.
+/// Bounds of the volume and box sides of bodies with unobserved parts.
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +19,9 @@ struct PossibleHollow {
   std::optional<Vec3> other_opening;  ///< centre of the other opening, for a tunnel
 };
 
-/// Bounds of a body if its unobserved part continues the observed flanks, in units of the mesh. For
-/// the lower volume, closures are indented like the observed surface and cavities excluded.
+/// Bounds of the volume and box sides of a body whose unobserved part continues the observed
+/// flanks, in units of the mesh. For the lower volume, closures are indented like the observed
+/// surface and cavities excluded.
 struct UnobservedPartBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
@@ -34,9 +35,10 @@ struct UnobservedParts {
       nullptr;  ///< uncertainty of the observed surface; null if it is exact
 };
 
-/// Computes bounds of the volume and sides. The upper volume is the sum of the observed part and of
-/// the space behind its closures that is within the flank planes (`fit_flank_planes`) and above the
-/// floor. Uncertainty of the observed surface widens the bounds. See docs/theory.md.
+/// Computes bounds of the volume and box sides of a body. The upper volume is the sum of the
+/// observed part and of the space behind its closures that is within the flank planes
+/// (`fit_flank_planes`) and above the floor. Uncertainty of the observed surface widens the bounds.
+/// See docs/theory.md.
 /// @param closed  closed mesh with the closures, outward
 UnobservedPartBounds bound_unobserved_parts(const TriangleMesh& closed,
                                             const UnobservedParts& parts);

@@ -15,7 +15,7 @@ namespace clast::terrain_detail {
 /// Declared fill value of a grid, and advice for undeclared ones.
 struct DeclaredFillValue {
   std::optional<double> declared = {};  ///< fill value declared by the file
-  /// End of messages "If -9999 stands for no data, ..."; NUMBER is replaced by the value.
+  /// Advice that ends error messages. "NUMBER" in it is replaced by the suspicious value.
   std::string advice;
 };
 

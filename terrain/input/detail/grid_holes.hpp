@@ -6,6 +6,7 @@
 
 namespace clast::terrain_detail {
 
+/// Numbers of filled and remaining holes of a height grid.
 struct HoleFillReport {
   std::size_t holes = 0;
   std::size_t cells = 0;

@@ -17,7 +17,8 @@ struct NeighbourPlane {
   double height_at(const Vec2& from_vertex) const { return height + slope.dot(from_vertex); }
 };
 
-/// Fits the plane; empty if there are fewer than three neighbours or if they are collinear.
+/// Fits a plane to the neighbours of a vertex; empty if there are fewer than three or if they are
+/// collinear.
 /// @param ring  neighbours, without the vertex itself
 std::optional<NeighbourPlane> fit_neighbour_plane(const TriangleMesh& mesh,
                                                   std::span<const std::uint32_t> ring,
