@@ -37,7 +37,7 @@ Polytope polytope(const TriangleMesh& hull) {
   // The hull is closed: two triangles at each edge, one of which runs along it from low to high.
   const auto each_edge = [&](const auto& use) {
     for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
-      const std::size_t left = edge[0].forward ? 0 : 1;
+      const std::size_t left = edge[0].is_forward ? 0 : 1;
       use(edge[0].low, edge[0].high, edge[left].triangle, edge[1 - left].triangle);
     });
   };

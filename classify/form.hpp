@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// Axes of a block, m.
+/// Axes L >= I >= S of a block, m.
 struct Axes {
   double L = 0.0;
   double I = 0.0;

@@ -42,7 +42,7 @@ struct FittedSizeLaw {
   double fraction_below(double size) const;
 };
 
-/// Fits a size law.
+/// Fits a size law to block sizes by maximum likelihood.
 /// @param sizes  m, positive
 /// @param weights  one weight w per size, not all zero; if empty, weights are equal. Errors are
 ///                 those of a sample of (sum of w)^2 / sum of w^2 blocks

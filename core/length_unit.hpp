@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Unit with its name in files and options.
+/// Unit with its name in files and options, and its value.
 struct NamedUnit {
   const char* name;
   double factor;  ///< value in SI units

@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// Separate bounds of L, I and S, m.
+/// Lower and upper bounds of the axes L, I and S, m.
 struct AxesBounds {
   Axes lower, upper;
 };

@@ -72,7 +72,7 @@ std::string variation_label(const Variation& variation);
 
 /// Quantity that is equal for a varied block and its parent.
 enum class PreservedSize { kMass, kVolume, kLength };
-/// Parses "mass", "volume" or "L".
+/// Parses the name of a preserved size: "mass", "volume" or "L".
 /// @throws InputError  if the name is unknown
 PreservedSize parse_preserved_size(const std::string& name);
 std::string name_of(PreservedSize preserved);

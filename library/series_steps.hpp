@@ -41,7 +41,7 @@ struct VariationTargets {
 const std::vector<std::string>& form_grid_diagram_names();
 const std::vector<std::string>& inertia_body_names();
 
-/// Checks target ratios.
+/// Checks the target ratios of a stretch.
 /// @param written  ratios as written, for the message
 /// @throws InputError  if they are not I/L and S/L of a box, both from 0.01 to 1
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written);

@@ -60,8 +60,8 @@ std::vector<Ridge> ridges_of(const TriangleMesh& core, const std::vector<Triangl
     Ridge ridge;
     ridge.from = edge[0].low;
     ridge.to = edge[0].high;
-    if (edge.size() == 2 && edge[0].forward != edge[1].forward) {
-      const std::size_t left = edge[0].forward ? 0 : 1;
+    if (edge.size() == 2 && edge[0].is_forward != edge[1].is_forward) {
+      const std::size_t left = edge[0].is_forward ? 0 : 1;
       ridge.left = edge[left].triangle;
       ridge.right = edge[1 - left].triangle;
       ridge.defined = triangles[ridge.left].usable && triangles[ridge.right].usable;

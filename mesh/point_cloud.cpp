@@ -47,7 +47,7 @@ void PointBatcher::flush_batch() {
 
 CloudSummary PointBatcher::finish(CloudSummary summary) {
   flush_batch();
-  summary.points = points_;
+  summary.point_count = points_;
   summary.non_finite_points = non_finite_;
   return summary;
 }
@@ -109,7 +109,7 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
     }
     return read_cloud_by_format(path, lower_case_extension(path), sink, columns);
   });
-  if (summary.points == 0) throw InputError(path.string() + ": " + nothing_in(summary));
+  if (summary.point_count == 0) throw InputError(path.string() + ": " + nothing_in(summary));
   return summary;
 }
 

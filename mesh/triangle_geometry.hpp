@@ -15,7 +15,7 @@ Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangl
 
 Vec3 centroid(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
-/// Returns the angle at vertex `k`, rad.
+/// Returns the angle of a triangle at its vertex `k`, rad.
 double corner_angle(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle,
                     std::size_t k);
 

@@ -101,8 +101,8 @@ class NearbyVertices {
 };
 
 /// Key shared by the copies of a triangle.
-Triangle copy_key(Triangle corners, WindingMatch turn) {
-  if (turn == WindingMatch::kEither) {
+Triangle copy_key(Triangle corners, WindingMatch match) {
+  if (match == WindingMatch::kEither) {
     std::sort(corners.begin(), corners.end());
   } else {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -153,11 +153,11 @@ TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
 }
 
 std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const Triangle> triangles,
-                                                        WindingMatch turn) {
+                                                        WindingMatch match) {
   std::vector<std::pair<Triangle, std::uint32_t>> order;
   order.reserve(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    order.emplace_back(copy_key(triangles[t], turn), t);
+    order.emplace_back(copy_key(triangles[t], match), t);
   }
   std::sort(order.begin(), order.end());
   std::vector<DuplicateTriangle> copies;

@@ -31,6 +31,6 @@ struct DuplicateTriangle {
 
 /// Finds all duplicate triangles, sorted by vertices, then index.
 std::vector<DuplicateTriangle> find_duplicate_triangles(
-    std::span<const TriangleMesh::Triangle> triangles, WindingMatch turn);
+    std::span<const TriangleMesh::Triangle> triangles, WindingMatch match);
 
 }  // namespace clast

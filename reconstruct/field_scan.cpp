@@ -37,7 +37,7 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
       .has_units_option = true};
   std::vector<std::string> notes =
       check_length_units(path.string(), summary.unit_declarations, use);
-  if (summary.points > 0) {
+  if (summary.point_count > 0) {
     check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(),
                     use.conversion_command);
   }

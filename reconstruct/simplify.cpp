@@ -40,7 +40,7 @@ std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origi
   const TriangleMesh start = reconstruct_detail::snapped_to_grid(mesh, origin);
   std::optional<reconstruct_detail::IntersectionFreeSurface> freed =
       reconstruct_detail::repair_self_intersections(start, origin);
-  if (!freed || freed->wrap_bias ||
+  if (!freed || freed->relative_wrap_excess ||
       static_cast<double>(freed->mesh.vertices.size()) >
           kMaxRefill * static_cast<double>(mesh.vertices.size())) {
     return std::nullopt;

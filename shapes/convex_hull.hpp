@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// Computes the hull as a closed, outward-facing mesh of the extreme points. Faces with more than
-/// three vertices are fans of triangles. The result is bit-identical for any order of the points.
+/// Computes the convex hull of points as a closed, outward-facing mesh. Faces with more than three
+/// vertices are fans of triangles. The result is bit-identical for any order of the points.
 /// @throws GeometryError  if there are fewer than four points, or if all are coplanar to 1e-12 of
 ///                        their extent
 TriangleMesh convex_hull(std::span<const Vec3> points);

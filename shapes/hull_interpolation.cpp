@@ -112,7 +112,7 @@ void HullInterpolation::find_edge_flips() {
       if (changed[first] || changed[second]) return;
       const EdgeKey edge = {pair[0].low, pair[0].high};
       const EdgeKey other =
-          edge_key(across(mesh.triangles[first], edge), across(mesh.triangles[second], edge));
+          make_edge_key(across(mesh.triangles[first], edge), across(mesh.triangles[second], edge));
       if (edges.contains(other) || !flip_edge(mesh, first, second, edge)) return;
       edges.insert(other);
       changed[first] = changed[second] = any = true;

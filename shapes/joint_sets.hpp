@@ -30,7 +30,7 @@ struct JointCuttingOptions {
   std::uint64_t seed = 1;          ///< seed of the random joint positions
 };
 
-/// Blocks cut from a rock mass.
+/// Blocks cut from a rock mass by joint sets.
 struct JointedRockMass {
   double volume = 0.0;               ///< volume of the mass, m^3
   std::vector<TriangleMesh> blocks;  ///< convex, closed, outward, disjoint, inside the mass

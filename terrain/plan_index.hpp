@@ -23,7 +23,7 @@ struct PlanBox {
   PlanBox expanded(double by) const { return {low.array() - by, high.array() + by}; }
 };
 
-/// Uniform grid of boxes; each box is listed in all cells that it overlaps.
+/// Uniform grid of plan boxes. Each box is listed in all cells that it overlaps.
 class PlanIndex {
  public:
   explicit PlanIndex(std::span<const PlanBox> boxes);

@@ -25,13 +25,13 @@ void retain_triangles(RawSurface& surface, const std::vector<bool>& keep);
 struct HeightGrid {
   std::size_t columns = 0;
   std::size_t rows = 0;
-  Vec2 first = Vec2::Zero();  ///< centre of the south-west cell
-  Vec2 step = Vec2::Ones();   ///< cell size, m, both positive
+  Vec2 first_centre = Vec2::Zero();  ///< centre of the south-west cell
+  Vec2 cell_size = Vec2::Ones();     ///< cell size, m, both positive
   std::vector<double> heights;
 
   Vec2 centre(std::size_t column, std::size_t row) const {
-    return {first.x() + step.x() * static_cast<double>(column),
-            first.y() + step.y() * static_cast<double>(row)};
+    return {first_centre.x() + cell_size.x() * static_cast<double>(column),
+            first_centre.y() + cell_size.y() * static_cast<double>(row)};
   }
 };
 

@@ -258,8 +258,8 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   mass.crs = after.frame.crs.empty() ? before.frame.crs : after.frame.crs;
   const Surfaces surfaces = read_surfaces(before, after, options);
   const MapFrame& frame = surfaces.frame;
-  mass.edge_before = median_edge_length(surfaces.before);
-  mass.edge_after = median_edge_length(surfaces.after);
+  mass.median_edge_before = median_edge_length(surfaces.before);
+  mass.median_edge_after = median_edge_length(surfaces.after);
   std::vector<BodyBetweenSurfaces> pairs = terrain_detail::extract_bodies_between(
       terrain_detail::overlay_surfaces(surfaces.before, surfaces.after, options.min_thickness,
                                        outlines_of(options, frame, mass.crs)),

@@ -37,8 +37,8 @@ struct ReleasedBody {
 struct ReleasedMass {
   std::vector<ReleasedBody> bodies;    ///< selected bodies, the largest first
   std::vector<ReleasedBody> excluded;  ///< bodies that are not selected, the largest first
-  double edge_before = 0.0;            ///< median edge lengths of both surfaces, m
-  double edge_after = 0.0;
+  double median_edge_before = 0.0;     ///< median edge lengths of both surfaces, m
+  double median_edge_after = 0.0;
   std::string crs;                 ///< empty if neither surface has one
   std::vector<std::string> notes;  ///< warnings, as sentences
 

@@ -4,7 +4,7 @@
 
 namespace clast {
 
-/// Map coordinate; the earth's circumference is 4e7 m.
+/// Allowed map coordinates; the earth's circumference is 4e7 m.
 inline constexpr NumberRange kMapCoordinateRange{-1e8, 1e8, "m"};
 
 inline constexpr NumberRange kCellSizeRange{1e-4, 1e5, "m"};

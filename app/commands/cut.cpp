@@ -109,8 +109,8 @@ void print_mass(const ReleasedMass& mass) {
     std::cout << format_count(mass.excluded.size(), "body", "bodies") << " of "
               << format_significant(mass.excluded_volume(), 3) << " m3 together\n";
   }
-  std::cout << "edges of the surfaces, median: " << format_significant(mass.edge_before, 3)
-            << " m before, " << format_significant(mass.edge_after, 3) << " m after\n";
+  std::cout << "edges of the surfaces, median: " << format_significant(mass.median_edge_before, 3)
+            << " m before, " << format_significant(mass.median_edge_after, 3) << " m after\n";
 }
 
 /// Files that the mesh of the mass may replace.

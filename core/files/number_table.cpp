@@ -77,13 +77,13 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
   };
   std::optional<std::vector<std::size_t>> columns;
   try {
-    columns =
-        table.find ? table.find(heading.fields) : columns_by_name(heading.fields, table.names);
+    columns = table.find_columns ? table.find_columns(heading.fields)
+                                 : columns_by_name(heading.fields, table.column_names);
   } catch (const InputError& error) {
     refuse(error.what());
   }
   if (!columns) {
-    if (heading.fields.size() != table.names.size() ||
+    if (heading.fields.size() != table.column_names.size() ||
         !is_possible_heading_row(heading.fields, separator)) {
       return std::nullopt;
     }
@@ -164,7 +164,7 @@ std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
                             .inline_comments = true,
                             .any_heading_width = true});
   std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
+  for (std::size_t i = 0; i < table.column_names.size(); ++i) columns.push_back(i);
   std::size_t fields = columns.size();
   const RowReader reader(name, table, text.separator());
   std::vector<NumericRow> rows;

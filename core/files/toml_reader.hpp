@@ -16,7 +16,7 @@ namespace clast {
 
 struct TomlEntry;
 
-/// TOML value with its first line.
+/// TOML value, with the number of its first line.
 struct TomlNode {
   enum class Kind { kBoolean, kInteger, kFloat, kString, kList, kTable, kDate };
   Kind kind = Kind::kTable;
@@ -33,7 +33,7 @@ struct TomlNode {
   const TomlNode* find(const std::string& key) const;
 };
 
-/// Key and value in a table.
+/// Entry of a TOML table: key and value.
 struct TomlEntry {
   std::string key;
   TomlNode value;
@@ -51,7 +51,7 @@ std::string remove_backticks(std::string message);
 /// that the message for a misspelt key suggests the correct one.
 class TomlTable {
  public:
-  /// Makes the table and checks its keys.
+  /// Constructs a table and checks its keys.
   /// @param title  name in messages, "[ground.blue]"; empty for the whole file
   TomlTable(const TomlNode& node, std::string file, std::string title,
             std::vector<std::string> known_keys);
@@ -71,7 +71,7 @@ class TomlTable {
                                           std::uint64_t max_value) const;
   /// Reads a text or a list of texts, none of them empty.
   std::optional<std::vector<std::string>> read_text_list(const std::string& key) const;
-  /// Reads a vector.
+  /// Reads a vector with finite components.
   /// @param range  allowed range of each component
   std::optional<Vec2> read_vec2(const std::string& key, const NumberRange& range) const;
   std::optional<Vec3> read_vec3(const std::string& key, const NumberRange& range) const;
@@ -87,8 +87,8 @@ class TomlTable {
   /// @param key  must exist
   /// @param subject  start of the message
   template <class Check>
-  decltype(auto) checked(const std::string& key, const Check& check,
-                         const std::string& subject = "") const {
+  decltype(auto) run_check(const std::string& key, const Check& check,
+                           const std::string& subject = "") const {
     try {
       return check();
     } catch (const InputError& error) {

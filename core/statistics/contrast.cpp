@@ -8,7 +8,7 @@
 namespace clast {
 
 ContrastVerdict Contrast::verdict() const {
-  if (!p_holm) return ContrastVerdict::kUntested;
+  if (!holm_p_value) return ContrastVerdict::kUntested;
   if (is_significant())
     return excludes_zero() ? ContrastVerdict::kSignificant : ContrastVerdict::kDistributionDiffers;
   return excludes_zero() ? ContrastVerdict::kInsignificantAfterCorrection
@@ -47,7 +47,7 @@ void apply_holm_correction(const std::vector<Contrast*>& family) {
   for (const Contrast* one : family) p_values.push_back(*one->p_value);
   const std::vector<double> corrected = holm_adjusted(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
-    family[i]->p_holm = corrected[i];
+    family[i]->holm_p_value = corrected[i];
     family[i]->family_size = family.size();
   }
 }

@@ -18,14 +18,14 @@ double mean_variance(const SampleSummary& values) {
 
 }  // namespace
 
-std::optional<Interval> mean_interval(const SampleSummary& values, const Interval& possible) {
+std::optional<Interval> mean_interval(const SampleSummary& values, const Interval& possible_range) {
   if (values.count < 2) return std::nullopt;
   const double variance = mean_variance(values);
   if (!(variance > 0.0)) return std::nullopt;
   const double t = student_quantile(kUpper, static_cast<double>(values.count - 1));
   const double half = t * std::sqrt(variance);
-  return Interval{std::max(values.mean - half, possible.low),
-                  std::min(values.mean + half, possible.high)};
+  return Interval{std::max(values.mean - half, possible_range.low),
+                  std::min(values.mean + half, possible_range.high)};
 }
 
 Contrast welch_difference(const SampleSummary& first, const SampleSummary& second) {

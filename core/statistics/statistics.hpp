@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Summary of a sample. All members are zero if it is empty.
+/// Summary statistics of a sample. All members are zero if it is empty.
 struct SampleSummary {
   std::size_t count = 0;
   double mean = 0.0;
@@ -16,7 +16,7 @@ struct SampleSummary {
   double max = 0.0;
 };
 
-/// Summarises a sample.
+/// Computes the summary statistics of a sample.
 /// @param values  finite values; summed in their order, so that equal input gives equal bits
 SampleSummary summarise_sample(std::span<const double> values);
 

@@ -16,7 +16,7 @@ class PointBatcher {
   /// Adds a point. Non-finite points are counted and skipped.
   void add_point(const Vec3& point);
   void add_point(const Vec3& point, std::uint8_t asprs_class);
-  /// Passes on the remaining points and completes the summary.
+  /// Passes the remaining points to the consumer and completes the summary.
   CloudSummary finish(CloudSummary summary);
 
  private:

@@ -67,9 +67,10 @@ FieldBlock with_doubt(FieldBlock block) {
 
 /// True if repair changed a part of the surface. False for wraps, which change all of it.
 bool was_changed(const RepairReport& report) {
-  return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.duplicates.empty() ||
-                               report.find_defect(DefectKind::kSpike) != nullptr ||
-                               report.find_defect(DefectKind::kSelfIntersection) != nullptr);
+  return !report.relative_wrap_excess &&
+         (report.filled_fraction > 0.0 || !report.duplicates.empty() ||
+          report.find_defect(DefectKind::kSpike) != nullptr ||
+          report.find_defect(DefectKind::kSelfIntersection) != nullptr);
 }
 
 /// Flips a mesh that faces inwards, judging by the volume with its largest hole filled flat.

@@ -50,13 +50,13 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
   note(DefectKind::kDegenerate, raw.triangles.size() - mesh.triangles.size());
   const SoupRepairResult repair = repair_soup(mesh, kMaxFinAreaFraction);
   if (mesh.triangles.empty() || !repair.orientation.orientable) return std::nullopt;
-  note_change(DefectKind::kFoldedPair, repair.folded);
-  note_change(DefectKind::kFin, repair.fins);
-  note_change(DefectKind::kNonManifoldEdge, repair.touching);
+  note_change(DefectKind::kFoldedPair, repair.removed_pairs);
+  note_change(DefectKind::kFin, repair.removed_fins);
+  note_change(DefectKind::kNonManifoldEdge, repair.split_edges);
   const std::size_t turned = repair.orientation.flipped + orient_vertex_attached_fragments(mesh);
   if (turned > 0) {
     note(DefectKind::kInconsistentOrientation, turned, 0.0,
-         mesh.vertices[repair.orientation.first]);
+         mesh.vertices[repair.orientation.first_flipped_vertex]);
   }
   const std::vector<FilledHole> ragged = retriangulate_missing_faces(mesh);
   if (inspect_mesh(mesh).is_closed()) return std::nullopt;

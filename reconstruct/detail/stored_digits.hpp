@@ -9,8 +9,8 @@
 namespace clast::reconstruct_detail {
 
 struct CoordinateResolution {
-  double step = 0.0;     ///< coarsest resolution of the three axes
-  double largest = 0.0;  ///< largest coordinate of that axis
+  double step = 0.0;            ///< coarsest resolution of the three axes
+  double max_coordinate = 0.0;  ///< largest coordinate of that axis
 };
 
 /// Finds the resolution of coordinates that were stored as 32-bit floats or with seven digits.

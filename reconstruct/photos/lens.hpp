@@ -31,7 +31,7 @@ struct CameraIntrinsics {
   double p1 = 0.0, p2 = 0.0;               ///< tangential distortion
   bool fisheye = false;
 
-  /// Checks all values.
+  /// Checks all values of the intrinsics.
   /// @throws InputError  if a value is impossible; names the value
   void check() const;
 };
@@ -44,7 +44,7 @@ std::optional<Vec2> project(const CameraIntrinsics& lens, const Vec3& in_camera)
 /// cannot be inverted at the pixel.
 std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
-/// Returns the intrinsics of resized photos.
+/// Returns the camera intrinsics of photos resized to `width` x `height`.
 /// @throws InputError  if width and height are not scaled by a common factor, within a pixel
 CameraIntrinsics resized_intrinsics(const CameraIntrinsics& lens, int width, int height);
 

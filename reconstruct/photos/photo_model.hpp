@@ -26,7 +26,7 @@ struct SparsePoint {
   std::vector<std::uint32_t> photos;  ///< indices of the photos that show it
 };
 
-/// Cameras and sparse points in one frame.
+/// Camera model: cameras and sparse points in one frame.
 struct PhotoModel {
   std::vector<CameraIntrinsics> lenses;
   std::vector<Photo> photos;            ///< photos with a camera pose, ordered by name

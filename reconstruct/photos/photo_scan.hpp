@@ -40,7 +40,7 @@ void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
   visit("dense", dense);
 }
 
-/// Photo scan: model, markers, scale and points.
+/// Result of a photo scan: camera model, markers, scale and dense points.
 struct PhotoScan {
   PhotoModel model;                  ///< in metres if `metric`
   MarkerSearchResult markers;        ///< positions in the frame of `model`

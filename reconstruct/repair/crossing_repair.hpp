@@ -14,11 +14,11 @@ inline constexpr double kMaxIntersectionVolumeChange = 0.02;
 /// errors. Later rounding could cause new intersections.
 TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin);
 
-/// Surface without self-intersections.
+/// Repaired surface without self-intersections.
 struct IntersectionFreeSurface {
   TriangleMesh mesh;
   /// Relative excess volume of a wrap before it was scaled. Set if wrapping was necessary.
-  std::optional<double> wrap_bias;
+  std::optional<double> relative_wrap_excess;
 };
 
 /// Repairs self-intersections. Touching sheets are separated by a small distance. If intersections

@@ -228,7 +228,7 @@ std::vector<FilledHole> fill_holes_with_fans(TriangleMesh& mesh, std::size_t max
       bool crosses = false;
       for (std::size_t k = 2; k + 1 < loop.size(); ++k) {
         const std::uint32_t other = loop[(apex + k) % loop.size()];
-        crosses |= edges.contains(edge_key(loop[apex], other));
+        crosses |= edges.contains(make_edge_key(loop[apex], other));
       }
       std::vector<Triangle> candidate = fan(loop, apex);
       const double area = area_of(mesh, candidate);
@@ -238,7 +238,7 @@ std::vector<FilledHole> fill_holes_with_fans(TriangleMesh& mesh, std::size_t max
     }
     if (best.empty()) continue;
     for (const Triangle& t : best) {
-      for (std::size_t k = 0; k < 3; ++k) edges.insert(edge_key(t[k], t[(k + 1) % 3]));
+      for (std::size_t k = 0; k < 3; ++k) edges.insert(make_edge_key(t[k], t[(k + 1) % 3]));
     }
     mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
     std::vector<Vec3> border;

@@ -40,13 +40,13 @@ std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
   };
   for (std::size_t k = 0; k < around.size(); ++k) {
     const std::size_t i = around[k].second, j = around[(k + 1) % around.size()].second;
-    if (!paired[i] && !paired[j] && !sides[i].forward && sides[j].forward) join(i, j);
+    if (!paired[i] && !paired[j] && !sides[i].is_forward && sides[j].is_forward) join(i, j);
   }
   for (const bool alike : {false, true}) {  // what is left, better those that agree
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (std::size_t j = i + 1; j < sides.size(); ++j) {
         if (paired[i] || paired[j]) continue;
-        if ((sides[i].forward == sides[j].forward) == alike) join(i, j);
+        if ((sides[i].is_forward == sides[j].is_forward) == alike) join(i, j);
       }
     }
   }
@@ -114,7 +114,7 @@ bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source
     std::vector<std::size_t> partner(sides.size());
     std::iota(partner.begin(), partner.end(), std::size_t{0});
     for (const auto& [i, j] : rock_pairs(mesh, sides)) {
-      if (sides[i].forward != sides[j].forward) partner[std::max(i, j)] = std::min(i, j);
+      if (sides[i].is_forward != sides[j].is_forward) partner[std::max(i, j)] = std::min(i, j);
     }
     const Vec3 position = 0.5 * (mesh.vertices[sides[0].low] + mesh.vertices[sides[0].high]);
     std::vector<std::uint32_t> middle(sides.size());

@@ -17,7 +17,7 @@ std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh,
 /// Result of splitting non-manifold edges.
 struct EdgeSplitResult {
   RepairChange split;  ///< number of split edges
-  /// Index of the original triangle, one per triangle.
+  /// Index of the triangle before splitting, one per triangle.
   std::vector<std::uint32_t> original_triangle;
 };
 

@@ -91,14 +91,14 @@ void repair_soup(TriangleMesh& mesh, bool fill_missing, RepairLog& log) {
   if (fill_missing) {
     repair = reconstruct_detail::repair_soup(mesh, reconstruct_detail::kMaxFinAreaFraction);
   } else {
-    repair.folded = reconstruct_detail::remove_opposite_pairs(mesh);
+    repair.removed_pairs = reconstruct_detail::remove_opposite_pairs(mesh);
     repair.orientation = reconstruct_detail::orient_consistently(mesh);
   }
   reconstruct_detail::check_not_empty(mesh);
   reconstruct_detail::check_orientable(mesh, repair.orientation, log);
-  log.add_defect(DefectKind::kFoldedPair, repair.folded);
-  log.add_defect(DefectKind::kFin, repair.fins);
-  log.add_defect(DefectKind::kNonManifoldEdge, repair.touching);
+  log.add_defect(DefectKind::kFoldedPair, repair.removed_pairs);
+  log.add_defect(DefectKind::kFin, repair.removed_fins);
+  log.add_defect(DefectKind::kNonManifoldEdge, repair.split_edges);
   std::size_t turned = repair.orientation.flipped;
   if (fill_missing) {
     turned += reconstruct_detail::orient_vertex_attached_fragments(mesh);
@@ -106,7 +106,7 @@ void repair_soup(TriangleMesh& mesh, bool fill_missing, RepairLog& log) {
   }
   if (turned > 0) {
     log.add_defect(DefectKind::kInconsistentOrientation, turned, 0.0,
-                   mesh.vertices[repair.orientation.first]);
+                   mesh.vertices[repair.orientation.first_flipped_vertex]);
   }
 }
 
@@ -151,7 +151,7 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   }
   log.report.crossing_volume_change =
       std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh)) - 1.0;
-  log.report.wrap_bias = freed->wrap_bias;
+  log.report.relative_wrap_excess = freed->relative_wrap_excess;
   log.add_defect(DefectKind::kSelfIntersection, crossings.size(), 0.0, where);
   mesh = std::move(freed->mesh);
 }

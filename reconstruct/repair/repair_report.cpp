@@ -35,12 +35,13 @@ class Sentences {
       }
     }
     for (const DuplicateSurface& copy : report_.duplicates) notes.push_back(of(copy));
-    if (report_.wrap_bias) {
+    if (report_.relative_wrap_excess) {
       notes.push_back(
           "the self-intersections of the surface could not be removed, so it was wrapped anew: "
           "hollows narrower "
           "than a sixtieth of its diagonal are bridged, and the " +
-          in_percent(*report_.wrap_bias) + " of volume that this added is removed by scaling");
+          in_percent(*report_.relative_wrap_excess) +
+          " of volume that this added is removed by scaling");
     }
     return notes;
   }

@@ -89,7 +89,7 @@ struct RepairReport {
   /// Relative volume change due to the repair of self-intersections.
   double crossing_volume_change = 0.0;
   /// Relative excess volume of a wrap before it was scaled. Set if wrapping was necessary.
-  std::optional<double> wrap_bias;
+  std::optional<double> relative_wrap_excess;
 
   const Defect* find_defect(DefectKind kind) const;  ///< null if there is none of that kind
 };

@@ -45,7 +45,7 @@ RepairChange drop_disagreeing(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size(), false);
   RepairChange result;
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
-    if (sides.size() != 2 || sides[0].forward != sides[1].forward) return;
+    if (sides.size() != 2 || sides[0].is_forward != sides[1].is_forward) return;
     if (result.count++ == 0) result.position = mesh.vertices[sides[0].low];
     for (const HalfEdge& side : sides) drop[side.triangle] = true;
   });
@@ -200,7 +200,7 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
     for (const std::uint32_t t : component) {
       if (facing.is_flipped[t] == most) continue;
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-      if (result.flipped++ == 0) result.first = mesh.triangles[t][0];
+      if (result.flipped++ == 0) result.first_flipped_vertex = mesh.triangles[t][0];
     }
   }
   return result;
@@ -208,27 +208,28 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
 
 SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction) {
   SoupRepairResult repair;
-  repair.folded = remove_opposite_pairs(mesh);
+  repair.removed_pairs = remove_opposite_pairs(mesh);
   if (mesh.triangles.empty()) return repair;
-  if (inspect_mesh(mesh).non_manifold_edges > 0) repair.fins = remove_fins(mesh, max_fin_fraction);
-  if (repair.fins.count > 0) {
+  if (inspect_mesh(mesh).non_manifold_edges > 0)
+    repair.removed_fins = remove_fins(mesh, max_fin_fraction);
+  if (repair.removed_fins.count > 0) {
     const RepairChange more = remove_border_fins(mesh);
-    repair.fins.count += more.count;
-    repair.fins.area += more.area;
+    repair.removed_fins.count += more.count;
+    repair.removed_fins.area += more.area;
   }
   const TriangleMesh as_faced = mesh;
   repair.orientation = orient_consistently(mesh);
   if (!repair.orientation.orientable) {
     // Two sheets that touched may leave two triangles that were never adjacent.
     mesh = as_faced;
-    repair.touching = drop_disagreeing(mesh);
+    repair.split_edges = drop_disagreeing(mesh);
     repair.orientation = orient_consistently(mesh);
   }
   if (!repair.orientation.orientable || inspect_mesh(mesh).non_manifold_edges == 0) return repair;
   const RepairChange cut = split_non_manifold_edges(mesh).split;
-  if (repair.touching.count == 0) repair.touching.position = cut.position;
-  repair.touching.count += cut.count;
-  repair.touching.area += cut.area;
+  if (repair.split_edges.count == 0) repair.split_edges.position = cut.position;
+  repair.split_edges.count += cut.count;
+  repair.split_edges.area += cut.area;
   const OrientationResult again = orient_consistently(mesh);
   repair.orientation.flipped += again.flipped;
   repair.orientation.orientable = again.orientable;

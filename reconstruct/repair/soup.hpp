@@ -39,8 +39,8 @@ RepairChange remove_border_fins(TriangleMesh& mesh);
 struct OrientationResult {
   std::size_t flipped = 0;  ///< number of flipped triangles
   bool orientable = true;
-  std::uint32_t conflict_vertex = 0;  ///< vertex where orientations conflict
-  std::uint32_t first = 0;            ///< vertex of the first flipped triangle
+  std::uint32_t conflict_vertex = 0;       ///< vertex where orientations conflict
+  std::uint32_t first_flipped_vertex = 0;  ///< vertex of the first flipped triangle
 };
 
 /// Orients triangles consistently across manifold edges. Each component keeps the orientation of
@@ -49,7 +49,7 @@ OrientationResult orient_consistently(TriangleMesh& mesh);
 
 /// Repairs made by each step of `repair_soup`.
 struct SoupRepairResult {
-  RepairChange folded, fins, touching;
+  RepairChange removed_pairs, removed_fins, split_edges;
   OrientationResult
       orientation;  ///< orientation before and after splitting edges; counts are added
 };

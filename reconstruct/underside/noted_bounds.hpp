@@ -16,10 +16,10 @@ namespace clast::reconstruct_detail {
 /// Scanned part of a repaired surface.
 class ScannedSurface {
  public:
-  /// Stores a mesh.
+  /// Constructs the scanned part of a mesh.
   /// @param raw  mesh as read; may have defects
   explicit ScannedSurface(const TriangleMesh& raw);
-  /// Stores points.
+  /// Constructs the scanned part of a point cloud.
   /// @param points  more than six points of a cloud, on its surface
   explicit ScannedSurface(std::span<const Vec3> points);
 

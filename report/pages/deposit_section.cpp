@@ -107,8 +107,8 @@ std::string differences_table(const Comparison& comparison,
                format_fixed(one.estimate, figure.decimals),
                interval_text(one.interval, figure.decimals),
                one.p_value ? format_significant(*one.p_value, 2) : "-",
-               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm                                      ? "-"
+               one.holm_p_value ? format_significant(*one.holm_p_value, 2) : "-",
+               !one.holm_p_value                                ? "-"
                : one.verdict() == ContrastVerdict::kSignificant ? "yes"
                                                                 : "no"});
   }

@@ -115,8 +115,8 @@ std::string make_table(const Comparison& comparison) {
                format_significant(one.cliffs_delta, 3),
                one.hedges_g ? format_significant(*one.hedges_g, 3) : "-",
                format_significant(one.ks_distance, 3),
-               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm            ? "-"
+               one.holm_p_value ? format_significant(*one.holm_p_value, 2) : "-",
+               !one.holm_p_value      ? "-"
                : one.is_significant() ? "yes"
                                       : "no"});
   }
@@ -127,8 +127,9 @@ std::string make_table(const Comparison& comparison) {
 std::string method_of(const Comparison& comparison) {
   const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
                                 [](const CampaignResults& results) { return results.stay; });
-  const bool tested = std::any_of(comparison.differences.begin(), comparison.differences.end(),
-                                  [](const Difference& one) { return one.p_holm.has_value(); });
+  const bool tested =
+      std::any_of(comparison.differences.begin(), comparison.differences.end(),
+                  [](const Difference& one) { return one.holm_p_value.has_value(); });
   if (!tested) {
     return format_paragraph(
         "One realisation does not show whether this is chance, so there are neither intervals "

@@ -52,10 +52,10 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
                  defect.position ? format_point(*defect.position) : ""});
   }
   html += defects.html();
-  if (report.wrap_bias) {
+  if (report.relative_wrap_excess) {
     html += format_paragraph(
         "The surface could not be freed of its crossings and was wrapped anew; the " +
-        format_percent(*report.wrap_bias) + " of volume that added is scaled away.");
+        format_percent(*report.relative_wrap_excess) + " of volume that added is scaled away.");
   }
   if (!report.holes.empty()) {
     HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,

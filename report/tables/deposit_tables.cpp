@@ -119,7 +119,7 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"p_value", "", "p-value of the hypothesis of no difference, uncorrected",
        [](const Row& row) { return row.p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
-       [](const Row& row) { return row.p_holm.value_or(NAN); }},
+       [](const Row& row) { return row.holm_p_value.value_or(NAN); }},
       {"tests", "", "number of tests that `p_holm` is corrected for", &Row::family_size},
       {"distinguished", "", "1 if `p_holm` is below 0.05, else 0",
        [](const Row& row) {

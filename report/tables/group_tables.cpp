@@ -137,11 +137,11 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
        "if a group has a single realisation",
        [](const Row& row) { return row->p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
-       [](const Row& row) { return row->p_holm.value_or(NAN); }},
+       [](const Row& row) { return row->holm_p_value.value_or(NAN); }},
       {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::family_size},
       {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
-         if (!row->p_holm) return NAN;
+         if (!row->holm_p_value) return NAN;
          return std::uint64_t{row->is_significant() ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote",
@@ -176,7 +176,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
         {"p_value", "", "p-value of the distance, uncorrected; empty for a single realisation",
          [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
         {"p_holm", "", "`p_value` with Holm's correction for all groups",
-         [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
+         [](const Row& row) { return row->medians.holm_p_value.value_or(NAN); }}},
        array_columns<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of the runout of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),

@@ -40,7 +40,7 @@ GaussImage::GaussImage(const TriangleMesh& mesh, double radius)
   }
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (!is_interior_edge(sides)) return;
-    const std::size_t out = sides[0].forward ? 0 : 1;
+    const std::size_t out = sides[0].is_forward ? 0 : 1;
     edges_.push_back({sides[0].low, sides[0].high, sides[out].triangle, sides[1 - out].triangle});
   });
 }

@@ -138,7 +138,7 @@ Unknown read_unknown(const DeclaredTable& table) {
   Unknown unknown;
   unknown_keys().read(table, unknown);
   const NumberRange allowed =
-      table.checked("parameter", [&] { return parameter_range(unknown.parameter); });
+      table.run_check("parameter", [&] { return parameter_range(unknown.parameter); });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
       table.read_numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);

@@ -26,7 +26,7 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
   table.read("zones", terrain.zones);
   if (std::optional<ZoneFile> file =
-          table.checked("zones", [&] { return parse_zone_file(terrain.zones); })) {
+          table.run_check("zones", [&] { return parse_zone_file(terrain.zones); })) {
     file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
     terrain.zones = file->zone_option_values();
   } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
@@ -186,7 +186,7 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
       table.refuse("through", point, "consecutive points must differ");
     }
   }
-  table.checked(
+  table.run_check(
       "through", [&] { check_barrier_line(points); }, "barrier " + name + ": ");
   return points;
 }
@@ -202,7 +202,7 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
       barrier.counted =
-          table.checked("direction", [&] { return parse_counted_direction(*direction); });
+          table.run_check("direction", [&] { return parse_counted_direction(*direction); });
     }
     check_new_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);

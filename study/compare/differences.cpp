@@ -173,7 +173,7 @@ std::optional<Difference> compute_runout_difference(const Comparison& comparison
   std::optional<Difference> found =
       difference_between(comparison, first, second, quantities(comparison).front());
   if (found && found->p_value) {
-    found->p_holm = found->p_value;
+    found->holm_p_value = found->p_value;
     found->family_size = 1;
   }
   return found;

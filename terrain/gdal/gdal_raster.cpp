@@ -121,11 +121,11 @@ HeightGrid read_heights(GDALRasterBand& band, const std::array<double, 6>& trans
   HeightGrid grid;
   grid.columns = static_cast<std::size_t>(band.GetXSize());
   grid.rows = static_cast<std::size_t>(band.GetYSize());
-  grid.step = {transform[1], std::abs(transform[5])};
+  grid.cell_size = {transform[1], std::abs(transform[5])};
   const bool north_first = transform[5] < 0.0;
   const double south =
       north_first ? transform[3] + transform[5] * static_cast<double>(grid.rows) : transform[3];
-  grid.first = Vec2(transform[0], south) + grid.step / 2.0;
+  grid.first_centre = Vec2(transform[0], south) + grid.cell_size / 2.0;
   grid.heights.resize(grid.columns * grid.rows);
   const double scale = band.GetScale(), offset = band.GetOffset();
   std::vector<double> values(grid.columns);

@@ -55,9 +55,9 @@ HeightGrid heights_of(const TriangleMesh& mesh, double cell, const std::filesyst
     PlanBox corners;
     for (const std::uint32_t v : mesh.triangles[t]) corners.include(mesh.vertices[v].head<2>());
     const auto [left, right] =
-        cells_between(corners.low.x(), corners.high.x(), grid.first.x(), cell, grid.columns);
+        cells_between(corners.low.x(), corners.high.x(), grid.first_centre.x(), cell, grid.columns);
     const auto [bottom, top] =
-        cells_between(corners.low.y(), corners.high.y(), grid.first.y(), cell, grid.rows);
+        cells_between(corners.low.y(), corners.high.y(), grid.first_centre.y(), cell, grid.rows);
     for (std::size_t row = bottom; row < top; ++row) {
       for (std::size_t column = left; column < right; ++column) {
         const std::optional<double> z = height_on_triangle(mesh, t, grid.centre(column, row));

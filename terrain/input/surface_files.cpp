@@ -55,7 +55,7 @@ RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
   surface.mesh = triangulate_grid(grid, path);
   surface.source_file.assign(surface.mesh.triangles.size(), 0);
-  surface.cell = grid.step.minCoeff();
+  surface.cell = grid.cell_size.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return !std::isfinite(height); });
   if (empty > 0) {
@@ -80,7 +80,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
   for (const std::string& note : raster.notes) notes.push_back(path.string() + ": " + note);
   if (options.resolution) {
     const HeightGrid& grid = raster.grid;
-    const double own = grid.step.maxCoeff();
+    const double own = grid.cell_size.maxCoeff();
     if (*options.resolution < own * (1.0 - 1e-9)) {
       throw InputError(
           path.string() + ": resolution = " + format_significant(*options.resolution, 6) +

@@ -166,13 +166,13 @@ struct EdgesNearBorder {
 EdgesNearBorder edges_near(const TriangleMesh& mesh, const Border& border) {
   EdgesNearBorder edges;
   for (const auto& [t, k] : border.sides) {
-    edges.on_border.insert(edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
+    edges.on_border.insert(make_edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
   }
   for (const std::uint32_t v : border.vertices) {
     for (const std::uint32_t corner : border.corners.corners_of(v)) {
       const Triangle& t = mesh.triangles[corner / 3];
       for (std::size_t k = 0; k < 3; ++k) {
-        const EdgeKey edge = edge_key(t[k], t[(k + 1) % 3]);
+        const EdgeKey edge = make_edge_key(t[k], t[(k + 1) % 3]);
         if (!edges.on_border.contains(edge)) edges.others.insert(edge);
       }
     }
@@ -224,12 +224,12 @@ std::vector<Junction> fitting(const std::vector<Junction>& junctions, const Bord
   const auto fits = [&](std::uint32_t from, std::uint32_t to) {
     const Vec3 part =
         (mesh.vertices[to] - mesh.vertices[from]).cross(mesh.vertices[apex] - mesh.vertices[from]);
-    return part.dot(normal) > 0.0 && !edges.others.contains(edge_key(from, to));
+    return part.dot(normal) > 0.0 && !edges.others.contains(make_edge_key(from, to));
   };
   std::uint32_t before = triangle[at.side];
   std::vector<Junction> result;
   for (const Junction& junction : junctions) {
-    const EdgeKey to_apex = edge_key(junction.vertex, apex);
+    const EdgeKey to_apex = make_edge_key(junction.vertex, apex);
     if (edges.others.contains(to_apex) || edges.on_border.contains(to_apex) ||
         !fits(before, junction.vertex) || !fits(junction.vertex, last)) {
       continue;

@@ -279,7 +279,7 @@ FreeSurface free_surface(const RawSurface& surface, const std::vector<bool>& kep
       if (other == kNoIndex || kept[other] ||
           surface.source_file[other] != surface.source_file[t]) {
         fixed[a] = fixed[b] = true;
-        free.constraints.push_back(edge_key(a, b));
+        free.constraints.push_back(make_edge_key(a, b));
       } else if (t < other) {
         free.edges.push_back({a, b});
       }

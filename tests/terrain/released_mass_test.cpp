@@ -73,8 +73,8 @@ TEST_F(Released, AParaboloidHasItsVolume) {
     expect_solid(mass.bodies[0].mesh);
     EXPECT_TRUE(mass.excluded.empty());
     EXPECT_TRUE(mass.notes.empty());
-    EXPECT_NEAR(mass.edge_before, 0.4, 0.15);
-    EXPECT_NEAR(mass.edge_after, 0.57, 0.2);
+    EXPECT_NEAR(mass.median_edge_before, 0.4, 0.15);
+    EXPECT_NEAR(mass.median_edge_after, 0.57, 0.2);
   }
 }
 

@@ -19,10 +19,10 @@ PhotoModel read_alicevision(const std::filesystem::path& file);
 CameraIntrinsics make_colmap_intrinsics(const std::string& model, int width, int height,
                                         const std::vector<double>& p);
 
-/// Sorts photos by name and updates the indices.
+/// Returns the model with photos sorted by name and their indices updated.
 PhotoModel photos_sorted_by_name(PhotoModel model);
 
-/// Converts a rotation matrix.
+/// Converts a rotation matrix to a quaternion.
 /// @throws InputError  if it is not a rotation; the message starts with `what`
 Quat rotation_from_matrix(const Mat3& matrix, const std::string& what);
 

@@ -7,7 +7,7 @@
 
 namespace clast::photos_detail {
 
-/// Observation of a point in a photo.
+/// Observation of a point in a photo, given by photo index and pixel.
 struct ImageObservation {
   std::size_t photo = 0;
   Vec2 pixel = Vec2::Zero();

@@ -13,7 +13,7 @@ namespace clast::reconstruct_detail {
 /// Records defects. Positions are given relative to a local origin and converted for the report.
 class RepairLog {
  public:
-  /// Starts a log.
+  /// Starts an empty log.
   /// @param origin  origin of the working coordinates
   /// @param to_reported_position  converts positions of the mesh as read for the report; if empty,
   /// they

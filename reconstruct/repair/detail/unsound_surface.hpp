@@ -5,7 +5,7 @@
 
 namespace clast::reconstruct_detail {
 
-/// Advice in errors about unrepairable surfaces.
+/// Advice that ends error messages about unrepairable surfaces.
 inline constexpr const char* kRepairAdvice =
     "; close and clean the scan first, for example in MeshLab (Filters > Remeshing > Close Holes, "
     "or Screened Poisson) or CloudCompare (PoissonRecon)";
@@ -22,7 +22,7 @@ void check_extent(const TriangleMesh& mesh);
 /// @throws GeometryError  if the mesh has no triangle
 void check_not_empty(const TriangleMesh& mesh);
 
-/// Checks that the surface is orientable.
+/// Checks that a surface is orientable.
 /// @throws GeometryError  if it is not
 void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
                       const RepairLog& log);
@@ -33,8 +33,8 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
 void check_hole_size(const FilledHole& hole, double largest, const TriangleMesh& welded,
                      const RepairLog& log);
 
-/// Checks that the surface is closed.
-/// @param welded  see `check_hole`
+/// Checks that a surface is closed.
+/// @param welded  see `check_hole_size`
 /// @throws GeometryError  if it is not closed
 void check_closed(const TriangleMesh& mesh, const TriangleMesh& welded, const RepairLog& log);
 

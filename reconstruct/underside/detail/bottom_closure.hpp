@@ -21,7 +21,7 @@ class BottomClosure {
  public:
   static constexpr double kMinPower = 0.05;  ///< minimum of `ClosureDisplacement::power`
 
-  /// Stores the closure.
+  /// Constructs the closure of a mesh.
   /// @param closed  mesh with the closure; must outlive this object
   /// @param patch  closure; its vertices in `closed` begin at `first_vertex`
   /// @param down  direction in which the closure is lowered, unit vector
@@ -29,7 +29,7 @@ class BottomClosure {
                 const Vec3& down)
       : closed_(closed), patch_(std::move(patch)), first_vertex_(first_vertex), down_(down) {}
 
-  /// Returns `closed` with the lowered closure.
+  /// Returns the closed mesh with its closure lowered.
   TriangleMesh lowered_mesh(const ClosureDisplacement& move) const;
   /// Returns the displacement that adds the volume `added` (m^3). The power is reduced such that
   /// the depth is at most `deepest` (m), if possible.
@@ -41,7 +41,7 @@ class BottomClosure {
                                                    double max_power) const;
 
  private:
-  /// Returns the added volume per depth, m^2.
+  /// Returns the volume added per depth of the displacement, m^2.
   double volume_per_depth(double power) const;
   bool touches(const Plane& ground, const ClosureDisplacement& move) const;
   double lowering_at_vertex(std::size_t vertex, const ClosureDisplacement& move) const;

@@ -26,7 +26,7 @@ struct UnobservedPartBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
 
-/// Information on the unobserved parts of a body.
+/// Unobserved parts of a body, and known limits of its surface.
 struct UnobservedParts {
   std::vector<bool> is_closure;  ///< one flag per triangle; true if it fills a hole
   std::optional<Plane> floor;    ///< plane below the body, normal up

@@ -143,7 +143,7 @@ std::map<std::string, GroundDistributions> read_zones(
   if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
   std::map<std::string, GroundDistributions> ground;
   for (const auto& [name, value] : node.table) {
-    all.checked(name, [&] { check_zone_name(name); });
+    all.run_check(name, [&] { check_zone_name(name); });
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }

@@ -111,7 +111,7 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
                          allowed.describe());
       }
     };
-    table.checked("posterior", check, parameter + " ");
+    table.run_check("posterior", check, parameter + " ");
   }
 }
 

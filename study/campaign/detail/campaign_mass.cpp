@@ -27,7 +27,7 @@ void refuse_repeated(const std::vector<DeclaredTable>& tables) {
 
 void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
   const TomlNode& node = *table.find("polygon");
-  table.checked("polygon", [&] { check_has_area(mass.polygon); });
+  table.run_check("polygon", [&] { check_has_area(mass.polygon); });
   std::vector<Vec2> ring;
   for (const Vec2& corner : mass.polygon) {
     if (ring.empty() || corner != ring.back()) ring.push_back(corner);

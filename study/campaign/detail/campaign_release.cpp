@@ -70,7 +70,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
-  return rule.checked("polygon", [&] {
+  return rule.run_check("polygon", [&] {
     return sample_points_in_polygon(corners, count,
                                     rule.value<std::uint64_t>("seed").value_or(plan.seed));
   });

@@ -67,10 +67,10 @@ void read_population(const DeclaredTable& vary, VariationSeriesRequest& request)
     if (request.table.empty()) {
       table.refuse("units", "are units of table, which is missing; leave units out");
     }
-    table.checked("units", [&] { parse_length_unit(request.units); });
+    table.run_check("units", [&] { parse_length_unit(request.units); });
   }
   if (table.find("prefix")) {
-    table.checked("prefix", [&] { check_block_id(request.prefix + "0001"); });
+    table.run_check("prefix", [&] { check_block_id(request.prefix + "0001"); });
   }
 }
 

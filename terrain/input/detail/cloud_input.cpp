@@ -52,8 +52,8 @@ struct Cells {
   HeightGrid grid() const {
     return {.columns = columns,
             .rows = rows,
-            .first = (first + Vec2(0.5, 0.5)) * size,
-            .step = {size, size},
+            .first_centre = (first + Vec2(0.5, 0.5)) * size,
+            .cell_size = {size, size},
             .heights = std::vector<double>(count(), 0.0)};
   }
 };

@@ -30,7 +30,7 @@ std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
                                            const DeclaredFillValue& rules);
 
-/// Check of the heights of a point cloud for fill values.
+/// Check of the heights of a point cloud for undeclared fill values.
 class PointFillValueCheck {
  public:
   void include(double height);

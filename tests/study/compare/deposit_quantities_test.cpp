@@ -87,7 +87,7 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_NEAR(length.interval->high, 10.0 + half_width, 1e-7);
   // p is 0.0194, and three figures are tested: length, H / L, travel angle.
   EXPECT_EQ(length.family_size, 3u);
-  EXPECT_GT(*length.p_holm, *length.p_value);
+  EXPECT_GT(*length.holm_p_value, *length.p_value);
   // What never differs has neither interval nor verdict.
   const DepositQuantityDifference& area = named(figures, "area_m2");
   EXPECT_FALSE(area.interval);
@@ -112,7 +112,7 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
                 describe_difference(clear) + ", from 4 and 3 realisations");
   EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
   const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
-  EXPECT_EQ(open.verdict(), ContrastVerdict::kInsignificantAfterCorrection) << *open.p_holm;
+  EXPECT_EQ(open.verdict(), ContrastVerdict::kInsignificantAfterCorrection) << *open.holm_p_value;
   EXPECT_TRUE(contains(describe_effect(open), "; one of 3 differences can be as large by chance"));
   const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
   EXPECT_EQ(none.verdict(), ContrastVerdict::kInsignificant);

@@ -107,7 +107,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   for (const Difference& difference : one.differences) {
     EXPECT_FALSE(difference.interval);
     EXPECT_FALSE(difference.p_value);
-    EXPECT_FALSE(difference.p_holm);
+    EXPECT_FALSE(difference.holm_p_value);
     EXPECT_FALSE(difference.is_significant());
     EXPECT_EQ(difference.family_size, 0u);
     EXPECT_EQ(difference.verdict(), ContrastVerdict::kUntested);
@@ -124,7 +124,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   }
   const Comparison two = compared(in_realisations(synthetic_results(3, -30.0), 2));
   EXPECT_TRUE(between_classes(two, "runout_m").interval);
-  EXPECT_TRUE(between_classes(two, "runout_m").p_holm);
+  EXPECT_TRUE(between_classes(two, "runout_m").holm_p_value);
 }
 
 // A file of one realisation beside one of several: its own scatter is not known.
