@@ -29,9 +29,9 @@ ClassCertainty assess_class_certainty(const std::string& scheme, const Axes& axe
     for (const double limit : ratio.limits) {
       const double distance = std::abs(ratio.value - limit);
       if (distance >= certainty.distance) continue;
-      certainty.ratio = ratio.name;
-      certainty.value = ratio.value;
-      certainty.limit = limit;
+      certainty.nearest_ratio = ratio.name;
+      certainty.ratio_value = ratio.value;
+      certainty.nearest_limit = limit;
       certainty.distance = distance;
     }
   }
@@ -45,9 +45,9 @@ ClassCertainty assess_class_certainty(const std::string& scheme, const Axes& axe
 }
 
 std::string describe_certainty(const ClassCertainty& certainty) {
-  std::string text = certainty.ratio + " " + format_significant(certainty.value, 3) + " is " +
-                     format_significant(certainty.distance, 2) + " from " +
-                     format_significant(certainty.limit, 3);
+  std::string text = certainty.nearest_ratio + " " + format_significant(certainty.ratio_value, 3) +
+                     " is " + format_significant(certainty.distance, 2) + " from " +
+                     format_significant(certainty.nearest_limit, 3);
   if (certainty.is_certain) return text;
   text += "; ";
   for (const std::string& name : certainty.other_possible_classes) {

@@ -13,10 +13,10 @@ inline constexpr double kTapeError = 0.05;
 /// Shape class with its nearest class limit, and other classes that are possible within the error.
 struct ClassCertainty {
   std::string name;
-  std::string ratio;      ///< ratio that is nearest to a class limit, such as "S/L"
-  double value = 0.0;     ///< value of this ratio
-  double limit = 0.0;     ///< class limit nearest to `value`
-  double distance = 0.0;  ///< |value - limit|
+  std::string nearest_ratio;   ///< ratio that is nearest to a class limit, such as "S/L"
+  double ratio_value = 0.0;    ///< value of this ratio
+  double nearest_limit = 0.0;  ///< class limit nearest to `ratio_value`
+  double distance = 0.0;       ///< |ratio_value - nearest_limit|
   bool near_limit =
       false;  ///< true if `distance` is below 0.05, or the limit is within the error of the axes
   bool is_certain = true;  ///< true if the class is the same for all axes within the error

@@ -138,9 +138,9 @@ void bind_shape_class(py::module_& module) {
                              "A shape class with its distance from the nearest limit, and whether "
                              "it holds within the error of the axes.")
       .def_readonly("name", &ClassCertainty::name, "The class, as \"CB\" or \"compact\".")
-      .def_readonly("ratio", &ClassCertainty::ratio, "Ratio nearest to one of its limits.")
-      .def_readonly("value", &ClassCertainty::value, "Of the ratio.")
-      .def_readonly("limit", &ClassCertainty::limit, "Of the ratio, the nearest.")
+      .def_readonly("ratio", &ClassCertainty::nearest_ratio, "Ratio nearest to one of its limits.")
+      .def_readonly("value", &ClassCertainty::ratio_value, "Of the ratio.")
+      .def_readonly("limit", &ClassCertainty::nearest_limit, "Of the ratio, the nearest.")
       .def_readonly("distance", &ClassCertainty::distance, "Between value and limit.")
       .def_readonly("near_limit", &ClassCertainty::near_limit,
                     "Closer than 0.05, or than the error of the axes.")

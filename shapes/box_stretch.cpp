@@ -116,7 +116,7 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
     vertex = before.centre + stretch * (vertex - before.centre);
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stretch, Eigen::EigenvaluesOnly);
-  result.stretch = eigen.eigenvalues().reverse();
+  result.principal_stretches = eigen.eigenvalues().reverse();
   result.max_ratio_difference = max_ratio_difference(box_ratios(smallest_box(result.body)), target);
   return result;
 }

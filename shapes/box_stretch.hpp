@@ -22,7 +22,8 @@ double max_ratio_difference(const BoxRatios& ratios, const BoxRatios& target);
 
 struct StretchedBody {
   SpheroPolyhedron body;
-  Vec3 stretch = Vec3::Ones();  ///< principal stretches of the core, descending; product 1
+  Vec3 principal_stretches =
+      Vec3::Ones();  ///< principal stretches of the core, descending; product 1
   double max_ratio_difference =
       0.0;  ///< remaining relative difference of the ratios from the target
 };

@@ -18,7 +18,7 @@ enum class CoarseShapeMethod { kHarmonics, kBilaplacian };
 
 struct ScaledDetailSurface {
   TriangleMesh mesh;
-  CoarseShapeMethod coarse = CoarseShapeMethod::kHarmonics;
+  CoarseShapeMethod coarse_shape_method = CoarseShapeMethod::kHarmonics;
 };
 
 /// Scales the surface detail. A gain of 1 returns the mesh unchanged.

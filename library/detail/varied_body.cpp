@@ -70,7 +70,7 @@ VariationResult apply_variation(const Block& parent, const StretchVariation& tar
                         " can't be reached; the nearest are " + format_significant(nearest.i_l, 4) +
                         " and " + format_significant(nearest.s_l, 4));
   }
-  const Vec3& s = stretched.stretch;
+  const Vec3& s = stretched.principal_stretches;
   return {std::move(stretched.body), "stretch=" + format_significant(s[0], 4) + "," +
                                          format_significant(s[1], 4) + "," +
                                          format_significant(s[2], 4)};
@@ -127,7 +127,7 @@ VariationResult apply_variation(const Block& parent, const DetailVariation& targ
   const SurfaceDetailOptions options = {target.gain, target.degree};
   if (target.gain == 1.0) return {parent.body, "coarse_form=unchanged"};
   const ScaledDetailSurface surface = scale_surface_detail(core_mesh(parent.body), options);
-  const bool harmonics = surface.coarse == CoarseShapeMethod::kHarmonics;
+  const bool harmonics = surface.coarse_shape_method == CoarseShapeMethod::kHarmonics;
   return {with_form_of(parent, make_sphero_polyhedron(surface.mesh, parent.body.radius),
                        radius_fraction(parent.body))
               .body,

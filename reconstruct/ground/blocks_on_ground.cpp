@@ -74,7 +74,7 @@ class Standing {
 
   BlocksOnGround run() {
     heights_.reserve(points_.size());
-    for (const Vec3& p : points_) heights_.push_back(ground_.height(p));
+    for (const Vec3& p : points_) heights_.push_back(ground_.height_above_ground(p));
     find_components();
     BlocksOnGround result;
     if (components_.empty()) {
@@ -105,7 +105,7 @@ class Standing {
       Bounds box, plan;
       for (const std::uint32_t i : set) {
         component.points.push_back(sparse[i]);
-        component.height = std::max(component.height, ground_.height(sparse[i]));
+        component.height = std::max(component.height, ground_.height_above_ground(sparse[i]));
         box.include(sparse[i]);
         const Vec3 flat = turn_ * sparse[i];
         plan.include({flat.x(), flat.y(), 0.0});

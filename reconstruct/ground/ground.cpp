@@ -188,7 +188,7 @@ Ground::Ground(Ground&&) noexcept = default;
 Ground& Ground::operator=(Ground&&) noexcept = default;
 Ground::~Ground() = default;
 
-double Ground::height(const Vec3& point) const {
+double Ground::height_above_ground(const Vec3& point) const {
   return surface_->flat(point).z() - surface_->at(point);
 }
 

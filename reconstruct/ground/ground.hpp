@@ -33,7 +33,7 @@ class Ground {
   const Plane& plane() const { return plane_; }    ///< reference plane; its normal points up
   double roughness() const { return roughness_; }  ///< standard deviation about the surface, m
   /// Returns the height above the local ground surface along the plane's normal, m.
-  double height(const Vec3& point) const;
+  double height_above_ground(const Vec3& point) const;
   /// Returns the tangent plane of the ground below `point`, averaged over the length `size` (m).
   Plane tangent_plane_below(const Vec3& point, double size) const;
 

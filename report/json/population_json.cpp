@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json certainty_json(const ClassCertainty& certainty) {
-  return {{"class", certainty.name},          {"ratio", certainty.ratio},
-          {"value", certainty.value},         {"nearest_limit", certainty.limit},
+  return {{"class", certainty.name},          {"ratio", certainty.nearest_ratio},
+          {"value", certainty.ratio_value},   {"nearest_limit", certainty.nearest_limit},
           {"distance", certainty.distance},   {"near_limit", certainty.near_limit},
           {"survives", certainty.is_certain}, {"others", certainty.other_possible_classes}};
 }

@@ -23,8 +23,8 @@ EnclosingRectangle rectangle_along(std::span<const Vec2> points, const Vec2& dir
   }
   EnclosingRectangle rectangle;
   rectangle.direction = direction;
-  rectangle.along = high.x() - low.x() + 2.0 * radius;
-  rectangle.across = high.y() - low.y() + 2.0 * radius;
+  rectangle.length_along = high.x() - low.x() + 2.0 * radius;
+  rectangle.length_across = high.y() - low.y() + 2.0 * radius;
   return rectangle;
 }
 
@@ -82,7 +82,7 @@ EnclosingRectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
 EnclosingRectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius) {
   const std::size_t count = outline.size();
   EnclosingRectangle best;
-  best.along = best.across = 2.0 * radius;
+  best.length_along = best.length_across = 2.0 * radius;
   if (count < 2) return best;
 
   const auto next = [count](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
@@ -111,8 +111,8 @@ EnclosingRectangle smallest_outline_rectangle(std::span<const Vec2> outline, dou
     advance(behind, -direction);
     EnclosingRectangle candidate;
     candidate.direction = direction;
-    candidate.along = direction.dot(outline[ahead] - outline[behind]) + 2.0 * radius;
-    candidate.across = inward.dot(outline[across] - outline[edge]) + 2.0 * radius;
+    candidate.length_along = direction.dot(outline[ahead] - outline[behind]) + 2.0 * radius;
+    candidate.length_across = inward.dot(outline[across] - outline[edge]) + 2.0 * radius;
     if (first || candidate.area() < best.area()) best = candidate;
     first = false;
   }

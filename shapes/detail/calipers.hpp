@@ -9,10 +9,10 @@ namespace clast {
 
 /// Rectangle around discs, given by its direction and side lengths.
 struct EnclosingRectangle {
-  Vec2 direction = Vec2::UnitX();  ///< unit vector along the side `along`
-  double along = 0.0, across = 0.0;
+  Vec2 direction = Vec2::UnitX();  ///< unit vector along the side `length_along`
+  double length_along = 0.0, length_across = 0.0;
 
-  double area() const { return along * across; }
+  double area() const { return length_along * length_across; }
 };
 
 /// Returns the vertices of the convex hull, counter-clockwise, without points on edges. It has one

@@ -16,15 +16,15 @@ TEST(Certainty, NamesTheNearestLimit) {
   // q = 0.69 is 0.01 from 0.7; d = (100 - 85)/31 = 0.484 is farther from both of its limits.
   const ClassCertainty near_c = assess_class_certainty("sneed-folk", {100, 85, 69}, 0.0);
   EXPECT_EQ(near_c.name, "CB");
-  EXPECT_EQ(near_c.ratio, "S/L");
-  EXPECT_EQ(near_c.limit, 0.7);
+  EXPECT_EQ(near_c.nearest_ratio, "S/L");
+  EXPECT_EQ(near_c.nearest_limit, 0.7);
   EXPECT_NEAR(near_c.distance, 0.01, 1e-12);
   // d = 0.66.
   const ClassCertainty near_e = assess_class_certainty("sneed-folk", {100, 60.4, 40}, 0.0);
-  EXPECT_EQ(near_e.ratio, "(L-I)/(L-S)");
+  EXPECT_EQ(near_e.nearest_ratio, "(L-I)/(L-S)");
   EXPECT_NEAR(near_e.distance, 0.01, 1e-12);
   // Compact blocks have no second letter: d = 0 is near nothing.
-  EXPECT_EQ(assess_class_certainty("sneed-folk", {100, 100, 90}, 0.0).ratio, "S/L");
+  EXPECT_EQ(assess_class_certainty("sneed-folk", {100, 100, 90}, 0.0).nearest_ratio, "S/L");
 }
 
 TEST(Certainty, ErrorOfTheAxesDecidesWhatIsPossible) {

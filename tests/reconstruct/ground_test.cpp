@@ -78,7 +78,7 @@ TEST(Ground, LocalSurfaceFollowsAHollow) {
   const auto ground = find_ground(points);
   ASSERT_TRUE(ground.has_value());
   for (const double x : {-0.8, -0.3, 0.2, 0.9}) {
-    EXPECT_NEAR(ground->height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
+    EXPECT_NEAR(ground->height_above_ground({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
     const Plane below = ground->tangent_plane_below({x, 0.4, 1.0}, 0.1);
     EXPECT_LT(degrees_between(below.normal, Vec3(-0.1 * x, -0.04, 1.0)), 0.7) << x;
     EXPECT_NEAR(below.signed_distance({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;

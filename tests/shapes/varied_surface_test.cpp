@@ -95,7 +95,7 @@ TEST(SurfaceDetail, IsWhatLiesAboveTheDegree) {
   const TriangleMesh mesh = rippled(0.05);
   EXPECT_NEAR(far(mesh), 0.05, 1e-3);
   const ScaledDetailSurface smooth = scale_surface_detail(mesh, {.gain = 0.0, .degree = 6});
-  EXPECT_EQ(smooth.coarse, CoarseShapeMethod::kHarmonics);
+  EXPECT_EQ(smooth.coarse_shape_method, CoarseShapeMethod::kHarmonics);
   EXPECT_LT(far(smooth.mesh), 2e-3);
   EXPECT_NEAR(far(scale_surface_detail(mesh, {.gain = 2.0, .degree = 6}).mesh), 0.1, 3e-3);
   EXPECT_EQ(scale_surface_detail(mesh, {.gain = 1.0, .degree = 6}).mesh.vertices, mesh.vertices);
@@ -103,7 +103,7 @@ TEST(SurfaceDetail, IsWhatLiesAboveTheDegree) {
 
 TEST(SurfaceDetail, FallsBackToABilaplacianAndSaysSo) {
   const ScaledDetailSurface smooth = scale_surface_detail(ring(), {.gain = 0.9, .degree = 6});
-  EXPECT_EQ(smooth.coarse, CoarseShapeMethod::kBilaplacian);
+  EXPECT_EQ(smooth.coarse_shape_method, CoarseShapeMethod::kBilaplacian);
   EXPECT_TRUE(find_self_intersections(smooth.mesh).empty());
   EXPECT_TRUE(
       contains(refusal([] { scale_surface_detail(bumpy_rock(), {.gain = 0.0, .degree = 12}); }),
