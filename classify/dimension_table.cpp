@@ -200,8 +200,8 @@ std::string length_note(const DimensionTable& table, bool units_are_known) {
   const std::string half =
       "half of the blocks are " + format_significant(median, 3) + " m long or longer";
   if (units_are_known) return half + ": check the unit, which `units` or the header gives";
-  return "axes were read in metres, as neither the header nor `units` names a unit, and " + half +
-         in_other_units(median) + "; give the unit as `units`";
+  return "axes were read in metres, because neither the header nor `units` names a unit, and " +
+         half + in_other_units(median) + "; give the unit as `units`";
 }
 
 }  // namespace

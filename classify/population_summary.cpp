@@ -36,7 +36,8 @@ double median_of(std::vector<double> values) {
 }
 
 std::string chance(double p) {
-  return "two samples of one deposit differ this much with a probability of " + format_p_value(p);
+  return "two samples of one deposit differ by this much or more with a probability of " +
+         format_p_value(p);
 }
 
 ShapeMeasureDifference measure_difference(const ShapeMeasure& measure, const Population& a,

@@ -166,10 +166,10 @@ void add_warnings(Block& block, const BlockOptions& options) {
         "convention, not by the shape");
   }
   if (block.mass.relative_error > options.accuracy) {
-    block.warnings.push_back("volume and inertia are known to " +
-                             format_significant(block.mass.relative_error, 4) + " and not to the " +
-                             format_significant(options.accuracy, 4) +
-                             " requested; simplify the scan, or raise `accuracy`");
+    block.warnings.push_back(
+        "the relative error of volume and inertia is " +
+        format_significant(block.mass.relative_error, 4) + ", more than the requested " +
+        format_significant(options.accuracy, 4) + "; simplify the scan, or raise `accuracy`");
   }
   if (block.body.radius > kMaxRadiusFraction * S) {
     block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +

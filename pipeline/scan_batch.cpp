@@ -214,7 +214,7 @@ class Batch {
     try {
       save();
     } catch (const Error& error) {
-      observer_.on_note(std::string(error.what()) + "; writing will be tried again at the end");
+      observer_.on_note(std::string(error.what()) + "; writing is repeated at the end");
     }
     written_ = std::chrono::steady_clock::now();
   }

@@ -58,7 +58,7 @@ std::vector<std::string> parse_texts(const py::handle& object, const char* name)
     for (const py::handle& item : object) {
       const std::optional<std::string> text = text_from(item);
       if (!text) {
-        throw py::type_error(std::string(name) + ": must be texts or paths, and one is a " +
+        throw py::type_error(std::string(name) + ": must be texts or paths, but one is a " +
                              type_name(item));
       }
       texts.push_back(*text);

@@ -34,7 +34,7 @@ double measured_unit(const std::array<Vec3, 2>& points, double metres) {
   const double units = (points[1] - points[0]).norm();
   if (!(units > 0.0) || !kLengthUnitRange.contains(metres / units)) {
     throw InputError("scale_length: the points are " + format_significant(units, 6) +
-                     " units apart, and a unit must be " + kLengthUnitRange.describe());
+                     " units apart, but a unit must be " + kLengthUnitRange.describe());
   }
   return metres / units;
 }

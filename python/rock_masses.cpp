@@ -63,7 +63,7 @@ CutRequest cut_request(Keywords& given) {
   if (request.file.path.empty() ? !both : !none) {
     throw InputError("give a closed mesh of the mass, or both before and after");
   }
-  if (request.scar && !both) throw InputError("scar is for the mass between before and after");
+  if (request.scar && !both) throw InputError("scar applies to the mass between before and after");
   return request;
 }
 

@@ -153,7 +153,7 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
 
 void bind_terrains(py::module_& module) {
   py::class_<Terrain, std::shared_ptr<Terrain>>(
-      module, "TerrainData", "Checked ground: triangles in zones, and their place on the map.")
+      module, "TerrainData", "Checked ground: triangles with zones, and its position on the map.")
       .def_property_readonly("vertices",
                              [](const py::object& self) {
                                return array_view(py::cast<const Terrain&>(self).surface.vertices,

@@ -71,8 +71,8 @@ class Experiment {
     }
     if (world_) {
       throw SimulationError("block " + block->id +
-                            " is new to a world that moves, whose stiffness follows from its "
-                            "blocks; add it, or name it with know(), before the first step");
+                            " is not known to this world, whose stiffness was chosen from its "
+                            "blocks; add it, or declare it with know(), before the first step");
     }
     const RigidBody body = rigid_body(*block);
     body.check("block " + block->id);
@@ -236,7 +236,7 @@ class Experiment {
     }
     const bool stated = given.has("ground");
     if (!terrain_) {
-      if (stated) throw InputError("ground: a world without a terrain has none");
+      if (stated) throw InputError("ground: a world without a terrain has no ground");
       return;
     }
     if (!stated) {
@@ -283,7 +283,8 @@ class Experiment {
   }
 
   World& started() {
-    if (running_) throw SimulationError("the world is moving; look at it when run() has returned");
+    if (running_)
+      throw SimulationError("the world is moving; read its state after run() has returned");
     if (world_) return *world_;
     if (bodies_.empty()) throw SimulationError("the world is empty; add a block first");
     std::vector<GroundParameters> grounds = zones_;

@@ -63,7 +63,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
   throw GeometryError(
       std::to_string(*most) + " triangles meet at one vertex, near " +
       format_point(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
-      ": to simplify such a fan takes hours; remesh the surface with triangles of even "
+      ": simplifying such a fan takes hours; remesh the surface with triangles of even "
       "size first (isotropic remeshing), or request " +
       std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
 }
@@ -81,7 +81,7 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
   options.check();
   const MeshReport report = inspect_mesh(mesh);
   if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0) {
-    throw GeometryError("only a closed surface can be simplified, but this one has " +
+    throw GeometryError("only a closed surface can be simplified; this one has " +
                         report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;

@@ -10,7 +10,7 @@ namespace clast {
 std::filesystem::path calibration_page_file(const std::filesystem::path& target) {
   if (target.extension() == ".html") {
     throw InputError(target.string() +
-                     ": is the name of the page beside it; give the posterior the extension .h5");
+                     ": has the same name as its HTML page; give the posterior the extension .h5");
   }
   std::filesystem::path page = target;
   return page.replace_extension(".html");

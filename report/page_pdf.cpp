@@ -30,8 +30,8 @@ class BrowserProfile {
     std::string name = (fs::temp_directory_path(code) / "clast-browser-XXXXXX").string();
     if (code || ::mkdtemp(name.data()) == nullptr) {
       throw InputError(
-          "a folder for the browser can't be made in the one for temporary files; "
-          "name one that can be written to in TMPDIR");
+          "cannot make a folder for the browser in the folder for temporary files; set TMPDIR to a "
+          "writable folder");
     }
     folder_ = name;
   }
@@ -98,7 +98,7 @@ fs::path find_browser() {
     const fs::path browser = find_executable(named);
     if (!browser.empty()) return browser;
     throw InputError("CLAST_BROWSER names " + std::string(named) +
-                     ", which is no program; name Chromium or Chrome");
+                     ", which is not an executable program; name Chromium or Chrome");
   }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
                            "chrome", "microsoft-edge"}) {
@@ -106,8 +106,8 @@ fs::path find_browser() {
     if (!browser.empty()) return browser;
   }
   throw InputError(
-      "there is no browser to print the report with; install Chromium (on Debian: apt install "
-      "chromium), name a browser in CLAST_BROWSER, or print report.html by hand");
+      "no browser was found to print the report; install Chromium (on Debian: apt install "
+      "chromium), name a browser in CLAST_BROWSER, or print report.html yourself");
 }
 
 void print_page(const fs::path& page, const fs::path& pdf, const fs::path& browser,
@@ -131,12 +131,12 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
                                               profile.folder() / "log", seconds);
   if (end.timed_out) {
     throw InputError(browser.string() + " did not print the report within " +
-                     format_significant(seconds, 3) + " s; print report.html by hand");
+                     format_significant(seconds, 3) + " s; print report.html yourself");
   }
   if (!is_pdf(pdf)) {
     fs::remove(pdf, code);
     throw InputError(browser.string() + " wrote no PDF (exit code " +
-                     std::to_string(end.exit_code) + "); print report.html by hand");
+                     std::to_string(end.exit_code) + "); print report.html yourself");
   }
   write_text_file(pdf, without_print_marks(read_text_file(pdf)));
 }

@@ -116,7 +116,7 @@ void note_same_files(ReportedPopulation& reported) {
     std::vector<std::string>& same = names[input.sha256];
     if (same.size() < 2) continue;
     const std::string times = std::to_string(same.size()) + " times";
-    add_note(reported, "the same file was given " + times + " (" + comma_separated(same) +
+    add_note(reported, "the same file is given " + times + " (" + comma_separated(same) +
                            "): its blocks are counted " + times);
     same.clear();  // noted once
   }
@@ -141,7 +141,7 @@ ReportedPopulation read_population(const PopulationFiles& files,
     reported.inputs.push_back({to_utf8(input), sha256_of_file(input)});
   }
   if (reported.population.blocks.empty()) {
-    throw InputError(reported.inputs.front().file + ": there is no block in it to classify");
+    throw InputError(reported.inputs.front().file + ": it contains no block to classify");
   }
   if (reading.surfaces) reported.surfaces.resize(reported.population.blocks.size());
   const std::string box_words = "sides of the " + reading.box + " box of the rounded body";
@@ -195,7 +195,7 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
     const bool axis = quantity == "L" || quantity == "I" || quantity == "S";
     if (column.empty() || (!axis && quantity != "mass" && quantity != "name")) {
       throw InputError("`columns`: \"" + item +
-                       "\" is not understood; expected something like L=5,I=6,S=7,mass=4 or "
+                       "\" is not valid; expected for example L=5,I=6,S=7,mass=4 or "
                        "L=length,I=width,S=height,name=label");
     }
     if (!given.emplace(quantity, column).second) {
@@ -217,7 +217,7 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
 
 void PopulationRequest::check() const {
   options.check();
-  if (first.inputs.empty()) throw InputError("no library and no table of blocks is given");
+  if (first.inputs.empty()) throw InputError("no block library and no table of blocks is given");
   if (reading.axis_error && !kAxisErrorRange.contains(*reading.axis_error)) {
     throw InputError("`axis_error` = " + format_significant(*reading.axis_error, 6) + " must be " +
                      kAxisErrorRange.describe());
@@ -227,8 +227,7 @@ void PopulationRequest::check() const {
     for (const std::string& input : files.inputs) {
       if (!reading.box_given || is_library(input)) continue;
       throw InputError("`box`: " + input +
-                       " is a table: its axes are what was measured, and no box can be put around "
-                       "them");
+                       " is a table of measured axes, to which no box convention applies");
     }
   }
 }

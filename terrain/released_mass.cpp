@@ -126,7 +126,7 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
     text += "outside the polygon it is, by up to " + format_significant(range.high, 3) + " m at " +
             at(range.high_position) + ": check the polygon and its map system, or `least_volume`";
   } else if (range.high > 0.0) {
-    text += "the most is " + format_significant(range.high, 3) + " m at " +
+    text += "the largest difference is " + format_significant(range.high, 3) + " m at " +
             at(range.high_position) + ": give a smaller `min_thickness`";
   } else {
     text += "`before` is above `after` nowhere";
@@ -222,11 +222,11 @@ void note_wall(const BodyBetweenSurfaces& pair, const ReleasedBody& body,
                const ReleasedMassOptions& options, const MapFrame& frame,
                std::vector<std::string>& notes) {
   if (pair.max_wall_height <= options.min_thickness + kWallSlack) return;
-  notes.push_back("body " + std::to_string(body.rank) + " ends at a wall of up to " +
-                  format_significant(pair.max_wall_height, 3) + " m, as at " +
+  notes.push_back("body " + std::to_string(body.rank) + " ends at a vertical wall of up to " +
+                  format_significant(pair.max_wall_height, 3) + " m, for example at " +
                   format_map_point(frame.to_map(pair.wall_position)) +
-                  ", which is the border or a step of a surface, or the polygon; the mass beyond "
-                  "it is not included");
+                  ": the border of a surface or of the polygon, or a step of a surface; the mass "
+                  "beyond the wall is not included");
 }
 
 double sum_of_volumes(const std::vector<ReleasedBody>& bodies) {

@@ -158,10 +158,9 @@ void add_calibrate(CLI::App& app) {
   command->footer(
       "Simulates parameter sets that are evenly distributed over their ranges, fits how the "
       "observed statistics depend on the parameters, and draws parameter sets that explain the "
-      "observations.\nCtrl-C stops "
-      "after the current member; --resume continues from there. Results do not depend on "
-      "--threads, on --shard, or on\nthe number of mpirun processes; each process has one thread "
-      "unless --threads is given.\nExamples:\n"
+      "observations.\nCtrl-C stops after the current member; --resume continues the "
+      "calibration.\nResults do not depend on --threads, on --shard, or on the number of mpirun "
+      "processes.\nEach process has one thread unless --threads is given.\nExamples:\n"
       "  clast calibrate study.toml -o posterior.h5\n"
       "  mpirun -n 8 clast calibrate study.toml -o posterior.h5\n"
       "  clast calibrate study.toml -o posterior.h5 --shard "

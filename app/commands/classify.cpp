@@ -77,17 +77,18 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
   }
   for (const char* option : {"--columns", "--units"}) {
     need(option, any(first.inputs, false) || any(against.inputs, false),
-         "is for tables, and every input is a library, whose axes are in metres");
+         "applies to tables, but every input is a library, whose axes are in metres");
   }
   for (const char* option : {"--against-columns", "--against-units"}) {
-    need(option, any(against.inputs, false), "is for tables, and --against has no table");
+    need(option, any(against.inputs, false), "applies to tables, but --against has no table");
   }
   need("--roundness", any(first.inputs, true) || any(against.inputs, true),
-       "is measured on the surface of a library's blocks, and no input is a library");
+       "is measured on the surface of blocks of a library, but no input is a library");
   need("--roundness", args.json, "is printed with --json only");
-  need("--erdogan-limit", args.json || names("erdogan"), "is for the scheme erdogan: add --scheme");
+  need("--erdogan-limit", args.json || names("erdogan"),
+       "applies to the scheme erdogan: add --scheme");
   need("--thirds", args.json || !args.output.empty() || names("sneed-folk"),
-       "is for the scheme sneed-folk: add --scheme");
+       "applies to the scheme sneed-folk: add --scheme");
 }
 
 void classify(const ClassifyArgs& args) {

@@ -130,10 +130,9 @@ void add_compare(CLI::App& app) {
                     "barrier passage that are explained by form, mass, orientation and release "
                     "point, if every combination was run, and the trends with block shape");
   command
-      ->add_option(
-          "--margin", args->margin,
-          "Largest difference in runout that does not matter: report whether the differences "
-          "between blocks are smaller, and the number of runs that this test needs")
+      ->add_option("--margin", args->margin,
+                   "Largest negligible difference in runout: test whether differences between "
+                   "blocks are smaller, and report the number of runs that the test requires")
       ->check(within({1e-3, 1e5, "m"}))
       ->type_name("M");
   command->add_flag("--pdf", args->pdf,
@@ -143,7 +142,7 @@ void add_compare(CLI::App& app) {
                     "written");
   command->footer(
       "Writes tables (runs, barriers, crossings, deposits, impacts, differences, profiles, ...), "
-      "map layers and report.html;\nthe path of the report is printed last. Units are in the "
+      "map layers and report.html.\nThe path of the report is printed last. Units are in the "
       "column names.\n"
       "Example:\n  clast compare compact.h5 elongated.h5 -o comparison --by release_set");
   command->callback([args, command] {

@@ -347,8 +347,7 @@ void add_cut(CLI::App& app) {
       ->capture_default_str();
   command->footer(
       "The joints cut through the whole mass. Blocks are convex and keep their position on the "
-      "map: a "
-      "campaign\nwith [[mass]] in_place = true releases them from there.\n"
+      "map.\nA campaign with [[mass]] in_place = true releases the blocks from this position.\n"
       "Examples:\n"
       "  clast cut scar.ply -j 65/095/1.2/0.3 -j 80/190/1.5 -j 20/310/0.8/0.2 -o insitu.h5\n"
       "  clast cut --before 2019.tif --after 2024.tif --polygon scar.geojson --scar scar.ply\n"

@@ -122,11 +122,10 @@ void add_export(CLI::App& app) {
   add_format_options(*command, *args);
   add_scene_options(*command, args->scene);
   command->footer(
-      "Mesh files are in metres. shp files hold core and radius in metres in the principal frame, "
-      "origin at\nthe centre of mass, coplanar faces as one polygon, and the pose of that frame in "
-      "the scan.\n"
-      "Scenes (--to) hold blocks, terrain, starts and contact parameters of each run in the format "
-      "of Rockable or\nExaDEM; features that these formats can't express are listed.\n"
+      "Mesh files are in metres. shp files contain the core and the radius in metres, in the "
+      "principal frame.\nThe origin of this frame is the centre of mass, and the file states its "
+      "pose in the scan.\nScenes (--to) contain blocks, terrain, starts and contact parameters of "
+      "each run for Rockable or ExaDEM.\nFeatures that these formats can't express are listed.\n"
       "Examples:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl\n"
       "  clast export campaign.toml --to rockable --runs 0-15 -o scenes");
   command->callback([args, command] {

@@ -77,9 +77,9 @@ void add_import(CLI::App& app) {
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Positions, speeds, energies and crossings of barriers come from the states in the conf "
-      "files. "
-      "Quantities that require contact data\n(penetration, impacts, dissipation by cause) are left "
-      "out, and reports say so.\n"
+      "files.\nPenetration, impacts and dissipation by mechanism require contact data; they are "
+      "omitted, "
+      "and reports state this.\n"
       "Example:\n"
       "  clast export campaign.toml --to rockable -o scenes\n"
       "  for run in scenes/run*; do (cd $run && rockable input.txt); done\n"

@@ -78,12 +78,11 @@ void add_new(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--replace", args->replace, "Replace an existing campaign file");
   command->footer(
-      "Release points are proposed on steep ground in the upper part of the terrain, a barrier "
-      "across the path\nof the blocks at the foot of the slope, or higher up if few of 16 trial "
-      "runs reach "
-      "the foot. Ground parameters are typical of the\nground type that a zone is named after "
-      "(rock, talus, scree, soil hard, soil medium, soil soft), else\nof scree: see "
-      "docs/parameters.md.\n"
+      "Release points are proposed on steep ground in the upper part of the terrain.\nA barrier is "
+      "proposed across the path at the foot of the slope, or higher if few of 16 trial runs reach "
+      "it.\nGround parameters are typical of the ground type in the name of a "
+      "zone (docs/parameters.md).\nGround types are rock, talus, scree, soil hard, soil medium and "
+      "soil soft; scree is the default.\n"
       "Example:\n"
       "  clast new campaign --library blocks.h5 --terrain slope.h5 -o campaign.toml");
   command->callback([args] { write_campaign(*args); });

@@ -65,7 +65,7 @@ MeasuredLength measured_length(const std::string& text) {
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
   if (!kLengthUnitRange.contains(unit)) {
-    refuse("makes a unit of the scan " + format_significant(unit, 6) + " m long, and it must be " +
+    refuse("makes a unit of the scan " + format_significant(unit, 6) + " m long, but it must be " +
            kLengthUnitRange.describe());
   }
   return {{a, b}, unit};

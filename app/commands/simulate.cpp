@@ -268,11 +268,10 @@ void add_simulate(CLI::App& app) {
       ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the current runs, with persistent blocks at once, after writing "
-      "checkpoints (other processes of mpirun finish their realisations). --resume continues. "
-      "Results do not "
-      "depend on interruptions, on --threads, on --shard, or on the number of mpirun "
-      "processes;\neach process has one thread unless --threads is given.\n"
+      "Ctrl-C stops after the current runs; --resume continues the campaign.\nWith persistent "
+      "blocks, it writes checkpoints and stops at once; other mpirun processes finish their "
+      "realisations.\nResults do not depend on interruptions, on --threads, on --shard, or on the "
+      "number of mpirun processes.\nEach process has one thread unless --threads is given.\n"
       "Examples:\n"
       "  clast simulate campaign.toml --dry-run\n"
       "  clast simulate campaign.toml -o results.h5 --threads 4\n"

@@ -261,9 +261,9 @@ void add_vary(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--json", args->json, "Print the bodies as JSON");
   command->footer(
-      "Bodies are named after their block and the variation, such as B01_il0.8_sl0.5. I/L and S/L "
-      "remain those of the\nblock unless they are varied. Targets are reached within 0.5 %, "
-      "roundness within 1 %; for a target that can't be\nreached, the nearest possible value is "
+      "Bodies are named after their block and the variation, such as B01_il0.8_sl0.5.\nI/L and S/L "
+      "are those of the original block unless they are varied.\nTargets are reached within 0.5 %, "
+      "roundness within 1 %.\nIf a target can't be reached, the nearest possible value is "
       "reported.\n"
       "Examples:\n"
       "  clast vary blocks.h5 B01 --grid sneed-folk:10 -o forms.h5\n"

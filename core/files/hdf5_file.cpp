@@ -252,7 +252,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
     }
   } catch (const std::bad_alloc&) {
     handle_->fail(name, "does not fit into memory (" + std::to_string(count) +
-                            " values); use a machine with more");
+                            " values); use a machine with more memory");
   }
 }
 
@@ -383,7 +383,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   }
   if (schema < 1) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
-                     ", which never existed" + kDamaged);
+                     ", which does not exist" + kDamaged);
   }
   return file;
 }

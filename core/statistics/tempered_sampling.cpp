@@ -118,8 +118,8 @@ TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood&
   for (Index i = 0; i < sample.points.size(); ++i) sample.points.data()[i] = random.uniform();
   sample.log_likelihood = log_likelihood(sample.points);
   if (!(sample.log_likelihood.array() > -1e300).any()) {
-    throw InputError("the likelihood is zero or not a number at all " +
-                     std::to_string(options.draws) + " first draws");
+    throw InputError("the likelihood is zero or not a number for all " +
+                     std::to_string(options.draws) + " initial draws");
   }
   double scale = 2.38 / std::sqrt(static_cast<double>(dimensions));
   for (double power = 0.0; power < 1.0; ++sample.tempering_steps) {

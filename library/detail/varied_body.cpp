@@ -166,10 +166,10 @@ VariationResult apply_variation(const Block& parent, const InertiaVariation& tar
     for (Vec3& v : body.vertices) v = v.cwiseProduct(Vec3(factors[2], factors[1], factors[0]));
   }
   if (gap > kVariationTolerance) {
-    throw GeometryError("no " + name_of(target.form) + " with a radius of " +
-                        format_significant(share, 4) +
-                        " of S has its principal moments; the nearest is " + format_percent(gap) +
-                        " off in length");
+    throw GeometryError(
+        "no " + name_of(target.form) + " with a radius of " + format_significant(share, 4) +
+        " of S has the principal moments of the block; the lengths of the nearest body differ by " +
+        format_percent(gap));
   }
   return {std::move(body), ""};
 }

@@ -295,7 +295,7 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   const reconstruct_detail::ObservedSurface& observed = body.observed;
   TriangleMesh open = seen_part(body);
   if (open.triangles.empty()) {
-    throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
+    throw GeometryError("the surface does not follow the " + std::to_string(points.size()) +
                         " points; check that all lie on the surface of one block, and clean the "
                         "cloud in CloudCompare");
   }

@@ -58,8 +58,8 @@ bool hardly_open(const FieldBlock& block) {
 FieldBlock with_doubt(FieldBlock block) {
   if (hardly_open(block)) {
     block.scan.notes.push_back(
-        "little surface was missing, so the bounds are narrow; the file does not show "
-        "whether the scanning software had already closed an unseen side, such as the bottom: "
+        "little surface was missing, so the bounds are narrow; the file does not show whether the "
+        "scanning software had already closed an unscanned side, such as the bottom: "
         "check the volume by weighing (`mass` with `density`)");
   }
   return block;
@@ -228,9 +228,9 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
                           "middle, crop the ground off the scan and give `find_ground = false`");
     }
     leave_out_neighbour(block, *anomaly.seam, anomaly.fraction);
-    block.scan.notes.push_back("a smaller body with " + percent + " touches this one" + seam +
-                               "; the lower bounds are those without it: crop it off the scan to "
-                               "narrow the bounds");
+    block.scan.notes.push_back(
+        "a smaller body with " + percent + " touches this one" + seam +
+        "; the lower bounds exclude it; crop it from the scan to narrow the bounds");
   }
 }
 

@@ -121,7 +121,7 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 std::string left_out(const std::vector<SurfaceComponent>& components) {
   if (components.size() < 2 || components[1].area <= kMaxDebrisAreaFraction * components[0].area)
     return "";
-  return "another component of the scan that stands close to this block, with " +
+  return "another component of the scan close to this block, with " +
          format_significant(100.0 * components[1].area / components[0].area, 3) +
          " % of its area, near " + format_point(components[1].mesh.vertices[0]) +
          ", was left out; to make both, save each to a separate file";

@@ -33,13 +33,13 @@ void CharucoBoard::check() const {
                      " markers, but the dictionary " + dictionary + " has " + std::to_string(size));
   }
   if (rows % 2 == 0 && !photos_detail::supports_pattern(older_pattern)) {
-    throw InputError("ChArUco board: with an even number of rows (" + std::to_string(rows) +
-                     ") boards of OpenCV before 4.6 and of later versions differ, and clast was "
-                     "built with OpenCV " +
-                     photos_detail::opencv_version() + ", which supports only the " +
-                     (older_pattern ? "later" : "older") +
-                     " ones; use a board with an odd number of rows, or give older_pattern = " +
-                     (older_pattern ? "false" : "true") + " if that is what it is");
+    throw InputError(
+        "ChArUco board: boards with an even number of rows (" + std::to_string(rows) +
+        ") differ between OpenCV before 4.6 and later versions, and clast was built with OpenCV " +
+        photos_detail::opencv_version() + ", which supports only the " +
+        (older_pattern ? "later" : "older") +
+        " ones; use a board with an odd number of rows, or give older_pattern = " +
+        (older_pattern ? "false" : "true") + " if this is correct");
   }
 }
 

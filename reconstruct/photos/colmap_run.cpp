@@ -204,8 +204,8 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
   const std::string all = std::to_string(count) + " photos";
   if (groups.empty()) {
     throw InputError("0 of " + all +
-                     " could be placed: no two share enough matching points. They are probably "
-                     "too far apart, blurred, or of a block without texture: " +
+                     " could be placed: no two photos share enough matching points. The photos are "
+                     "probably too far apart, blurred, or of a block without texture: " +
                      kAdvice + ", all round the block");
   }
   const std::size_t placed = groups.front().photos.size();

@@ -121,7 +121,7 @@ void compare_measures(PhotoScale& scale, std::size_t used, double most) {
   }
   if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
   if (used == 1) {
-    scale.notes.push_back("the scale rests on " + scale.measures.front().name +
+    scale.notes.push_back("the scale is based on " + scale.measures.front().name +
                           " alone, without a check");
   }
 }
@@ -134,10 +134,10 @@ void check_sides(PhotoScale& scale, const std::vector<LocatedMarker>& markers, d
   scale.marker_side_ratio =
       scale.metres_per_unit * sides / static_cast<double>(markers.size()) / side - 1.0;
   if (std::abs(*scale.marker_side_ratio) <= most) return;
-  scale.notes.push_back("according to the distances between markers, their sides are " +
-                        in_percent(std::abs(*scale.marker_side_ratio)) +
-                        (*scale.marker_side_ratio > 0.0 ? " longer" : " shorter") +
-                        " than given: check both");
+  scale.notes.push_back(
+      "according to the distances between markers, the sides of the markers are " +
+      in_percent(std::abs(*scale.marker_side_ratio)) +
+      (*scale.marker_side_ratio > 0.0 ? " longer" : " shorter") + " than given: check both");
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ std::string unused_reason(const PhotoScan& scan, int id) {
     if (its && measure.used) return "";
     measured = measured || its;
   }
-  return measured ? "left out: its size disagrees with the others" : "no distance to it is known";
+  return measured ? "left out: its size disagrees with the others"
+                  : "no distance to this marker is known";
 }
 
 }  // namespace

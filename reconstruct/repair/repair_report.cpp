@@ -99,13 +99,13 @@ class Sentences {
                format_significant(d.size, 4) + " m";
       case DefectKind::kDegenerate:
         return format_count(d.count, "triangle", "triangles") +
-               " without area or stored twice removed";
+               " without area or stored twice, removed";
       case DefectKind::kFoldedPair:
         return format_count(d.count, "triangle", "triangles") +
-               " back to back with another removed" + worth_of(d);
+               " back to back with another, removed" + worth_of(d);
       case DefectKind::kFin:
         return format_count(d.count, "triangle that stands", "triangles that stand") +
-               " on the surface or double it removed" + worth_of(d) + ", the first" + near(d);
+               " on the surface or duplicate it, removed" + worth_of(d) + ", the first" + near(d);
       case DefectKind::kNonManifoldEdge:
         return format_count(d.count, "edge", "edges") +
                " shared by more than two triangles separated, the first" + near(d);
@@ -126,7 +126,7 @@ class Sentences {
                (report_.inner_shells_retained ? "kept as cavities" : "dropped");
       case DefectKind::kSpike:
         return format_count(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
-               " put back into the surface, the highest" + near(d);
+               " moved back to the surface, the highest" + near(d);
       case DefectKind::kSelfIntersection:
         return format_count(d.count, "pair", "pairs") +
                " of triangles that touched or passed through each other separated or replaced" +
@@ -136,7 +136,7 @@ class Sentences {
       case DefectKind::kTunnel:
         return format_count(d.count, "tunnel passes through the block and remains",
                             "tunnels pass through the block and remain") +
-               " open; if the rock has no tunnel, fill it in the scan";
+               " open; if the rock has no tunnel, close it in the scan";
       case DefectKind::kHole:
       case DefectKind::kDuplicateShell:
         break;
@@ -181,7 +181,7 @@ class Sentences {
       }
       notes.push_back(
           format_significant(100.0 * report_.filled_fraction, 2) + " %" +
-          " of the surface is filling without data: no scan shows the surface at the holes" + open);
+          " of the surface was filled without data: no scan shows the surface at the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
       if (hole.area_fraction <= kLargeHoleFraction) continue;
@@ -244,7 +244,7 @@ const char* name_of(DefectKind kind) {
     case DefectKind::kFoldedPair:
       return "triangles back to back with another, removed";
     case DefectKind::kFin:
-      return "triangles that stand on the surface or double it, removed";
+      return "triangles attached to the surface or duplicating it, removed";
     case DefectKind::kNonManifoldEdge:
       return "edges of more than two triangles, separated";
     case DefectKind::kInconsistentOrientation:
@@ -260,7 +260,7 @@ const char* name_of(DefectKind kind) {
     case DefectKind::kInnerShell:
       return "closed shells inside (bubbles)";
     case DefectKind::kSpike:
-      return "spikes, put back into the surface";
+      return "spikes, moved back to the surface";
     case DefectKind::kHole:
       return "holes, filled";
     case DefectKind::kSelfIntersection:

@@ -105,11 +105,11 @@ std::string form_table(const std::string& parent, const std::vector<Member>& mem
 }
 
 std::string heading_of(const std::string& kind) {
-  if (kind == "convexity") return "Convexity: hollows filled";
+  if (kind == "convexity") return "Convexity, increased by filling hollows";
   if (kind == "roundness") return "Wadell's roundness, by the radius of edges and corners";
-  if (kind == "rounding") return "Radius of edges and corners, as a share of S";
-  if (kind == "vertices") return "Vertices of the core";
-  if (kind == "detail") return "Detail, multiplied";
+  if (kind == "rounding") return "Radius of edges and corners, as a fraction of S";
+  if (kind == "vertices") return "Number of vertices of the core";
+  if (kind == "detail") return "Factor on the surface detail";
   return "Reference bodies";
 }
 

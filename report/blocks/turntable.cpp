@@ -151,8 +151,8 @@ std::string format_turntable_section(const Block& block) {
   const std::string id = "block-data";
   return format_section(
              title,
-             format_paragraph("Drag to turn, use the wheel to come closer, drag with the right "
-                              "button to move.") +
+             format_paragraph(
+                 "Drag to rotate, use the wheel to zoom, drag with the right button to move.") +
                  format_turntable_view(id)) +
          format_packed_element(id, format_turntable_json(block)) + turntable_script();
 }

@@ -35,7 +35,7 @@ std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeBySha
     if (least->value == most->value) continue;
     const std::string number = several_files ? std::to_string(outcome.file + 1) + "_" : "";
     const std::string label = outcome.unit.empty()
-                                  ? "share " + outcome.outcome
+                                  ? "fraction " + outcome.outcome
                                   : "mean " + outcome.outcome + ", " + outcome.unit;
     const std::string of =
         several_files ? " of file " + std::to_string(outcome.file + 1) : std::string();

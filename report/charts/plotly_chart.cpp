@@ -187,7 +187,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
     const char* colour = clear ? "#0072B2" : "#7b8794";
     data.push_back({{"type", "scatter"},
                     {"mode", "markers"},
-                    {"name", clear ? "more than chance" : "not clear"},
+                    {"name", clear ? "significant" : "not significant"},
                     {"x", values},
                     {"y", names},
                     {"text", notes},
@@ -245,7 +245,7 @@ std::string plotly_figure(const std::string& label, const std::string& style, st
 std::string charts_script() {
   if (!plotly_is_installed()) {
     return format_paragraph(
-        "Charts were left out: there is no " + plotly_file().string() +
+        "Charts are omitted, because there is no " + plotly_file().string() +
         ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
         "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
   }

@@ -65,7 +65,8 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
     if (!two && reported.summary.blocks_with_mass > 0) add(reported, "by mass", true);
   }
   return draw_class_fractions(
-      "Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes, all);
+      "Fractions of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes,
+      all);
 }
 
 Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {

@@ -42,7 +42,7 @@ struct Quantity {
 };
 
 constexpr std::array<Quantity, 10> kQuantities = {
-    {{"Reach_probability", "Reach probability", "share of runs", "%", 0.01, Limits::kDecades,
+    {{"Reach_probability", "Reach probability", "fraction of runs", "%", 0.01, Limits::kDecades,
       &kYellowBlue},
      {"Nr_passages", "Passages", "passages", "runs", 1.0, Limits::kDecades, &kYellowBlue},
      {"E_mean", "Kinetic energy, mean", "energy", "J", 1.0, Limits::kThrees, &kYellowRed},
@@ -54,7 +54,7 @@ constexpr std::array<Quantity, 10> kQuantities = {
       &kYellowBrown},
      {"Deposit_max", "Deposit, largest thickness", "thickness", "m", 1.0, Limits::kEven,
       &kYellowBrown},
-     {"Deposit_probability", "Deposit, probability", "share of realisations", "%", 0.01,
+     {"Deposit_probability", "Deposit, probability", "fraction of realisations", "%", 0.01,
       Limits::kDecades, &kYellowBlue}}};
 
 Quantity quantity_of(const RasterLayer& layer) {

@@ -66,7 +66,7 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
 std::string impact_table(const Comparison& comparison, std::size_t line) {
   bool any = false;
   HtmlTable table({"group", "speed mean, m/s", "speed p95, m/s", "speed max, m/s",
-                   "energy mean, kJ", "energy p95, kJ", "energy max, kJ", "rotational share",
+                   "energy mean, kJ", "energy p95, kJ", "energy max, kJ", "rotational fraction",
                    "rotation mean, rps", "rotation p95, rps", "rotation max, rps"},
                   1);
   for (const BarrierGroupStatistics* group : shown_groups(comparison, line)) {
@@ -104,12 +104,12 @@ std::string directions_of(const Comparison& comparison, std::size_t line) {
     backward = group.backward;
   }
   if (barrier.counts == BarrierLine::Counts::kForward) {
-    return "only crossings from the left of the line to the right are counted; " +
-           std::to_string(backward) + " runs crossed it the other way first";
+    return "only crossings from the left side of the line to the right side are counted; " +
+           std::to_string(backward) + " runs first crossed it in the opposite direction";
   }
   return "both directions are counted: " + std::to_string(crossed - backward) +
-         " runs crossed it first from its left to its right, " + std::to_string(backward) +
-         " the other way";
+         " runs first crossed it from the left side to the right side, " +
+         std::to_string(backward) + " in the opposite direction";
 }
 
 /// "from (16.25, 50) to (16.25, 110) m"
@@ -126,7 +126,7 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   const std::vector<const Crossing*> first = find_counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
     return draw_plotly_chart(
-        {title, label, "share of crossings", true},
+        {title, label, "fraction of crossings", true},
         make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
                                                  [&](std::size_t row) -> std::optional<double> {
                                                    if (first[row] == nullptr) {
@@ -160,16 +160,15 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   if (comparison.lines.empty()) return {};
   std::string html = format_paragraph(
-      "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
-      "the "
-      "top is where the block's farthest corner would be if it pointed upwards. Energy is "
-      "translational plus rotational.");
+      "Only the first crossing of each run is counted. Height is the height of the centre of mass "
+      "above the ground; the top adds the distance from the centre of mass to the farthest corner "
+      "of the block. Energy is translational plus rotational.");
   const std::size_t draws = draws_of_ground(comparison);
   if (draws > 0) {
     html += format_paragraph(
-        "Figures combine the runs on all " + std::to_string(draws) +
-        " draws of the ground; their intervals come from release points "
-        "alone. The ranges at the top of the report show the effect of the ground.");
+        "The statistics combine the runs on all " + std::to_string(draws) +
+        " draws of the ground parameters; their intervals cover release points only. The ranges at "
+        "the top of the report show the effect of the ground parameters.");
   }
   const std::vector<RealisationCrossings>& passages = analyses.passages();
   std::string charts, figures;
@@ -183,7 +182,7 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
     else
       figures += format_paragraph("No run crossed " + barrier.name + ".");
     figures += format_folded_section(
-        "Figures at " + barrier.name,
+        "Statistics at " + barrier.name,
         "<p class=\"note\">" + escape_html(barrier_ends(barrier)) + "; " +
             directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
             impact_table(comparison, line) + format_crossing_table(comparison, passages, line),

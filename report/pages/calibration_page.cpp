@@ -29,7 +29,8 @@ std::string label_of(const Unknown& unknown) {
 
 std::string calibration_head(const Calibration& calibration) {
   const CalibrationDesign& design = calibration.study.design;
-  std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
+  std::string html =
+      "<header id=\"answer\">\n<h1>Ground parameters estimated from observations</h1>\n";
   html += "<p class=\"lead\">" +
           escape_html(calibration.study.file.filename().string() + ": " +
                       format_count(design.members, "member") + " of " +
@@ -64,7 +65,7 @@ std::string marginal_chart(const Calibration& calibration, std::size_t unknown) 
     prior.y.push_back(1.0 / kBins);
   }
   const std::string axis = (own.logarithmic ? "log10 of " : "") + label_of(own);
-  return draw_plotly_chart({describe_unknown(own.parameter), axis, "share of the draws", true},
+  return draw_plotly_chart({describe_unknown(own.parameter), axis, "fraction of the draws", true},
                            {posterior, prior});
 }
 
@@ -97,10 +98,10 @@ std::string unknowns_section(const Calibration& calibration) {
       "Parameters",
       table.html() +
           format_paragraph(
-              "Before, all values of a range were as likely. Width left is that of the 95 % "
-              "interval against that of the range: above 80 % the observations do not determine "
-              "the parameter. The nearest members are those simulated sets whose own figures "
-              "lie closest to the observed ones.") +
+              "The prior is uniform within each range. Width left is the width of the 95 % "
+              "interval divided by the width of the range; above 80 %, the observations do not "
+              "determine the parameter. The nearest members are the simulated parameter sets whose "
+              "statistics are closest to the observed ones.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }
 
@@ -161,9 +162,9 @@ std::string ridges_section(const Calibration& calibration) {
   }
   return format_section(
       "Pairs of parameters",
-      format_paragraph("Draws from the posterior over the pairs that go together most. A narrow "
-                       "band means that the observations determine a combination better than "
-                       "either of the two.") +
+      format_paragraph("Draws from the posterior for the most strongly correlated pairs of "
+                       "parameters. A narrow band means that the observations determine a "
+                       "combination of the two better than either one alone.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }
 
@@ -195,15 +196,15 @@ std::string prediction_section(const Calibration& calibration) {
   }
   return format_section(
       "Observed against predicted",
-      draw_interval_chart("Predicted less observed",
-                          "predicted less observed, in half widths of the 95 % interval", marks) +
+      draw_interval_chart("Predicted minus observed",
+                          "predicted minus observed, in half widths of the 95 % interval", marks) +
           table.html() +
           format_paragraph(
-              "Intervals are of what would be observed: they hold the uncertainty of the "
-              "parameters, the chance of as many releases as there were in the field, and "
-              "the error of the surrogate. Those of the prior are of parameters anywhere in their "
-              "ranges: an interval that is hardly narrower owes little to what was fitted. "
-              "Kept figures had no part in the fit."));
+              "The intervals are predictions of an observation: they include the uncertainty of "
+              "the parameters, the random variation for the number of releases in the field, and "
+              "the error of the surrogate. The prior intervals are for parameters anywhere in "
+              "their ranges; if the posterior interval is hardly narrower, the fitted observations "
+              "constrain the statistic little. Kept statistics were not fitted."));
 }
 
 std::string sensitivity_table(const Calibration& calibration, double SobolIndices::*share) {
@@ -247,20 +248,21 @@ std::string surrogate_table(const Calibration& calibration) {
 
 std::string influence_section(const Calibration& calibration) {
   return format_section(
-      "What the figures depend on",
+      "Sensitivity of the statistics to the parameters",
       sensitivity_table(calibration, &SobolIndices::total) +
-          format_paragraph("Share of the variance of each figure over the ranges that goes with a "
-                           "parameter, alone or together with others (Sobol's total index).") +
-          format_folded_section("With a parameter alone",
+          format_paragraph("Fraction of the variance of each statistic, over the ranges of the "
+                           "parameters, that is explained by a parameter alone or in interaction "
+                           "with others (Sobol's total index).") +
+          format_folded_section("Fraction explained by a parameter alone",
                                 sensitivity_table(calibration, &SobolIndices::first_order)) +
           format_folded_section(
-              "How well the surrogates say members that they have not seen",
+              "Accuracy of the surrogates for members not used to fit them",
               surrogate_table(calibration) +
                   format_paragraph(
-                      "Error is the root mean square of leave-one-out errors, in the unit "
-                      "of the figure; explained is what is left of the variance without "
-                      "it. Their variances are multiplied by the inflation, and "
-                      "roughness, what is neither smooth nor chance, is added.")));
+                      "Error is the root mean square of the leave-one-out errors, in the unit of "
+                      "the statistic; explained is the fraction of the variance that the surrogate "
+                      "predicts. The variances of the surrogates are multiplied by the inflation, "
+                      "and the roughness is added: variation that is neither smooth nor random.")));
 }
 
 std::string format_provenance_section(const Calibration& calibration) {
@@ -273,7 +275,7 @@ std::string format_provenance_section(const Calibration& calibration) {
                                std::to_string(calibration.posterior.temperatures) +
                                " temperatures, " +
                                format_percent(calibration.posterior.accepted, 0) +
-                               " of the last moves accepted");
+                               " of the last Metropolis moves accepted");
   std::string inputs;
   for (const std::string& input : calibration.stored.inputs) inputs += format_paragraph(input);
   return format_section("For campaigns",

@@ -58,8 +58,9 @@ std::string format_class_section(const Comparison& comparison) {
   }
   return format_section(
       "Shape classes side by side",
-      format_paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
-                       "shares past barriers of all runs.") +
+      format_paragraph("Compact and elongated blocks are distinguished by s_c. Runout and lateral "
+                       "angle are statistics of the runs that came to rest; the fractions that "
+                       "pass barriers refer to all runs.") +
           table.html());
 }
 
@@ -110,24 +111,25 @@ std::string format_runout_section(const Comparison& comparison) {
   };
   const std::vector<Series> by_class = make_value_series(comparison, GroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";
-  charts += draw_plotly_chart({"Runout by class", "runout, m", "share of runs", true},
+  charts += draw_plotly_chart({"Runout by class", "runout, m", "fraction of runs", true},
                               make_histogram_traces(by_class));
   charts += draw_plotly_chart(
-      {"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
+      {"Lateral angle by class", "angle, deg (+ to the right)", "fraction of runs", true},
       make_histogram_traces(make_value_series(comparison, GroupKind::kGarcia, lateral)));
-  charts +=
-      draw_plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
-                        make_cumulative_traces(by_class));
+  charts += draw_plotly_chart(
+      {"Fraction of runs that stop before a runout, by class", "runout, m", "fraction", true},
+      make_cumulative_traces(by_class));
   // Shades and dashes distinguish a dozen curves of either class.
   constexpr std::size_t kMaxCurves = 24;
   if (select_groups(comparison, GroupKind::kBlock).size() <= kMaxCurves) {
     charts += draw_plotly_chart(
-        {"Share of runs that stop before, by block", "runout, m", "share", true},
+        {"Fraction of runs that stop before a runout, by block", "runout, m", "fraction", true},
         make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));
   }
   return format_section(
-      "Runout", format_paragraph("Runout of the runs at rest, their number in brackets.") + charts +
-                    "</div>\n");
+      "Runout",
+      format_paragraph("Runout of the runs that came to rest; the number of runs is in brackets.") +
+          charts + "</div>\n");
 }
 
 }  // namespace clast::report_detail

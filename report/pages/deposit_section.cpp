@@ -75,26 +75,28 @@ std::string describe_pair(const Comparison& comparison,
   const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) +
                             " against " + file_name(comparison, pair.front()->second.file);
   if (tests == 0) {
-    return format_paragraph(names + ": no interval of a difference can be given, " +
-                            (fewest < 2 ? "which takes two realisations of each file."
-                                        : "since realisations do not differ."));
+    return format_paragraph(names + ": no interval of the difference can be given, " +
+                            (fewest < 2 ? "because it requires two realisations of each file."
+                                        : "because the realisations do not differ."));
   }
   const std::string& clear = lists[ContrastVerdict::kSignificant];
-  return (clear.empty() ? format_paragraph(names + ": no figure differs more than by chance.")
-                        : format_headed_list(names + ", more than chance:", clear)) +
-         format_headed_list("Not clear, since one of " + std::to_string(tests) +
-                                " differences tested can be as large by chance:",
+  return (clear.empty() ? format_paragraph(names + ": no quantity differs significantly.")
+                        : format_headed_list(names + ", significant differences:", clear)) +
+         format_headed_list("Not significant after the correction, because one of " +
+                                std::to_string(tests) +
+                                " differences tested can be this large by chance:",
                             lists[ContrastVerdict::kInsignificantAfterCorrection]) +
-         format_headed_list("Not distinguished, the 95 % interval of the difference holds zero:",
-                            lists[ContrastVerdict::kInsignificant]) +
-         format_headed_list("Without an interval, since realisations do not differ:",
+         format_headed_list(
+             "Not significant, because the 95 % interval of the difference contains zero:",
+             lists[ContrastVerdict::kInsignificant]) +
+         format_headed_list("Without an interval, because the realisations do not differ:",
                             lists[ContrastVerdict::kUntested]);
 }
 
 std::string differences_table(const Comparison& comparison,
                               const DepositQuantityComparison& figures) {
   HtmlTable table({"quantity", "first", "second", "realisations", "first mean", "second mean",
-                   "difference", "95 % interval", "p", "p (Holm)", "distinguished"},
+                   "difference", "95 % interval", "p", "p (Holm)", "significant"},
                   3);
   for (const DepositQuantityDifference& one : figures.differences) {
     const DepositQuantity& figure = deposit_quantities()[one.first.figure];
@@ -122,9 +124,9 @@ std::string differences_of_files(const Comparison& comparison,
     std::size_t files = 0;
     for (const DepositQuantitySummary& one : figures.files) files += one.figure == 0;
     return files < 2 ? ""
-                     : format_paragraph(std::to_string(files) + " files are more than the " +
+                     : format_paragraph(std::to_string(files) + " files are too many: at most " +
                                         std::to_string(kMaxGroups) +
-                                        " that are compared pair by pair. Compare a selection.");
+                                        " are compared pair by pair. Compare a selection.");
   }
   std::vector<std::vector<const DepositQuantityDifference*>> pairs;
   for (const DepositQuantityDifference& one : figures.differences) {
@@ -139,14 +141,15 @@ std::string differences_of_files(const Comparison& comparison,
     const bool with_first = pair.front()->first.file == figures.differences.front().first.file;
     if (pairs.size() <= kMostPairs || with_first) html += describe_pair(comparison, pair);
   }
-  return html + format_folded_section(
-                    "Differences between the files",
-                    format_paragraph(
-                        "Realisations are independent of each other. Intervals are Welch's, for "
-                        "groups whose spreads differ. A difference is distinguished where p is "
-                        "below 0.05 after Holm's correction for all in the table, which is also "
-                        "realisation_differences.csv.") +
-                        differences_table(comparison, figures));
+  return html +
+         format_folded_section(
+             "Differences between the files",
+             format_paragraph(
+                 "The realisations are independent of each other. The intervals are those of "
+                 "Welch's test, for groups with different variances. A difference is significant "
+                 "if p is below 0.05 after Holm's correction for all differences in the table. The "
+                 "table is also in realisation_differences.csv.") +
+                 differences_table(comparison, figures));
 }
 
 /// The blocks together against the same alone; empty where no single runs are compared.
@@ -162,9 +165,10 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
       html += format_paragraph(
           "Runout of " + file_name(comparison, one.file) + " against single blocks of " +
           file_name(comparison, one.alone) + ", " + describe_effect(one) +
-          ". The farthest block of a realisation goes " + format_fixed(one.together_toe.mean, 1) +
-          " m on average; of as many single runs it would be " + format_fixed(one.alone_toe, 1) +
-          " m.");
+          ". The farthest block of a realisation stops after " +
+          format_fixed(one.together_toe.mean, 1) +
+          " m on average; the farthest of the same number of single runs would stop after " +
+          format_fixed(one.alone_toe, 1) + " m.");
     }
     table.row({one.group, file_name(comparison, one.file), file_name(comparison, one.alone),
                std::to_string(one.together_runout.count), std::to_string(one.runs),
@@ -173,13 +177,12 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
                one.difference.p_value ? format_significant(*one.difference.p_value, 2) : "-",
                format_fixed(one.together_toe.mean, 2), format_fixed(one.alone_toe, 2)});
   }
-  return html +
-         format_folded_section(
-             "Together and alone",
-             format_paragraph("Runouts of blocks that came to rest. Toe together is the largest "
-                              "of a realisation, toe alone the expected largest of as many "
-                              "single runs.") +
-                 table.html());
+  return html + format_folded_section(
+                    "Together and alone",
+                    format_paragraph("Runouts of blocks that came to rest. Toe together is the "
+                                     "largest runout of a realisation; toe alone is the expected "
+                                     "largest runout of the same number of single runs.") +
+                        table.html());
 }
 
 }  // namespace
@@ -190,17 +193,17 @@ std::string format_deposit_section(const ComparisonAnalyses& analyses) {
   const DepositQuantityComparison& figures = analyses.figures();
   return format_section(
       "The deposit",
-      format_paragraph("Mean thickness of the deposit over the realisations" +
+      format_paragraph("Thickness of the deposit, averaged over the realisations" +
                        std::string(has_several_files(comparison) ? " of all files" : "") + ", m.") +
           format_deposit_map(comparison, analyses.deposits().rasters) +
           differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
           format_folded_section(
-              "Figures of the deposit",
+              "Statistics of the deposit",
               format_paragraph(
-                  "Blocks that came to rest and were not removed. The crest is the highest "
-                  "start, the toe the stop farthest from it; H / L between them is the "
-                  "tangent of the travel angle. The bulk volume holds the gaps between "
-                  "blocks. Each realisation is a row of realisations.csv.") +
+                  "The statistics are for blocks that came to rest and were not removed. The crest "
+                  "is the highest release point and the toe is the stop farthest from it; H / L "
+                  "between them is the tangent of the travel angle. The bulk volume includes the "
+                  "gaps between blocks. Each realisation is a row of realisations.csv.") +
                   figures_table(comparison, figures)));
 }
 

@@ -24,10 +24,10 @@ std::string too_many_groups(const Comparison& comparison) {
   std::string html;
   for (const auto& [kind, number_of] : count) {
     if (number_of <= kMaxGroups) continue;
-    html += format_paragraph(
-        std::to_string(number_of) + " " + kind + " are more than the " +
-        std::to_string(kMaxGroups) +
-        " that are compared pair by pair. Compare a selection, or group by a column.");
+    html +=
+        format_paragraph(std::to_string(number_of) + " " + kind + " are too many: at most " +
+                         std::to_string(kMaxGroups) +
+                         " are compared pair by pair. Compare a selection, or group by a column.");
   }
   return html;
 }
@@ -86,22 +86,23 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
                                     (with_gap ? " " + describe_difference(*one) : std::string()));
     tests = std::max(tests, one->family_size);
   }
-  return format_headed_list(picture.title + ", more than chance:",
+  return format_headed_list(picture.title + ", significant differences:",
                             lists[ContrastVerdict::kSignificant]) +
-         format_headed_list("Equal on average, but spread differently:",
+         format_headed_list("Means do not differ significantly, but distributions do:",
                             lists[ContrastVerdict::kDistributionDiffers]) +
-         format_headed_list("Not clear, since one of " + std::to_string(tests) +
-                                " differences tested can be as large by chance:",
+         format_headed_list("Not significant after the correction, because one of " +
+                                std::to_string(tests) +
+                                " differences tested can be this large by chance:",
                             lists[ContrastVerdict::kInsignificantAfterCorrection]) +
-         format_headed_list("No clear difference:", lists[ContrastVerdict::kInsignificant]) +
-         format_headed_list(picture.title + ", of one realisation, not tested for chance:",
+         format_headed_list("No significant difference:", lists[ContrastVerdict::kInsignificant]) +
+         format_headed_list(picture.title + ", from one realisation, without a test:",
                             lists[ContrastVerdict::kUntested]);
 }
 
 std::string make_table(const Comparison& comparison) {
   HtmlTable table(
       {"first", "second", "quantity", "first mean", "second mean", "difference", "95 % from",
-       "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "found"},
+       "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "significant"},
       3);
   for (const Difference& one : comparison.differences) {
     const Group& first = comparison.groups[one.first];
@@ -132,26 +133,24 @@ std::string method_of(const Comparison& comparison) {
                   [](const Difference& one) { return one.holm_p_value.has_value(); });
   if (!tested) {
     return format_paragraph(
-        "One realisation does not show whether this is chance, so there are neither intervals "
-        "nor tests. Pairs of blocks are in differences.csv.");
+        "With one realisation, significance cannot be tested, so there are no intervals and no "
+        "tests. Pairs of blocks are in differences.csv.");
   }
   const bool one_point = !stay && std::all_of(comparison.results.begin(), comparison.results.end(),
                                               [](const CampaignResults& results) {
                                                 return results.release_points.size() == 1;
                                               });
   const std::string drawn =
-      one_point
-          ? "Intervals are from drawing runs again and again; there is one release point, so they "
-            "say nothing about others. "
-          : "Intervals are from drawing whole " +
-                std::string(stay ? "realisations" : "release points") +
-                " again and again, since runs of one depend on each other. ";
+      one_point ? "The intervals are from bootstrap resampling of runs; because there is only one "
+                  "release point, they do not cover other release points. "
+                : "The intervals are from bootstrap resampling of whole " +
+                      std::string(stay ? "realisations" : "release points") +
+                      ", because runs of the same one depend on each other. ";
   return format_paragraph(
       drawn +
-      "A difference counts "
-      "as found where shuffling the runs gives as large a KS distance in less than "
-      "5 % of the cases, after Holm's correction for all tests of the same kind. "
-      "Pairs of blocks are in differences.csv.");
+      "A difference is significant if random permutations of the runs give an equal or larger KS "
+      "distance in less than 5 % of the cases, after Holm's correction for all tests of the same "
+      "kind. Pairs of blocks are in differences.csv.");
 }
 
 }  // namespace

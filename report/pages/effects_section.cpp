@@ -21,8 +21,9 @@ std::string triangles(const ComparisonAnalyses& analyses) {
     links += (links.empty() ? "" : ", ") + ("<a href=\"" + format_link_target(picture.file) +
                                             "\" download>" + escape_html(picture.file) + "</a>");
   }
-  return html + "<p>The surface passes through the mean of every form. As files: " + links +
-         "; the data: <a href=\"responses.csv\" download>responses.csv</a>.</p>\n";
+  return html +
+         "<p>The surface passes through the mean outcome of every form. Image files: " + links +
+         "; data: <a href=\"responses.csv\" download>responses.csv</a>.</p>\n";
 }
 
 std::string trends(const ComparisonAnalyses& analyses) {
@@ -59,12 +60,13 @@ std::string format_effects_section(const ComparisonAnalyses& analyses) {
   for (const std::string& sentence : describe_effects(effects))
     shares += format_paragraph(sentence);
   shares += format_paragraph(
-      "Shares are estimates for blocks, orientations and points like these, with 95 % intervals.");
+      "The fractions of the variance are estimates for blocks, orientations and release points "
+      "like these, with 95 % intervals.");
   if (few_blocks(effects)) {
     shares = format_paragraph(
-                 "There are too few blocks to say how much of what differs between runs goes with "
-                 "the block, and how much with the attitude in which it is released.") +
-             format_folded_section("Shares of the variance", shares);
+                 "There are too few blocks to estimate how much of the variance between runs is "
+                 "explained by the block and how much by its orientation at release.") +
+             format_folded_section("Fractions of the variance", shares);
   }
   return format_section("Sources of variability", shares + triangles(analyses) + trends(analyses));
 }

@@ -88,7 +88,8 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
   }
   add("kinetic energy", "#555555", kinetic);
   return draw_plotly_chart(
-      {"Where the energy has gone, against time" + of_file(comparison, realisations.front()->file),
+      {"Dissipated and kinetic energy against time" +
+           of_file(comparison, realisations.front()->file),
        "time since the first release, s",
        realisations.size() > 1 ? "energy, mean of realisations, kJ" : "energy, kJ"},
       traces);
@@ -120,7 +121,7 @@ std::string shares_table(const Comparison& comparison,
     const std::string file = has_several_files(comparison)
                                  ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                  : "";
-    for (const char* head : {"mean, kJ", "share", "smallest share", "largest share"}) {
+    for (const char* head : {"mean, kJ", "fraction", "smallest fraction", "largest fraction"}) {
       heads.push_back(file + head);
     }
   }
@@ -174,12 +175,12 @@ std::string describe_dissipation(const Comparison& comparison,
   const std::string of = has_several_files(comparison)
                              ? " of " + file_name(comparison, realisations.front()->file)
                              : "";
-  return format_paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
-                          format_percentage(by(&Dissipation::friction)) + ", normal forces " +
-                          format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
-                          format_percentage(by(&Dissipation::rolling)) + "; " +
-                          format_percentage(between) +
-                          " was dissipated between blocks, the rest on the ground.");
+  return format_paragraph(
+      "Of the energy dissipated in contacts" + of + ", friction took " +
+      format_percentage(by(&Dissipation::friction)) + ", normal forces " +
+      format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
+      format_percentage(by(&Dissipation::rolling)) + "; " + format_percentage(between) +
+      " was dissipated in contacts between blocks, the rest in contacts with the ground.");
 }
 
 }  // namespace
@@ -200,16 +201,14 @@ std::string format_energy_section(const ComparisonAnalyses& analyses) {
   for (const EnergyRealisations& realisations : masses)
     body += uses_chart(comparison, realisations);
   return format_section(
-      "Where the energy goes",
-      body +
-          format_folded_section(
-              "How the energy was dissipated",
-              format_paragraph(
-                  "Totals at the end of each realisation; means, smallest and largest shares over "
-                  "realisations. Shares are of the energy dissipated in contacts. Energies against "
-                  "time are in "
-                  "energies.csv.") +
-                  shares_table(comparison, files)));
+      "Dissipation of energy",
+      body + format_folded_section(
+                 "Energy dissipated by each mechanism",
+                 format_paragraph("Energies are totals at the end of each realisation, averaged "
+                                  "over the realisations. Fractions refer to the energy dissipated "
+                                  "in contacts; their mean, smallest and largest values are over "
+                                  "the realisations. Energies against time are in energies.csv.") +
+                     shares_table(comparison, files)));
 }
 
 }  // namespace clast::report_detail

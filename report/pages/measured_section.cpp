@@ -60,8 +60,8 @@ std::string format_measured_section(const Comparison& comparison) {
   const std::string title = "Measured against simulated";
   if (comparison.measured->groups.empty()) {
     return format_section(
-        title, format_paragraph("No simulated run came to rest to compare the measured stops "
-                                "with."));
+        title, format_paragraph(
+                   "No simulated run came to rest, so the measured stops cannot be compared."));
   }
   std::string html;
   for (const std::string& sentence : describe_measured_stops(comparison)) {
@@ -75,13 +75,13 @@ std::string format_measured_section(const Comparison& comparison) {
     add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
               traces);
     html += draw_plotly_chart(
-        {group_title(comparison.groups[group.group]) + ": share that stops before", "runout, m",
-         "share of stops", true},
+        {group_title(comparison.groups[group.group]) + ": fraction that stops before a runout",
+         "runout, m", "fraction of stops", true},
         traces);
   }
-  html += "</div>\n" + format_paragraph("Bands are 95 % intervals of each curve.");
+  html += "</div>\n" + format_paragraph("The bands are the 95 % intervals of the curves.");
   return format_section(
-      title, html + format_folded_section("Figures and tests", measured_table(comparison)));
+      title, html + format_folded_section("Statistics and tests", measured_table(comparison)));
 }
 
 }  // namespace clast::report_detail

@@ -72,7 +72,7 @@ const std::vector<PassageFigure>& figures() {
       {"energy, kJ", kKilojoulesPerJoule,
        [](const Row& row) { return row.sum([](const BlockCrossing& one) { return one.energy; }); }},
       {"first passage, s", 1.0, &Row::first},
-      {"from the first to the last, s", 1.0,
+      {"time from the first to the last passage, s", 1.0,
        [](const Row& row) { return row.last() - row.first(); }},
       {"most blocks in 1 s", 1.0, [](const Row& row) { return row.most_blocks.value; }},
       {"most mass in 1 s, kg", 1.0, [](const Row& row) { return row.most_mass.value; }},
@@ -120,7 +120,7 @@ std::string describe_crossings(const Comparison& comparison,
         ", at most " + format_mass(std::ceil(mass)) + " and at most " +
         format_energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
         format_energy_limit(single) + ". From " + format_count(realisations.size(), "realisation") +
-        (at_once ? "." : " of blocks that were released one after the other."));
+        (at_once ? "." : " with blocks released one after another."));
   }
   return html;
 }
@@ -157,9 +157,9 @@ std::string format_crossing_table(const Comparison& comparison,
     table.row(std::move(cells));
   }
   return format_paragraph(
-             "Over realisations. Each block counts once; what passes within 1 s counts as "
-             "together. Each realisation is a row of passages.csv, each passage of "
-             "passage_curves.csv.") +
+             "The statistics are over realisations. Each block is counted once; blocks that pass "
+             "within 1 s of each other are counted together. Each realisation is a row of "
+             "passages.csv, and each passage is a row of passage_curves.csv.") +
          table.html();
 }
 

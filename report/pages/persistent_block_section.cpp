@@ -60,8 +60,8 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
 
 std::string format_persistent_blocks_section(const Comparison& comparison) {
   const std::vector<const PersistentBlockRecord*> stays = stays_of_rows(comparison);
-  HtmlTable table({"class", "runs", "hit others", "others hit, mean", "moved on later",
-                   "moved on, median, m", "moved on, max, m", "removed"},
+  HtmlTable table({"class", "runs", "hit others", "others hit, mean", "displaced later",
+                   "displacement, median, m", "displacement, max, m", "removed"},
                   1);
   bool any = false;
   for (const GroupKind kind : {GroupKind::kGarcia, GroupKind::kSneedFolk, GroupKind::kAll}) {
@@ -75,10 +75,10 @@ std::string format_persistent_blocks_section(const Comparison& comparison) {
   }
   if (!any) return "";
   return format_section(
-      "Blocks in each other's way",
-      format_paragraph(
-          "How many others a block hit, and how far later blocks moved it on, from a tenth "
-          "of its S. Stops are those at the end.") +
+      "Contacts with persistent blocks",
+      format_paragraph("The table gives how many other blocks a block hit, and how far later "
+                       "blocks displaced it; displacements below a tenth of its S are not counted. "
+                       "Stops are the positions at the end of the realisation.") +
           table.html());
 }
 

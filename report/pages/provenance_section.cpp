@@ -79,10 +79,10 @@ std::string ground_table(const CampaignResults& results) {
     }
   }
   const std::uint32_t members = count_ensemble_members(results);
-  return table.html() + (members > 1
-                             ? format_paragraph("Ranges are of the " + std::to_string(members) +
-                                                " draws; each draw is in ground_sets.csv.")
-                             : "");
+  return table.html() +
+         (members > 1 ? format_paragraph("The ranges are over the " + std::to_string(members) +
+                                         " draws; each draw is in ground_sets.csv.")
+                      : "");
 }
 
 std::string released(const CampaignResults& results) {
@@ -101,12 +101,13 @@ std::string released(const CampaignResults& results) {
   return format_count(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
          format_count(results.stay->blocks_each, "block") +
          (results.stay->at_once
-              ? ", released " + (points > 1 ? "as " + format_count(points, "mass", "masses")
-                                            : "at once as one mass")
-              : ", released one after the other from " + format_count(points, "point")) +
-         " and left where they stop" +
-         (removed > 0 ? ", but for " + format_count(removed, "block that was removed",
-                                                    "blocks that were removed")
+              ? ", released " + (points > 1
+                                     ? "as " + format_count(points, "block mass", "block masses")
+                                     : "at once as one block mass")
+              : ", released one after another from " + format_count(points, "point")) +
+         " and left at their stops" +
+         (removed > 0 ? ", except for " + format_count(removed, "block that was removed",
+                                                       "blocks that were removed")
                       : "");
 }
 
@@ -140,7 +141,7 @@ std::string scales_of(const CampaignResults& results) {
   for (const BlockSummary& block : results.blocks) {
     if (block.scale == 1.0) continue;
     if (block.library_block() != block.id) return "";  // drawn ones are too many
-    text += (text.empty() ? "As asked, " : ", ") + describe_block_scale(block);
+    text += (text.empty() ? "As requested, " : ", ") + describe_block_scale(block);
   }
   return text.empty() ? "" : format_paragraph(text + ".");
 }
@@ -186,7 +187,8 @@ std::string format_provenance_section(const Comparison& comparison) {
   }
   return format_section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
          escape_html(version()) +
-         ". All figures are in the tables beside this page, map layers in stops.gpkg.</footer>\n";
+         ". All numbers are in the tables in the same folder; map layers are in "
+         "stops.gpkg.</footer>\n";
 }
 
 }  // namespace clast::report_detail

@@ -64,11 +64,11 @@ std::string share_against_distance(const Comparison& comparison,
   return draw_plotly_chart(axes, traces);
 }
 
-/// Tabulates the passages at each distance, over all runs of a group.
+/// Values at a barrier at every distance, over all runs of a group.
 std::string barrier_table(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                           std::size_t group) {
-  HtmlTable table({"distance, m", "runs that come by", "share", "energy p95, kJ", "energy max, kJ",
-                   "height p95, m", "height max, m", "speed p95, m/s"},
+  HtmlTable table({"distance, m", "runs that reach it", "fraction", "energy p95, kJ",
+                   "energy max, kJ", "height p95, m", "height max, m", "speed p95, m/s"},
                   1);
   const auto runs = static_cast<double>(comparison.groups[group].rows.size());
   for (const ProfileBin* bin : bins_of_group(bins, group)) {
@@ -83,17 +83,19 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
   return table.html();
 }
 
-/// "Where at least half of the 192 runs arrive, energy is lowest 16 to 18 m from the release: ..."
+/// "Where at least half of the 192 runs arrive, the energy is lowest 16 to 18 m from the release:
+/// ..."
 std::string least_demand(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                          std::size_t group) {
   const std::size_t runs = comparison.groups[group].rows.size();
   const ProfileBin* place = find_least_energy_position(bins, group, runs);
   if (place == nullptr || runs < kMinPassages) return {};
-  return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
-         format_significant(place->from, 4) + " to " + format_significant(place->to, 4) +
-         " m from the release: 95 % of the " + std::to_string(place->runs) +
-         " runs there stay below " + format_energy_limit(place->energy.p95) +
-         ", and the centres of 95 % below " + format_height_limit(place->height.p95) + ". ";
+  return "Where at least half of the " + std::to_string(runs) +
+         " runs arrive, the energy is lowest " + format_significant(place->from, 4) + " to " +
+         format_significant(place->to, 4) + " m from the release: for 95 % of the " +
+         std::to_string(place->runs) + " runs there, it is below " +
+         format_energy_limit(place->energy.p95) + ", and the centre of mass is below " +
+         format_height_limit(place->height.p95) + ". ";
 }
 
 /// Mean, 95th percentile and largest of a quantity of every class.
@@ -133,7 +135,7 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   const TerrainSurface surface = make_terrain_surface(results.terrain);
   const double highest = bounds(results.terrain.surface).high.z();
   Trace ground{"ground", "#7a6245", {}, Trace::Kind::kLine, {}, {}};
-  Trace most{"95 % of the runs pass below", "#0072B2", {}, Trace::Kind::kLine, {}, {}};
+  Trace most{"height that 95 % of the runs pass below", "#0072B2", {}, Trace::Kind::kLine, {}, {}};
   Trace all{"highest passage", "#0072B2", "2 2", Trace::Kind::kLine, {}, {}};
   const Bins along = bins_of_group(bins, group);
   for (const ProfileBin* bin : along) {
@@ -173,9 +175,9 @@ std::string format_slope_section(const Comparison& comparison,
   const std::string title = "Along the slope";
   if (bins.empty()) {
     return format_section(
-        title, format_paragraph("The results hold no trajectories: set [run] "
-                                "trajectory_interval_s above zero to see energies and passing "
-                                "heights against distance."));
+        title,
+        format_paragraph("The results contain no trajectories; set [run] trajectory_interval_s "
+                         "above zero to see energies and passing heights against distance."));
   }
   std::string words, charts, tables;
   for (const std::size_t all : select_groups(comparison, GroupKind::kAll)) {
@@ -189,7 +191,7 @@ std::string format_slope_section(const Comparison& comparison,
     const std::string least = least_demand(comparison, bins, all);
     if (!least.empty())
       words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + least;
-    ChartAxes share = axes("Runs that reach a distance", "share of runs");
+    ChartAxes share = axes("Runs that reach a distance", "fraction of runs");
     share.y_in_percent = true;
     charts += share_against_distance(comparison, bins, file, share);
     charts +=
@@ -200,7 +202,7 @@ std::string format_slope_section(const Comparison& comparison,
                                &ProfileBin::height, 1.0);
     charts += against_distance(comparison, bins, file, axes("Speed against distance", "speed, m/s"),
                                &ProfileBin::speed, 1.0);
-    tables += format_folded_section("What a barrier would meet at every distance" + where,
+    tables += format_folded_section("Values at a barrier at every distance" + where,
                                     barrier_table(comparison, bins, all));
   }
   for (const std::size_t group : groups_with_a_path(comparison)) {
@@ -211,9 +213,9 @@ std::string format_slope_section(const Comparison& comparison,
   const std::string width = format_significant(bins.front().to - bins.front().from, 3);
   return format_section(
       title, format_paragraph(words + "In every " + width +
-                              " m a run counts with its largest value there; distances are from "
-                              "its release, heights of the centre. The section follows the mean "
-                              "path.") +
+                              " m of distance, the largest value of each run is used. Distances "
+                              "are measured from the release point, and heights are those of the "
+                              "centre of mass. The section follows the mean path.") +
                  "<div class=\"charts by-three\">\n" + charts + "</div>\n" + tables);
 }
 

@@ -188,7 +188,7 @@ class Invented {
 std::string colour_bar(double reach, bool metric) {
   constexpr int kPieces = 64;
   constexpr double kLeft = 40.0, kLength = 360.0, kThick = 14.0;
-  std::string svg = open_svg(440, 44, "colours of distances");
+  std::string svg = open_svg(440, 44, "colour scale of distances");
   for (int i = 0; i < kPieces; ++i) {
     const std::string colour = format_colour(deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0));
     svg += "<rect x=\"" + format_fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
@@ -232,8 +232,9 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   };
   const std::string colours =
       cloud ? "Nearer points are darker."
-            : "Blue grey: the back of the surface, seen through holes. Red: open borders.";
-  const std::string numbers = placed.empty() ? "" : " Numbers: places in the tables below.";
+            : "Blue-grey: inside of the surface, visible through holes. Red: open borders.";
+  const std::string numbers =
+      placed.empty() ? "" : " Numbers: positions of the defects in the tables below.";
 
   const std::vector<Vec3> framed = without_strays(read.vertices);
   const Cameras wide = cameras_on(framed), near = cameras_on(block.scan.mesh.vertices);
@@ -241,8 +242,9 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   html +=
       three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, metric, placed);
   if (wide[0].pixel > kMuchLarger * near[0].pixel) {
-    html += three_views(near, draw_read, "The same around the block. " + colours + numbers, metric,
-                        placed);
+    html +=
+        three_views(near, draw_read, "The part of the scan around the block. " + colours + numbers,
+                    metric, placed);
   }
   Invented invented(read, block);
   html += three_views(
@@ -252,8 +254,8 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
           return invented(t) ? kFilled : kRock;
         });
       },
-      "The scan closed and repaired. Orange: surface that no scan saw, filled in or moved by more "
-      "than " +
+      "The closed and repaired scan. Orange: surface that was not scanned but filled, or moved by "
+      "more than " +
           length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
       metric);
   return format_section("Before and after", html);

@@ -40,9 +40,9 @@ struct ScanReport::Impl {
   fs::path folder;
   bool replace = false;  ///< pages of an earlier batch
   HtmlTable blocks = {{"block and its scan", "picture", "class", "mass kg", "L m", "I m", "S m",
-                       "s_c", "volume m3", "filled in %", "off scan, % of L", "notes"},
+                       "s_c", "volume m3", "filled in %", "deviation from scan, % of L", "notes"},
                       3};
-  HtmlTable failures = {{"scan", "why there is no block"}, 2};
+  HtmlTable failures = {{"scan", "reason for failure"}, 2};
   CsvWriter csv = {};
   std::size_t made = 0, earlier = 0, failed = 0;
   std::mutex mutex = {};                          ///< of `pages`
@@ -57,7 +57,7 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
   std::error_code code;
   if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
     throw InputError(summary.string() +
-                     ": already exists and is not a summary of such pages, so it is not replaced; "
+                     ": already exists and is not a summary of scan pages, so it is not replaced; "
                      "name another folder");
   }
   check_output_target(summary, {.kind = "text", .replace = replace});
@@ -182,14 +182,15 @@ void ScanReport::finish() {
   if (impl_->failed > 0) body += format_section("Scans that gave no block", impl_->failures.html());
   if (impl_->made + impl_->earlier > 0) {
     body += format_section(
-        "Blocks", format_paragraph("A click on a column's head sorts by it. L, I, S are the "
-                                   "sides of the smallest box; a second line of volumes has the "
-                                   "bounds of a block whose underside was not seen. Lengths marked "
-                                   "u are in units of an unscaled model.") +
-                      impl_->blocks.html());
+        "Blocks",
+        format_paragraph(
+            "Click the heading of a column to sort by it. L, I, S are the sides of the smallest "
+            "box; the second line in the volume column gives the bounds for a block whose "
+            "underside was not scanned. Lengths marked u are in units of an unscaled model.") +
+            impl_->blocks.html());
   }
   body += "<footer>clast " + escape_html(version()) +
-          "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
+          "; this page as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
   write_output(impl_->folder / "summary.csv", impl_->csv.take_text(),
                {.kind = "text", .replace = impl_->replace});
   write_output(impl_->folder / "index.html", make_scan_page("Blocks from scans", body),

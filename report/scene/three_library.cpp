@@ -28,7 +28,7 @@ std::string three_scripts() {
 }
 
 std::string explain_missing_three(const std::string& again) {
-  return "The 3-D view was left out: three.js is not in " + find_three_folder().string() +
+  return "The 3-D view is omitted, because three.js is not in " + find_three_folder().string() +
          ". Install it (on Debian: apt install libjs-three), or name its folder in CLAST_THREE, "
          "and " +
          again + ".";

@@ -38,7 +38,7 @@ NamedValues unseen_lines(const Block& block) {
                                           : "at most " + format_rounded(range.upper_density)});
   }
   if (!range.axes) {
-    lines.push_back({"L, I, S, classes", "not known: too much of the block was not seen"});
+    lines.push_back({"L, I, S, classes", "not known: too much of the block was not scanned"});
   } else {
     const auto& [low, high] = *range.axes;
     lines.push_back({"L " + unit, between(low.L, high.L, 4)});
@@ -49,7 +49,7 @@ NamedValues unseen_lines(const Block& block) {
                                              comma_separated(range.classes.at("zingg")) + "; " +
                                              comma_separated(range.classes.at("garcia"))});
   }
-  if (!unseen.assumption.empty()) lines.push_back({"bounds hold if", unseen.assumption});
+  if (!unseen.assumption.empty()) lines.push_back({"bounds are valid if", unseen.assumption});
   return lines;
 }
 
@@ -98,7 +98,7 @@ std::string describe_unscaled(std::span<const Block* const> blocks) {
     if (is_unscaled(*block)) names += (names.empty() ? "" : ", ") + block->id;
   }
   if (names.empty()) return names;
-  return "Unscaled (u: unit of the model, of no known length): " + names + "; " +
+  return "Unscaled (u is the unit of the model; its length is not known): " + names + "; " +
          explain_unscaled_block() + ".";
 }
 
@@ -130,9 +130,9 @@ NamedValues describe_block(const Block& block) {
   line("mean deviation " + unit, format_rounded(block.deviation.mean, 3));
   line("scan to body at most " + unit, format_rounded(block.deviation.scan_to_body, 3));
   line("body to scan at most " + unit, format_rounded(block.deviation.body_to_scan, 3));
-  line("volume against scan", format_rounded(block.deviation.volume_relative, 2));
-  line("area against scan", format_rounded(block.deviation.area_relative, 2));
-  line("moments against scan", format_rounded(block.deviation.moments_relative, 2));
+  line("volume difference to scan", format_rounded(block.deviation.volume_relative, 2));
+  line("area difference to scan", format_rounded(block.deviation.area_relative, 2));
+  line("moments difference to scan", format_rounded(block.deviation.moments_relative, 2));
   if (block.volume_bracket) {
     for (const std::array<std::string, 2>& one : unseen_lines(block)) lines.push_back(one);
   }

@@ -33,23 +33,22 @@ std::string join_with_and(const std::vector<std::string>& parts) {
 }
 
 std::string check_sentence(const PredictiveCheck& check, bool fitted) {
-  const std::string covered = std::to_string(check.covered) + " of " +
-                              format_count(check.figures, fitted ? "fitted figure" : "kept figure");
+  const std::string covered =
+      std::to_string(check.covered) + " of " +
+      format_count(check.figures, fitted ? "fitted statistic" : "kept statistic");
   std::string text = covered + (check.covered == 1 ? " lies" : " lie") +
-                     " within the 95 % interval of what would be observed";
+                     " within the 95 % interval of the prediction";
   if (!check.p_value) {
-    return text +
-           "; as many parameters are determined as there are figures, so that nothing can "
-           "contradict the fit";
+    return text + "; there are as many parameters as statistics, so the fit cannot be tested";
   }
   const std::string p = *check.p_value < 0.001
                             ? std::string(" (p below 0.001)")
                             : " (p = " + format_significant(*check.p_value, 2) + ")";
-  if (!check.failed()) return text + ", and together they are such as the law gives" + p;
-  return text + ", but together they are not such as the law gives" + p + ": " +
-         (fitted ? "no ground within the ranges explains what was observed; the law, the ranges or "
-                   "the starts are wrong"
-                 : "the calibrated ground does not predict them");
+  if (!check.failed()) return text + ", and together they agree with the model" + p;
+  return text + ", but together they contradict the model" + p + ": " +
+         (fitted ? "no parameters within the ranges explain the observations; the contact law, the "
+                   "ranges or the release points are wrong"
+                 : "the calibrated parameters do not predict them");
 }
 
 /// Unknowns whose posterior median no near member comes close to.
@@ -73,12 +72,13 @@ void add_ridges(const Calibration& calibration, std::vector<std::string>& findin
       const double together = calibration.posterior.correlation(static_cast<Eigen::Index>(i),
                                                                 static_cast<Eigen::Index>(k));
       if (std::abs(together) < kRidge) continue;
-      findings.push_back(describe_unknown(unknowns[i].parameter) + " and " +
-                         describe_unknown(unknowns[k].parameter) +
-                         (together < 0.0 ? " make up for each other"
-                                         : " rise together: more of one is offset by more of the "
-                                           "other") +
-                         " (rank correlation " + format_decimals(together, 2) + ")");
+      findings.push_back(
+          describe_unknown(unknowns[i].parameter) + " and " +
+          describe_unknown(unknowns[k].parameter) +
+          (together < 0.0
+               ? " compensate each other"
+               : " are correlated: a higher value of one compensates a higher value of the other") +
+          " (rank correlation " + format_decimals(together, 2) + ")");
     }
   }
 }
@@ -96,12 +96,13 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
     }
   }
   if (!poor.empty()) {
-    findings.push_back("simulations vary little with the unknowns, or by chance, in " +
-                       join_with_and(poor) +
-                       ": such figures determine little; more members or releases may help");
+    findings.push_back(
+        "the unknowns explain little of the variation of " + join_with_and(poor) +
+        ": these statistics constrain the unknowns little; simulate more members or releases");
   }
   if (!none.empty()) {
-    findings.push_back("too few members have " + join_with_and(none) + " to predict it");
+    findings.push_back("too few members have a value of " + join_with_and(none) +
+                       ", so it cannot be predicted");
   }
 }
 
@@ -116,7 +117,7 @@ std::string describe_unknown(const std::string& parameter) {
     return std::string(one.words) + " of " + parameter.substr(begin, point - begin);
   }
   if (const std::string name = fraction_class(parameter); !name.empty()) {
-    return "share of " + name + " blocks";
+    return "fraction of " + name + " blocks";
   }
   std::string words = field.substr(0, field.find("_n_m"));
   for (const char* unit : {"_m_s", "_rad_s", "_m", "_kg"}) {
@@ -147,16 +148,18 @@ std::string describe_calibration_result(const Calibration& calibration) {
   }
   std::string text;
   if (determined.empty()) {
-    text = "what was observed determines none of the unknowns";
+    text = "the observations determine none of the unknowns";
   } else {
-    text = "with 95 % probability within the ranges asked, " + join_with_and(determined);
+    text =
+        "values with 95 % intervals, within the ranges of the study: " + join_with_and(determined);
     if (calibration.posterior.fitted.failed()) {
-      text = "the law does not explain what was observed; the least bad ground has " +
-             join_with_and(determined);
+      text =
+          "the contact law does not explain the observations; the parameters that fit best are " +
+          join_with_and(determined);
     }
   }
   if (!undetermined.empty() && !determined.empty()) {
-    text += "; what was observed does not determine " + join_with_and(undetermined);
+    text += "; the observations do not determine " + join_with_and(undetermined);
   }
   return capitalized(text) + ".";
 }
@@ -168,18 +171,17 @@ std::vector<std::string> describe_calibration_findings(const Calibration& calibr
   for (std::size_t i = 0; i < posterior.marginals.size(); ++i) {
     if (!posterior.marginals[i].is_cut_off_by_range()) continue;
     const bool low = posterior.marginals[i].at_low > posterior.marginals[i].at_high;
-    findings.push_back("the range of " + describe_unknown(calibration.study.unknowns[i].parameter) +
-                       " ends at its " + (low ? "low" : "high") +
-                       " side where values are still likely: widen it");
+    findings.push_back(
+        "the posterior of " + describe_unknown(calibration.study.unknowns[i].parameter) +
+        " is cut off at the " + (low ? "low" : "high") + " end of its range: widen the range");
   }
   add_ridges(calibration, findings);
   add_surrogate_warnings(calibration, findings);
   const std::vector<std::string> names = contradicted(calibration);
   if (!names.empty()) {
-    findings.push_back("the members nearest to the observations have other values of " +
+    findings.push_back("the members closest to the observations have different values of " +
                        join_with_and(names) +
-                       ": do not trust the surrogates before more "
-                       "members are simulated");
+                       ": the surrogates are unreliable until more members are simulated");
   }
   for (std::string& finding : findings) finding = capitalized(finding) + ".";
   return findings;
@@ -249,8 +251,8 @@ std::string format_statistics_table(const Calibration& calibration) {
 
 std::string format_ground_block(const Calibration& calibration) {
   const CalibrationStudy& study = calibration.study;
-  std::string text =
-      "# Medians found by clast calibrate from " + study.file.filename().string() + ".\n";
+  std::string text = "# Medians of the posterior of clast calibrate from " +
+                     study.file.filename().string() + ".\n";
   std::set<std::string> written;
   for (CalibrationSite site : study.sites) {
     for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
@@ -280,7 +282,8 @@ std::string format_ground_block(const Calibration& calibration) {
                   [](const Unknown& unknown) { return is_ground_parameter(unknown.parameter); });
   if (all_ground) {
     text +=
-        "# With their uncertainty: each member has the ground of a draw.\n[ensemble]\nmembers = " +
+        "# To include the uncertainty, each member uses one draw of the "
+        "posterior.\n[ensemble]\nmembers = " +
         std::to_string(std::min<Eigen::Index>(50, calibration.posterior.draws.cols())) +
         "\nposterior = \"" + calibration.file.filename().string() + "\"\n";
   }

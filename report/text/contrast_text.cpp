@@ -59,16 +59,15 @@ std::string describe_effect(const Difference& difference, const Comparison& comp
                             mean(difference.second_mean) + "; " + describe_difference(difference);
   switch (difference.verdict()) {
     case ContrastVerdict::kUntested:
-      return means + "; one realisation does not show whether this is chance";
+      return means + "; with one realisation, significance cannot be tested";
     case ContrastVerdict::kSignificant:
       return means;
     case ContrastVerdict::kDistributionDiffers:
-      return means + ", which can be chance, but the values are spread differently";
+      return means + ", which is not significant, but the distributions differ";
     default:
-      return means + ", which can be chance" +
-             (difference.family_size > 1
-                  ? " among " + std::to_string(difference.family_size) + " differences"
-                  : "");
+      return means + ", which is not significant" +
+             (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
+                                   : "");
   }
 }
 
@@ -87,16 +86,16 @@ std::string describe_effect(const DepositQuantityDifference& difference) {
     case ContrastVerdict::kSignificant:
       return text;
     case ContrastVerdict::kInsignificantAfterCorrection:
-      return text + "; one of " + std::to_string(difference.family_size) +
-             " differences can be as large by chance";
+      return text + "; one of " + std::to_string(difference.tests) +
+             " differences tested can be this large by chance";
     case ContrastVerdict::kUntested:
       break;
     default:
-      return text + "; not distinguished";
+      return text + "; not significant";
   }
   const bool few = difference.first.summary.count < 2 || difference.second.summary.count < 2;
-  return text + (few ? "; an interval takes two realisations of each file"
-                     : "; no interval, since realisations do not differ");
+  return text + (few ? "; an interval requires two realisations of each file"
+                     : "; no interval, because the realisations do not differ");
 }
 
 std::string describe_effect(const DepositMobility& mobility) {
@@ -106,13 +105,13 @@ std::string describe_effect(const DepositMobility& mobility) {
   if (!mobility.difference.interval) {
     text += ", without an interval";
   } else if (!mobility.difference.excludes_zero()) {
-    text += ", not distinguished";
+    text += ", not significant";
   }
   if (mobility.starts_apart > kSameStart) {
-    text += "; they start " + format_decimals(mobility.starts_apart, 0) + " m apart";
+    text += "; their release points are " + format_decimals(mobility.starts_apart, 0) + " m apart";
   }
   if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
-    text += "; mean mass together is " + format_significant(mobility.mass_ratio, 3) +
+    text += "; the mean mass together is " + format_significant(mobility.mass_ratio, 3) +
             " times that alone";
   }
   return text;

@@ -50,7 +50,7 @@ std::string other_ends(const StopCounts& stops) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
   };
   add(stops.left_terrain, "left the surveyed terrain");
-  add(stops.max_time, "were still moving when time was up");
+  add(stops.max_time, "were still moving at the time limit");
   add(stops.error, "failed");
   return text;
 }
@@ -69,7 +69,7 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
     const std::string ends = other_ends(statement.stops);
     return (all.at_rest == 0 ? "no run" : "only " + std::to_string(all.at_rest)) + " of " +
            std::to_string(all.started) + " came to rest" + (ends.empty() ? "" : " (" + ends + ")") +
-           ", so how far the blocks run isn't known";
+           ", so the runout is not known";
   }
   const std::size_t shown = statement.classes.size() == 1 ? statement.classes[0].group : all.group;
   const std::string who = blocks_of(comparison, shown);
@@ -87,7 +87,8 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
               : "; 95 % stop before " + format_length(all.p95, decimals));
 }
 
-/// "; half of both stop within 17 m: the means differ because more compact blocks run on"
+/// "; half of both stop within 17 m: the means differ because more of the compact blocks run far
+/// beyond the median"
 std::string few_run_on(const RunoutEstimate& farther, const RunoutEstimate& nearer,
                        const std::string& a, const std::string& b, int decimals) {
   const std::string first = format_length(farther.median, decimals);
@@ -95,7 +96,7 @@ std::string few_run_on(const RunoutEstimate& farther, const RunoutEstimate& near
   return (first == second ? "; half of both stop within " + first
                           : "; half of the " + a + " stop within " + first + ", half of the " + b +
                                 " within " + second) +
-         ": the means differ because more " + a + " blocks run on";
+         ": the means differ because more of the " + a + " blocks run far beyond the median";
 }
 
 std::string describe_difference(const Comparison& comparison, const FileSummary& statement) {
@@ -120,19 +121,20 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
              " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
     case ContrastVerdict::kDistributionDiffers:
-      return prefix + means + ", a difference that can be chance" + interval +
-             "; but their stops are spread differently";
+      return prefix + means + ", a difference that is not significant" + interval +
+             "; but the distributions of their runouts differ";
     case ContrastVerdict::kInsignificantAfterCorrection:
     case ContrastVerdict::kInsignificant:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
-                  ? "among all that was compared, a difference like this" + interval +
-                        " can be chance"
-                  : "the difference can be chance" + interval);
+                  ? "among all the comparisons made, a difference of this size" + interval +
+                        " is not significant"
+                  : "the difference is not significant" + interval);
     case ContrastVerdict::kGroundDependent:
-      return prefix + means + "; which of them run farther depends on the ground" + interval;
+      return prefix + means + "; which class runs farther depends on the ground parameters" +
+             interval;
     case ContrastVerdict::kUntested:
-      return prefix + means + "; one realisation does not show whether this is chance";
+      return prefix + means + "; with one realisation, significance cannot be tested";
     case ContrastVerdict::kTooFewValues:
       break;
   }
@@ -141,7 +143,7 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
     return "there are too few runs to compare runouts (" + std::to_string(farther.at_rest) + " " +
            a + ", " + std::to_string(nearer.at_rest) + " " + b + ")";
   }
-  return "runouts can't be compared: " + std::to_string(farther.at_rest) + " of " +
+  return "runouts cannot be compared: " + std::to_string(farther.at_rest) + " of " +
          std::to_string(farther.started) + " " + a + " and " + std::to_string(nearer.at_rest) +
          " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
 }
@@ -159,8 +161,8 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
     const std::string text = "none of " + format_count(passage.all.started, "run") + " " +
                              words.pass + "es " + words.name;
     if (!passage.all.interval || draws > 0) return text;
-    return text + " (with more runs, up to " + format_percentage(passage.all.interval->high) +
-           " might)";
+    return text + " (the 95 % interval reaches " + format_percentage(passage.all.interval->high) +
+           ")";
   }
   if (passage.all.crossed == passage.all.started) {
     return "all " + format_count(passage.all.started, "run") + " " + words.pass + " " + words.name +
@@ -177,7 +179,7 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
          words.name;
 }
 
-/// ". Of those that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
+/// ". Of the blocks that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
 std::string strength_of(const BarrierSummary& passage, const std::string& pass) {
   if (passage.all.crossed == 0) return "";
   const std::string energy =
@@ -187,7 +189,7 @@ std::string strength_of(const BarrierSummary& passage, const std::string& pass) 
       format_height_limit(passage.all.top) +
       format_in_brackets(format_range_by_draw(passage.all.top_range, format_height_limit));
   if (!passage.all.largest) {
-    return ". Of those that " + pass + ", 95 % carry less than " + energy +
+    return ". Of the blocks that " + pass + ", 95 % carry less than " + energy +
            ", and the tops of 95 % stay below " + height;
   }
   return passage.all.crossed == 1
@@ -227,7 +229,7 @@ std::string describe_ground(const Comparison& comparison, const FileSummary& sta
   }
   if (text.empty()) return "";
   return " Over " + std::to_string(statement.draws) + " draws of the ground, " + text +
-         (is_ninety_percent_interval(statement.draws) ? " (nine draws of ten)." : ".");
+         (is_ninety_percent_interval(statement.draws) ? " (ranges of nine draws in ten)." : ".");
 }
 
 std::string sentence_of(const Comparison& comparison, const FileSummary& statement) {
@@ -256,14 +258,14 @@ std::string describe_files(const Comparison& comparison, const KeyResults& answe
   if (gap.verdict == ContrastVerdict::kTooFewValues) return "";
   if (gap.verdict == ContrastVerdict::kUntested) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-           "; one realisation does not show whether this is chance.";
+           "; with one realisation, significance cannot be tested.";
   }
   if (gap.verdict == ContrastVerdict::kGroundDependent) {
-    return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
-           interval + ".";
+    return "Whether blocks run farther in " + a + " or in " + b +
+           " depends on the ground parameters" + interval + ".";
   }
   return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-         ", which can be chance" + interval + ".";
+         "; the difference is not significant" + interval + ".";
 }
 
 /// "330 to 580 kg".
@@ -324,12 +326,12 @@ std::string describe_intervals(const KeyResults& answer) {
       draws == 0
           ? ""
           : "Ranges over draws of the ground parameters cover " +
-                std::string(is_ninety_percent_interval(draws) ? "nine draws of ten" : "all draws") +
-                "; they say nothing about other release points or blocks.";
+                std::string(is_ninety_percent_interval(draws) ? "nine draws in ten" : "all draws") +
+                "; these ranges do not cover other release points or blocks.";
   if (all_drawn) return over_draws;
   std::string ranges = "Ranges in brackets are 95 % intervals, from ";
   if (realisations && fewest == 1) {
-    ranges = "One realisation: no interval can be given for runouts and shares.";
+    ranges = "With one realisation, no interval can be given for runouts and fractions.";
   } else if (realisations) {
     ranges += std::to_string(fewest) + " realisations.";
   } else {
@@ -373,9 +375,9 @@ std::vector<std::string> describe_first_screen(const Comparison& comparison,
   lines.push_back(describe_intervals(answer));
   lines.push_back(describe_limits(comparison, answer));
   const std::vector<std::string> measured = describe_measured_stops(comparison);
-  if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
+  if (!measured.empty()) add({"", "Measured against simulated stops:"});
   add(measured);
-  if (!comparison.cautions.empty()) add({"", "What could reverse this answer:"});
+  if (!comparison.cautions.empty()) add({"", "What could reverse this result:"});
   for (const ComparisonWarning& caution : comparison.cautions)
     lines.push_back("- " + caution.brief);
   return lines;

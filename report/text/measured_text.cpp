@@ -27,10 +27,10 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
     switch (judge_agreement(group)) {
       case ContrastVerdict::kTooFewValues:
         verdict =
-            format_count(group.measured, "measured stop") + ", too few to judge by; " + medians;
+            format_count(group.measured, "measured stop") + ", too few for a test; " + medians;
         break;
       case ContrastVerdict::kUntested:
-        verdict = medians + "; one realisation does not show whether this is chance";
+        verdict = medians + "; with one realisation, significance cannot be tested";
         break;
       case ContrastVerdict::kSignificant:
         verdict = interval.low > 0.0
@@ -40,11 +40,11 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
                             format_length_interval({-interval.high, -interval.low}, decimals) + ")";
         break;
       case ContrastVerdict::kDistributionDiffers:
-        verdict = "the middle agrees, the spread does not; " + medians;
+        verdict = "the medians agree, but the distributions differ; " + medians;
         break;
       default:
-        verdict = "field and simulation agree; " + medians + " (a difference of " +
-                  format_length_interval(interval, decimals) + ")";
+        verdict = "no significant difference between field and simulation; " + medians +
+                  " (a difference of " + format_length_interval(interval, decimals) + ")";
     }
     sentences.push_back(capitalized(who) + ": " + verdict + ".");
   }

@@ -45,7 +45,7 @@ void add_laws(TextTable& table, const std::string& weighting, const SizeCurve& c
 }
 
 std::string size_text(const SizeDistribution& size) {
-  if (size.by_number.blocks == 0) return "no sizes: every block is unscaled\n";
+  if (size.by_number.blocks == 0) return "no sizes, because all blocks are unscaled\n";
   TextTable percentiles{{"size " + name_of(size.measure), "blocks", "d10 m", "d50 m", "d90 m"}, {}};
   const auto add = [&](const std::string& name, const SizeCurve& curve) {
     percentiles.rows.push_back({name, std::to_string(curve.blocks), format_rounded(curve.d10, 3),
@@ -66,7 +66,7 @@ std::string format_blocks_table(const Population& population, const PopulationOp
   TextTable table{{"block", "L m", "I m", "S m", "s_c"}, {}};
   table.headings.insert(table.headings.end(), schemes.begin(), schemes.end());
   const std::string& first = schemes.front();
-  table.headings.push_back("how sure (" + first + ")");
+  table.headings.push_back("certainty (" + first + ")");
   for (const MeasuredBlock& block : population.blocks) {
     const char* const unit = block.unscaled ? " u" : "";
     table.rows.push_back({block.name, format_rounded(block.axes.L) + unit,
@@ -78,7 +78,7 @@ std::string format_blocks_table(const Population& population, const PopulationOp
     const ClassCertainty certainty =
         assess_class_certainty(first, block.axes, block.axis_error, options.limits);
     table.rows.back().push_back(certainty.near_limit ? describe_certainty(certainty)
-                                                     : "clear of limits");
+                                                     : "far from class limits");
   }
   return table.text();
 }

@@ -54,7 +54,8 @@ void check_design(const fs::path& from, const StoredCalibration& stored,
                   const StoredCalibration& asked, const std::string& next) {
   if (stored.design_sha256 != asked.design_sha256) {
     throw InputError(from.string() +
-                     ": was begun with other sites, unknowns, members, inputs or program; " + next);
+                     ": was started with different sites, unknowns, members, inputs or program; " +
+                     next);
   }
   const std::string physics =
       describe_physics_difference(stored.physics_digest, asked.physics_digest);
@@ -85,10 +86,9 @@ StoredCalibration joined(const CalibrationStudy& study, const CalibrationBackend
   for (const std::vector<bool>& site : all.done) {
     const auto missing = std::find(site.begin(), site.end(), false);
     if (missing == site.end()) continue;
-    throw InputError(
-        "member " + std::to_string(missing - site.begin() + 1) + " of " +
-        std::to_string(study.design.members) +
-        " is in none of the parts; give the files of all shards, all of them finished");
+    throw InputError("member " + std::to_string(missing - site.begin() + 1) + " of " +
+                     std::to_string(study.design.members) +
+                     " is in none of the parts; give the finished files of all shards");
   }
   return all;
 }

@@ -430,7 +430,7 @@ std::vector<Observation> read_observations(const TomlTable& top,
       for (const Observation& other : observations) {
         if (other.fitted != observation.fitted && share_blocks(other, observation)) {
           table.refuse("use", "observation " + other.name +
-                                  " is of the same blocks; observations of fitted blocks can't be "
+                                  " uses the same blocks; observations of fitted blocks cannot be "
                                   "kept for validation");
         }
       }

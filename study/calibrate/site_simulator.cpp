@@ -168,9 +168,9 @@ struct SiteMemberSimulator::Impl {
     try {
       check_sizes(prepared);
     } catch (const InputError& error) {
-      throw InputError(std::string(error.what()) +
-                       "; blocks are drawn with the masses of [[unknown]] at the upper ends of "
-                       "their ranges");
+      throw InputError(
+          std::string(error.what()) +
+          "; the blocks are drawn with masses at the upper ends of the ranges in [[unknown]]");
     }
     prepared.campaign = middle;
   }

@@ -156,7 +156,7 @@ SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
     throw InputError(
         study.file.string() + ": " + full_statistic_name(study, k) + ": only " +
         format_count(static_cast<std::size_t>(with_value), "member") + " of " +
-        std::to_string(study.design.members) + " have it, but " + std::to_string(fewest) +
+        std::to_string(study.design.members) + " have a value, but " + std::to_string(fewest) +
         " are needed; widen the ranges, simulate more releases, or set use = \"keep\"");
   }
   estimate_scatter(figures);

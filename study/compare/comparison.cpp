@@ -34,12 +34,12 @@ void check_run(const std::string& file, const CampaignResults& results, const Ru
   if (run.block >= results.blocks.size()) {
     throw InputError(item + " refers to block number " + std::to_string(run.block) + " of " +
                      std::to_string(results.blocks.size()) +
-                     "; the file is damaged, run the campaign again");
+                     "; the file is damaged; run the campaign again");
   }
   const bool measured = run.result.stop_reason != StopReason::kError;
   if (!finite(run.start.position) || (measured && !finite(run.result.final_state.position))) {
     throw InputError(item + " has a start or stop that is not a finite position; the file is " +
-                     "damaged, run the campaign again");
+                     "damaged; run the campaign again");
   }
 }
 
@@ -61,9 +61,9 @@ void check_given_once(const std::vector<CampaignResults>& results, std::size_t f
                          ": are parts of one campaign; join all its parts first with "
                          "`merge_results`");
       }
-      throw InputError(label(results, file) + ": holds the same runs as " + label(results, other) +
-                       " (same campaign, inputs and program), which would count twice; give it "
-                       "once");
+      throw InputError(
+          label(results, file) + ": holds the same runs as " + label(results, other) +
+          " (same campaign, inputs and program), so these would count twice; give the file once");
     }
   }
 }
@@ -102,14 +102,15 @@ std::optional<Vec2> asked_downslope(const std::vector<CampaignResults>& results)
     if (!results[file].downslope) continue;
     const Vec2 direction = *results[file].downslope;
     if (!direction.allFinite() || direction.norm() == 0.0) {
-      throw InputError(label(results, file) + ": downslope is not a direction; give two numbers, " +
-                       "not both zero, as [run] downslope");
+      throw InputError(label(results, file) +
+                       ": downslope is not a direction; write two numbers, " +
+                       "not both zero, in [run] downslope");
     }
     const Vec2 unit = direction.normalized();
     if (asked && (unit - *asked).norm() > 1e-9) {
       throw InputError(label(results, file) + ": has another downslope direction than " +
                        label(results, asked_by) +
-                       ", so their runouts can't be compared; compare the files one by one");
+                       ", so their runouts cannot be compared; compare the files one by one");
     }
     if (!asked) asked_by = file;
     asked = unit;

@@ -55,16 +55,16 @@ const std::vector<DepositQuantity>& deposit_quantities() {
     return [value](const Row& row) { return row.energy ? value(*row.energy) : NAN; };
   };
   static const std::vector<DepositQuantity> kFigures = {
-      {"lying", "", "blocks that lie there", 1,
+      {"lying", "", "blocks in the deposit", 1,
        [](const Row& row) { return static_cast<double>(row.lying); }, kPositive},
-      {"lying_share", "", "share of blocks that lie there", 3,
+      {"lying_share", "", "fraction of blocks in the deposit", 3,
        [](const Row& row) {
          return static_cast<double>(row.lying) / static_cast<double>(row.blocks);
        },
        kPossibleFraction},
       {"left_terrain", "", "blocks that left the terrain", 1,
        [](const Row& row) { return static_cast<double>(row.left_terrain); }, kPositive},
-      {"volume_m3", "m\xC2\xB3", "volume of the blocks", 2, &Row::volume, kPositive},
+      {"volume_m3", "m\xC2\xB3", "volume of the blocks in the deposit", 2, &Row::volume, kPositive},
       {"centre_distance_m", "m", "distance of the centre of mass", 2,
        [](const Row& row) { return plan_distance(row.first_centre, row.centre); }, kPositive},
       {"centre_drop_m", "m", "drop of the centre of mass", 2,
@@ -83,26 +83,26 @@ const std::vector<DepositQuantity>& deposit_quantities() {
        }},
       {"area_m2", "m\xC2\xB2", "area", 1, &Row::area, kPositive},
       {"bulk_volume_m3", "m\xC2\xB3", "bulk volume", 2, &Row::bulk_volume, kPositive},
-      {"solid_share", "", "share of the bulk volume that is rock", 3,
+      {"solid_share", "", "rock fraction of the bulk volume", 3,
        [](const Row& row) { return row.volume / row.bulk_volume; }, kPositive},
-      {"first_solid_share", "", "share of the bulk volume that was rock at the start", 3,
+      {"first_solid_share", "", "rock fraction of the bulk volume at the start", 3,
        [](const Row& row) { return row.first_volume / row.first_bulk_volume; }, kPositive},
       {"mean_thickness_m", "m", "mean thickness", 2,
        [](const Row& row) { return row.bulk_volume / row.area; }, kPositive},
       {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},
-      {"largest_kinetic_j", "J", "largest kinetic energy of all blocks together", 0,
+      {"largest_kinetic_j", "J", "largest total kinetic energy of all blocks", 0,
        of_energy([](const EnergyFractions& energy) { return energy.largest_kinetic; }), kPositive},
-      {"dissipated_by_friction", "", "share dissipated by friction", 3,
+      {"dissipated_by_friction", "", "fraction dissipated by friction", 3,
        of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.friction + energy.between_blocks.friction;
        }),
        kPossibleFraction},
-      {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
+      {"dissipated_by_rolling", "", "fraction dissipated by rolling resistance", 3,
        of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.rolling + energy.between_blocks.rolling;
        }),
        kPossibleFraction},
-      {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
+      {"dissipated_between_blocks", "", "fraction dissipated between blocks", 3,
        of_energy([](const EnergyFractions& energy) { return energy.between_blocks.sum(); }),
        kPossibleFraction}};
   return kFigures;

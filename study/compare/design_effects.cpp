@@ -180,9 +180,9 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     std::erase_if(factors, [](const FactorLevels& factor) { return factor.name == "orientation"; });
   }
   if (factors.empty()) {
-    effects.refusal = fresh ? "its orientations are drawn for each block and point, so none occurs "
-                              "twice, and nothing else differs between runs"
-                            : "nothing differs between its runs";
+    effects.refusal = fresh ? "its orientations are drawn for each block and release point, so "
+                              "none occurs twice, and nothing else differs between runs"
+                            : "its runs do not differ in anything";
     return effects;
   }
   for (const FactorLevels& factor : factors) effects.factors.push_back({factor.name, factor.count});
@@ -190,7 +190,8 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<std::size_t> places = places_in(factors, rows.size());
   if (fresh) {
     effects.estimated =
-        "orientations are drawn for each block and point, and count as interactions";
+        "orientations are drawn for each block and release point, so their effect is part of the "
+        "interactions";
   } else if (places.empty()) {
     effects.estimated = gap_of(factors, rows.size());
   }

@@ -32,9 +32,9 @@ std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
   std::vector<std::string> warnings;
   if (outcome.reassigned > 0) {
     warnings.push_back(format_count(outcome.reassigned, "run loses or gains", "runs lose or gain") +
-                       " more than 10 % of the dissipated energy when contacts change, at most " +
+                       " more than 10 % of the dissipated energy when contacts change (at most " +
                        format_significant(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
-                       " %; clast compare names the worst run and what to try");
+                       " %); clast compare names the worst run and suggests a remedy");
   }
   return warnings;
 }
@@ -49,7 +49,7 @@ void check_outcome(const CampaignResults& results, const std::filesystem::path& 
                                    "\"auto\", and check the ground at the position given";
   throw SimulationError(std::to_string(outcome.errors()) + " of " +
                         format_count(results.runs.size(), "run") +
-                        " ended with an error, first error: " + outcome.first_error +
+                        " failed with an error; first error: " + outcome.first_error +
                         ". All runs are in " + file.string() +
                         "; clast compare lists the failed ones and leaves them out of its "
                         "statistics" +

@@ -124,10 +124,10 @@ MapRasterSet compute_path_rasters(const Comparison& comparison) {
   for (const auto& [cell, passed] : cells) covered.push_back(cell);
   rasters = rasterize_cells(
       covered, rasters.cell,
-      {{"Reach_probability", "share of runs started that pass the cell", {}},
+      {{"Reach_probability", "fraction of the runs that pass the cell", {}},
        {"Nr_passages", "runs that pass the cell", {}},
        {"E_mean", "mean over runs of the largest kinetic energy in the cell, J", {}},
-       {"E_95", "95 % quantile of the same, J", {}},
+       {"E_95", "95 % quantile over runs of the largest kinetic energy in the cell, J", {}},
        {"E_max", "largest kinetic energy in the cell, J", {}},
        {"Ph_95", "95 % quantile over runs of the largest height of the centre above ground, m", {}},
        {"V_max", "largest speed of the centre in the cell, m/s", {}}});

@@ -152,7 +152,7 @@ class Layers {
         covered, width,
         {{"Deposit_mean", "thickness of the deposit, mean over realisations, m", {}},
          {"Deposit_max", "largest thickness of the deposit, m", {}},
-         {"Deposit_probability", "share of realisations with a block there", {}}});
+         {"Deposit_probability", "fraction of realisations with a block in the cell", {}}});
     const auto count = static_cast<double>(realisations_);
     for (const auto& [cell, sums] : cells_) {
       const std::size_t at = rasters.index(cell);

@@ -118,7 +118,7 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;
   std::string doubt = std::to_string(trial.passed) + " of " +
                       format_count(trial.count, "trial run") +
-                      " passed the foot of the slope, and half of them went less than " +
+                      " passed the foot of the slope, and half of them travelled less than " +
                       format_decimals(std::max(trial.median_distance, 0.0), 1) + " m";
   if (trial.median_distance > kMinDistance * places.block_length &&
       trial.median_distance < places.distance) {

@@ -32,7 +32,7 @@ void check_parts_of_one_campaign(const CampaignHeader& first, const CampaignHead
   if (other.campaign_sha256 != first.campaign_sha256) {
     difference = "belongs to another campaign than ";
   } else if (other.inputs != first.inputs) {
-    difference = "was made from other input files than ";
+    difference = "was made from different input files than ";
   } else if (other.program_version != first.program_version) {
     difference =
         "was made by clast " + other.program_version + ", not " + first.program_version + " like ";
@@ -58,8 +58,9 @@ std::string common_physics(const std::vector<Part>& parts) {
     if (results.physics_digest.empty()) continue;
     if (!known) known = &results;
     if (results.physics_digest == known->physics_digest) continue;
-    throw InputError(results.file.string() + ": blocks moved differently in the clast that made " +
-                     "it than in that of " + known->file.string() + " (physics digest " +
+    throw InputError(results.file.string() +
+                     ": was made by a program that computes different motions from that of " +
+                     known->file.string() + " (physics digest " +
                      results.physics_digest.substr(0, 10) + ", there " +
                      known->physics_digest.substr(0, 10) + "), though both are clast " +
                      results.program_version + "; simulate all shards with one program");

@@ -144,7 +144,8 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
           {names[i], {begin, begin + counts[i]}, parse_counted_direction(directions[i])});
       at += counts[i];
     }
-    if (at != points.size()) reader.throw_damaged("points_m", "has more points than barriers have");
+    if (at != points.size())
+      reader.throw_damaged("points_m", "has more points than the barriers have in total");
     return;
   }
   // Schema 2 had straight barriers only.

@@ -39,7 +39,7 @@ Trajectory TrajectoryFile::read(std::uint32_t run) const {
     const bool any = !reader.group.child_names().empty();
     throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +
                      (any ? "there is no such run"
-                          : "none are stored, set [run] trajectory_interval_s above zero"));
+                          : "none are stored; set [run] trajectory_interval_s above zero"));
   }
   const std::vector<double> rows = reader.group.read<double>(name);
   Trajectory trajectory;

@@ -284,7 +284,8 @@ std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling&
         found != draw.set_shares.end() ? found->second : share;
   }
   if (set > 1.0 || (others <= 0.0 && set != 1.0)) {
-    throw InputError("the shares of classes that are set add up to " + format_significant(set, 6) +
+    throw InputError("the fractions of the classes that are set add up to " +
+                     format_significant(set, 6) +
                      (set > 1.0 ? ", more than 1" : ", and no other class makes up the rest"));
   }
   std::vector<std::pair<std::string, double>> shares = draw.shares;

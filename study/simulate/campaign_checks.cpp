@@ -190,9 +190,9 @@ void tell_of_barriers(const CampaignPlan& prepared, std::vector<std::string>& wa
     }
     if ((high.array() < ground.low.head<2>().array()).any() ||
         (low.array() > ground.high.head<2>().array()).any()) {
-      warnings.push_back("barrier " + barrier.name +
-                         " lies off the terrain, so nothing can cross it; its points are x, y of "
-                         "the z-up map");
+      warnings.push_back(
+          "barrier " + barrier.name +
+          " is outside the terrain, so no block can cross it; its points are x, y of the z-up map");
     } else if (barrier.counted == CountedDirection::kForward &&
                places_that_fall_forward(barrier, *prepared.surface) < 0) {
       warnings.push_back("barrier " + barrier.name +

@@ -166,11 +166,11 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   }
   report.levelled_spikes += spikes.levelled;
   if (spikes.left > 0) {
-    report.notes.push_back(std::to_string(spikes.left) +
-                           (spikes.left == 1 ? " vertex stands" : " vertices stand") +
-                           " far above or below the surrounding ground together with their "
-                           "neighbours, as on crests and walls, kept as measured; the first at " +
-                           format_map_point(spikes.left_at));
+    report.notes.push_back(
+        std::to_string(spikes.left) + (spikes.left == 1 ? " vertex stands" : " vertices stand") +
+        " far above or below the surrounding ground together with their neighbours, as on crests "
+        "and walls; these heights were kept; the first at " +
+        format_map_point(spikes.left_at));
   }
   if (spikes.levelled == 0) return;
   report.notes.push_back(std::to_string(spikes.levelled) +

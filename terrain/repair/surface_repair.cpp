@@ -127,7 +127,7 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
       report.notes.push_back(
           "a component of " + std::to_string(component.size()) + " triangles at " +
           format_map_point(centroid(mesh, mesh.triangles[component.front()])) +
-          " is vertical and touches no other ground; its rock side was taken from the file");
+          " is vertical and touches no other ground, so the orientation in the file was used");
     } else if (!*up) {
       for (const std::uint32_t t : component) turn[t] = !turn[t];
     }

@@ -40,7 +40,9 @@ class UnscaledBlock : public SlopeCampaign {
 
 TEST_F(UnscaledBlock, IsShownWithoutMassAndMetres) {
   const std::string all = run({"show", "blocks.h5"}).out;
-  EXPECT_TRUE(contains(all, "Unscaled (u: unit of the model, of no known length): model;")) << all;
+  EXPECT_TRUE(
+      contains(all, "Unscaled (u is the unit of the model; its length is not known): model;"))
+      << all;
   EXPECT_TRUE(contains(all, "1.240 u"));
   const std::string one = run({"show", "blocks.h5", "model"}).out;
   const std::size_t details = one.find("\nmodel\n");
@@ -95,7 +97,7 @@ TEST_F(UnscaledBlock, IsClassifiedByItsShapeAlone) {
 TEST_F(UnscaledBlock, AloneMakesAReportWithoutSizes) {
   run({"library", "remove", "blocks.h5", "cube"});
   const ProgramRun text = run({"classify", "blocks.h5", "-o", "classes"});
-  EXPECT_TRUE(contains(text.out, "no sizes: every block is unscaled"));
+  EXPECT_TRUE(contains(text.out, "no sizes, because all blocks are unscaled"));
   const std::string page = read_text_file(folder / "classes" / "report.html");
   EXPECT_EQ(unbalanced(page), "");
   EXPECT_EQ(count_of(page, "there are no sizes"), 1u);

@@ -213,7 +213,7 @@ TEST(BlockVariation, BallsAndUnknownNamesAreRefused) {
                        "block R 1%: S/L = nan"));
 }
 
-TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
+TEST(VariedBlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
   const Block parent = rock();
   const Block* const one = &parent;
   const std::vector<Variation> wanted = {StretchVariation{{0.9, 0.6}}, ConvexityVariation{0.2},
@@ -232,7 +232,7 @@ TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
   }
 }
 
-TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
+TEST(VariedBlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
   const Block parent = rock();
   const Block* const one = &parent;
   std::vector<BlockForm> population;

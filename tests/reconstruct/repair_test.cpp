@@ -113,7 +113,7 @@ TEST(Repair, AHoleOfMoreThanATenthIsToldOfByItself) {
     return text;
   };
   EXPECT_TRUE(contains(notes(small), "1 hole filled; the largest has "));
-  EXPECT_TRUE(contains(notes(small), " % of the surface is filling without data: no scan shows"));
+  EXPECT_TRUE(contains(notes(small), " % of the surface was filled without data: no scan shows"));
   EXPECT_FALSE(contains(notes(small), "a guess"));
   EXPECT_TRUE(contains(notes(large),
                        " % of the surface; it is an assumption on which volume and axes depend"));

@@ -74,7 +74,7 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
                 ", for runs of these 2 blocks only). " +
                 format_percentage(passage.classes[0].share) + " of compact and " +
                 format_percentage(passage.classes[1].share) +
-                " of elongated blocks pass EC22. Of those that pass, 95 % carry less than " +
+                " of elongated blocks pass EC22. Of the blocks that pass, 95 % carry less than " +
                 format_energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
                 format_height_limit(passage.all.top) + ".\n");
 }
@@ -83,7 +83,7 @@ TEST(AnswerText, SaysWhenItCanBeChance) {
   const std::string text =
       sentences(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = 4}));
   EXPECT_TRUE(contains(text, "blocks run "));
-  EXPECT_TRUE(contains(text, "can be chance"));
+  EXPECT_TRUE(contains(text, "is not significant"));
   EXPECT_FALSE(contains(text, "farther"));
 }
 
@@ -112,12 +112,12 @@ TEST(AnswerText, RunsThatEndEarlyAreSaid) {
   CampaignResults all = made_up_results();
   for (RunRecord& run : all.runs) run.result.stop_reason = StopReason::kLeftTerrain;
   EXPECT_TRUE(contains(sentences(all),
-                       "Runouts can't be compared: 0 of 96 compact and 0 of 96 elongated "
+                       "Runouts cannot be compared: 0 of 96 compact and 0 of 96 elongated "
                        "blocks came to rest (192 left the surveyed terrain)."));
   std::erase_if(all.runs, [](const RunRecord& run) { return run.block == 1; });
-  EXPECT_TRUE(contains(sentences(std::move(all)),
-                       "No run of 96 came to rest (96 left the surveyed terrain), so how far the "
-                       "blocks run isn't known."));
+  EXPECT_TRUE(contains(
+      sentences(std::move(all)),
+      "No run of 96 came to rest (96 left the surveyed terrain), so the runout is not known."));
 }
 
 TEST(AnswerText, OneRealisationIsNotEvidence) {
@@ -126,10 +126,10 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(
-      contains(sentences(comparison), "; one realisation does not show whether this is chance."));
+      contains(sentences(comparison), "; with one realisation, significance cannot be tested."));
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
   EXPECT_TRUE(contains(describe_intervals(summarise_key_results(comparison)),
-                       "One realisation: no interval"));
+                       "With one realisation, no interval"));
   for (const KeyFigure& figure :
        select_key_figures(comparison, summarise_key_results(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
@@ -143,10 +143,10 @@ TEST(AnswerText, OneRealisationHasNoIntervalOnItsPage) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   const std::string differences = format_differences_section(comparison);
-  EXPECT_FALSE(contains(differences, "more than chance:"));
-  EXPECT_FALSE(contains(differences, "No clear difference"));
+  EXPECT_FALSE(contains(differences, "significant differences:"));
+  EXPECT_FALSE(contains(differences, "No significant difference"));
   EXPECT_TRUE(contains(differences, "of one realisation, which can&#39;t tell what is chance:") ||
-              contains(differences, "of one realisation, not tested for chance:"))
+              contains(differences, "from one realisation, without a test:"))
       << differences.substr(0, 800);
   EXPECT_FALSE(contains(differences, "95 % interval</"));
   for (const BarrierGroupStatistics& group : comparison.barriers) EXPECT_FALSE(group.interval);
@@ -173,10 +173,10 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
       contains(text, " over draws of the ground parameters, for runs of these 2 blocks only)."))
       << text;
   EXPECT_TRUE(contains(text, "Over 5 draws of the ground, mean runout is ")) << text;
-  EXPECT_FALSE(contains(text, "nine draws of ten"));
-  EXPECT_TRUE(contains(describe_intervals(found),
-                       "cover all draws; they say nothing about "
-                       "other release points or blocks."));
+  EXPECT_FALSE(contains(text, "nine draws in ten"));
+  EXPECT_TRUE(
+      contains(describe_intervals(found),
+               "cover all draws; these ranges do not cover other release points or blocks."));
   EXPECT_FALSE(contains(describe_intervals(found), "95 %"));
 }
 
@@ -190,7 +190,8 @@ TEST(AnswerText, DifferenceMadeByFewIsCalledSo) {
   EXPECT_TRUE(summarise_key_results(comparison).statements.at(0).gap->of_few);
   EXPECT_TRUE(contains(sentences(comparison), " farther than elongated ones on average ("));
   EXPECT_TRUE(
-      contains(sentences(comparison), ": the means differ because more compact blocks run on"));
+      contains(sentences(comparison),
+               ": the means differ because more of the compact blocks run far beyond the median"));
   EXPECT_FALSE(summarise_key_results(compared(made_up_results())).statements.at(0).gap->of_few);
 }
 
@@ -242,14 +243,14 @@ TEST(AnswerText, NobodyPassesIsNotNever) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 500.0);
   EXPECT_TRUE(contains(sentences(std::move(results)),
-                       "None of 192 runs passes the road (with more runs, up to 2 % might)."));
+                       "None of 192 runs passes the road (the 95 % interval reaches 2 %)."));
 }
 
 TEST(AnswerText, EverybodyPassesIsSaidOnce) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 1.0);
   EXPECT_TRUE(contains(sentences(std::move(results)),
-                       "All 192 runs pass the road (98 to 100 %). Of those"));
+                       "All 192 runs pass the road (98 to 100 %). Of the blocks"));
 }
 
 TEST(AnswerText, FewPassagesAreCountedNotRanked) {
@@ -314,10 +315,11 @@ TEST(AnswerText, MeasuredStopsHaveAVerdict) {
     EXPECT_EQ(unbalanced(html), "");
     return describe_measured_stops(comparison).at(0);
   };
-  EXPECT_TRUE(contains(verdict(0.0, 30), "All blocks: field and simulation agree"));
+  EXPECT_TRUE(contains(verdict(0.0, 30),
+                       "All blocks: no significant difference between field and simulation"));
   EXPECT_TRUE(contains(verdict(25.0, 30), " farther in the field than simulated ("));
   EXPECT_TRUE(contains(verdict(-25.0, 30), " less far in the field than simulated ("));
-  EXPECT_TRUE(contains(verdict(25.0, 3), "3 measured stops, too few to judge by"));
+  EXPECT_TRUE(contains(verdict(25.0, 3), "3 measured stops, too few for a test"));
 }
 
 TEST(AnswerText, StandsWhatIsAlmostEmpty) {
@@ -365,7 +367,7 @@ TEST(AnswerText, WhatTheCampaignAskedForIsNoWarning) {
     EXPECT_EQ(warning.find("is scaled by"), std::string::npos);
   }
   const std::string html = format_provenance_section(comparison);
-  EXPECT_TRUE(contains(html, "As asked, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
+  EXPECT_TRUE(contains(html, "As requested, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
   EXPECT_TRUE(contains(html, "its underside was not seen"));
   EXPECT_EQ(format_head_section(comparison, summarise_key_results(comparison)).find("underside"),
             std::string::npos);

@@ -208,7 +208,7 @@ TEST_F(Talus, TablesThatCantBeReadAreRefused) {
 TEST_F(Talus, BlocksThatAreCountedTwiceAreNoted) {
   const Json twice = json_of({"east.csv", "east.csv"});
   EXPECT_EQ(twice["blocks"].size(), 8u);
-  EXPECT_TRUE(contains(brief(), "the same file was given 2 times"));
+  EXPECT_TRUE(contains(brief(), "the same file is given 2 times"));
   EXPECT_TRUE(contains(brief(), "counted 2 times"));
   EXPECT_TRUE(contains(twice["notes"].dump(), "counted 2 times"));
   // By content, whatever the name.

@@ -93,7 +93,7 @@ TEST_F(Released, ANicheWithAnUprightBackIsExact) {
     EXPECT_NEAR(mass.volume(), 0.5 * 8.0 * 4.0 * 20.0, 0.01);
     expect_solid(mass.bodies[0].mesh);
     ASSERT_EQ(mass.notes.size(), 1u);
-    EXPECT_TRUE(contains(mass.notes[0], "body 1 ends at a wall of up to 4 m"));
+    EXPECT_TRUE(contains(mass.notes[0], "body 1 ends at a vertical wall of up to 4 m"));
   }
 }
 
@@ -192,7 +192,7 @@ TEST_F(Released, APolygonCutsItOff) {
   EXPECT_NEAR(mass.volume() / kDomeVolume, 0.5, 3e-3);
   expect_solid(mass.bodies[0].mesh);
   EXPECT_NEAR(bounds(mass.bodies[0].mesh).low.x(), 16.0, 1e-5);
-  EXPECT_TRUE(contains(mass.notes.at(0), "a wall of up to 4 m"));
+  EXPECT_TRUE(contains(mass.notes.at(0), "a vertical wall of up to 4 m"));
 }
 
 // A roof over the niche: two heights say nothing of it; the highest points of a grid do.

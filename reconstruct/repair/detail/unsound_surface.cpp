@@ -81,8 +81,8 @@ void check_not_empty(const TriangleMesh& mesh) {
 void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
                       const RepairLog& log) {
   if (facing.orientable) return;
-  throw GeometryError("the surface is one-sided near " +
-                      log.format_position(mesh.vertices[facing.conflict_vertex]) +
+  throw GeometryError("the surface is non-orientable near " +
+                      log.format_position(mesh.vertices[facing.conflict]) +
                       " (inside and outside can't be distinguished)" + kRepairAdvice);
 }
 

@@ -65,7 +65,7 @@ void read_population(const DeclaredTable& vary, VariationSeriesRequest& request)
   population_keys().read(table, request);
   if (table.find("units")) {
     if (request.table.empty()) {
-      table.refuse("units", "are units of table, which is missing; leave units out");
+      table.refuse("units", "are the units of table, but there is no table; leave units out");
     }
     table.run_check("units", [&] { parse_length_unit(request.units); });
   }

@@ -210,7 +210,8 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   places.path = start.path;
   if (places.path.size() < 3) {
     throw InputError(
-        "at the steepest ground of the terrain there is no way down; check that it is not a pit");
+        "no path leads downslope from the steepest ground of the terrain; check that it is not a "
+        "pit");
   }
   const double steep = start.uphill.norm();
   places.release_slope = std::atan(steep);

@@ -312,8 +312,8 @@ void drop_outliers(CellHeights& stored, const Cells& cells, double distance, con
   if (low + high == 0) return;
   notes.push_back(path.string() + ": " + std::to_string(low) + " points more than " +
                   format_significant(distance, 6) + " m below and " + std::to_string(high) +
-                  " above the ground around were left out, the farthest, by " +
-                  format_significant(farthest, 4) + " m, near " + format_map_point(farthest_at));
+                  " points above the surrounding ground were left out; the farthest, by " +
+                  format_significant(farthest, 4) + " m, is near " + format_map_point(farthest_at));
 }
 
 std::string cell_value(const TerrainOptions& options) {

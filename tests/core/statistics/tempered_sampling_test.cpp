@@ -84,7 +84,7 @@ TEST(TemperedSampling, RefusesSenselessOptionsAndALikelihoodThatIsNowhere) {
     return VectorXd::Constant(places.cols(), -std::numeric_limits<double>::infinity());
   };
   EXPECT_EQ(refusal<InputError>([&] { draw_tempered_sample(1, nowhere, {.draws = 20}); }),
-            "the likelihood is zero or not a number at all 20 first draws");
+            "the likelihood is zero or not a number for all 20 initial draws");
 }
 
 }  // namespace

@@ -109,14 +109,14 @@ TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {
     return refusal<InputError>(
         [&] { calibrate_with(simulator, made.study, folder / "joined.h5", join); });
   };
-  EXPECT_EQ(
-      refused(),
-      "member 2 of 16 is in none of the parts; give the files of all shards, all of them finished");
+  EXPECT_EQ(refused(),
+            "member 2 of 16 is in none of the parts; give the finished files of all shards");
   EXPECT_EQ(read_posterior_draws(folder / "joined.h5").draws.size(), 200u);  // it is still there
   made.study.design.seed = 99;
-  EXPECT_EQ(refused(), join.parts[0].string() +
-                           ": was begun with other sites, unknowns, members, inputs or program; "
-                           "simulate that shard of this study");
+  EXPECT_EQ(refused(),
+            join.parts[0].string() +
+                ": was started with different sites, unknowns, members, inputs or program; "
+                "simulate that shard of this study");
 }
 
 TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
@@ -167,10 +167,11 @@ TEST_F(CalibrationFile, OtherObservationsUseTheSameRuns) {
   run(options);
   EXPECT_EQ(simulated, 0u);
   made.study.unknowns[0].high = 0.95;
-  EXPECT_EQ(refusal<InputError>([&] { run(options); }),
-            target().string() +
-                ": was begun with other sites, unknowns, members, inputs or program; delete it, or "
-                "give another output");
+  EXPECT_EQ(
+      refusal<InputError>([&] { run(options); }),
+      target().string() +
+          ": was started with different sites, unknowns, members, inputs or program; delete it, or "
+          "give another output");
 }
 
 TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
@@ -187,10 +188,11 @@ TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
   };
   EXPECT_EQ(joined(), ours);
   simulator.physics_digest = other;
-  const std::string differ = target().string() +
-                             ": blocks move differently in this clast (physics digest aaaaaaaaaa, "
-                             "here bbbbbbbbbb) than in the one that simulated its members, which "
-                             "has the same version number; ";
+  const std::string differ =
+      target().string() +
+      ": this version of clast computes different motions (physics digest aaaaaaaaaa, "
+      "here bbbbbbbbbb) than in the one that simulated its members, which "
+      "has the same version number; ";
   EXPECT_EQ(refusal<InputError>([&] { run(resume); }),
             differ + "delete it, or give another output");
   join.replace = true;

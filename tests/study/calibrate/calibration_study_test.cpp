@@ -228,8 +228,8 @@ TEST_F(StudyFile, WhatIsFittedCantBeKept) {
       "[[observation]]\nname = \"again\"\nuse = \"keep\"\nstops = \"stops.csv\"\n";
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     again + "[[observation]]\nname = \"passages\""),
-            "study.toml:26: [[observation]] use = \"keep\": observation stops is of the same "
-            "blocks; observations of fitted blocks can't be kept for validation");
+            "study.toml:26: [[observation]] use = \"keep\": observation stops uses the same "
+            "blocks; observations of fitted blocks cannot be kept for validation");
   // Other blocks of the same table may be kept.
   write_text_file(folder_ / "stops.csv",
                   "x,y,shape\n1,0,compact\n2,0,compact\n4,0,compact\n5,0,elongated\n"
@@ -266,8 +266,8 @@ TEST_F(StudyFile, ImpactsAndScarsAreSamplesOfOne) {
   kept.replace(kept.find("\"fit\""), 5, "\"keep\"");
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     kImpact + kept + "[[observation]]\nname = \"passages\""),
-            "study.toml:33: [[observation]] use = \"keep\": observation hit is of the same blocks; "
-            "observations of fitted blocks can't be kept for validation");
+            "study.toml:33: [[observation]] use = \"keep\": observation hit uses the same blocks; "
+            "observations of fitted blocks cannot be kept for validation");
 }
 
 TEST_F(StudyFile, TrajectoriesAreObservedAtTimes) {

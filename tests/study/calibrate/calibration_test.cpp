@@ -106,10 +106,11 @@ TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
   for (auto& member : made.runs.outcomes[0]) {
     for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAtMoment()};
   }
-  EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
-            "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
-            "32 have it, but 8 are needed; widen the ranges, simulate more releases, or set use = "
-            "\"keep\"");
+  EXPECT_EQ(
+      refusal<InputError>([&] { made.posterior(); }),
+      "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
+      "32 have a value, but 8 are needed; widen the ranges, simulate more releases, or set use = "
+      "\"keep\"");
 }
 
 TEST(Calibration, AFewReleasesOfABlockAreRefused) {

@@ -34,11 +34,12 @@ TEST(DrawnShares, MoreThanAllOrTooLittleIsRefused) {
   EXPECT_EQ(class_fractions(draw)[1].second, 0.0);
   draw.set_shares["elongated"] = 0.25;
   EXPECT_EQ(clast::refusal<InputError>([&] { class_fractions(draw); }),
-            "the shares of classes that are set add up to 1.25, more than 1");
+            "the fractions of the classes that are set add up to 1.25, more than 1");
   draw.set_shares["compact"] = 0.5;
-  EXPECT_EQ(clast::refusal<InputError>([&] { class_fractions(draw); }),
-            "the shares of classes that are set add up to 0.75, and no other class makes up the "
-            "rest");
+  EXPECT_EQ(
+      clast::refusal<InputError>([&] { class_fractions(draw); }),
+      "the fractions of the classes that are set add up to 0.75, and no other class makes up the "
+      "rest");
 }
 
 class DrawnBlocks : public CampaignRun {
@@ -206,7 +207,8 @@ TEST_F(DrawnBlocks, UnusualSizesAtTheUpperEndsAreRefused) {
   EXPECT_EQ(refused(900.0), "");
   EXPECT_TRUE(contains(refused(1e6), "a block is no longer than a tenth of the terrain"))
       << refused(1e6);
-  EXPECT_TRUE(contains(refused(1e6), "drawn with the masses of [[unknown]] at the upper ends"));
+  EXPECT_TRUE(
+      contains(refused(1e6), "drawn with masses at the upper ends of the ranges in [[unknown]]"));
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(Compare, OnlyRunsAtRestAreDeposits) {
   EXPECT_NEAR(compact.runout.mean, 10.0, 1e-9);
   EXPECT_TRUE(warns(comparison, "1 of 6 runs left the surveyed terrain"));
   EXPECT_TRUE(warns(comparison, "1 of 6 runs were still moving at max_time"));
-  EXPECT_TRUE(warns(comparison, "1 of 6 runs ended with an error"));
+  EXPECT_TRUE(warns(comparison, "1 of 6 runs failed with an error"));
 }
 
 TEST(Compare, DownslopeDefaultsToTheMeanLineFromReleaseToStop) {
@@ -197,7 +197,7 @@ TEST(Compare, ABarrierDrawnTheWrongWayCountsTheSameRuns) {
   EXPECT_EQ(compact.crossed, 3u);
   EXPECT_EQ(compact.backward, 3u);
   EXPECT_NEAR(compact.speed.mean, 4.0, 1e-12);
-  EXPECT_FALSE(warns(comparison, "the other way"));
+  EXPECT_FALSE(warns(comparison, "in the opposite direction"));
 }
 
 TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
@@ -209,9 +209,9 @@ TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
   EXPECT_EQ(compact.crossed, 1u) << "that came back";
   EXPECT_EQ(compact.backward, 3u);
   EXPECT_TRUE(warns(comparison, "barrier B<1> counts only"));
-  EXPECT_TRUE(warns(comparison, "of 6 runs crossed it the other way first"));
+  EXPECT_TRUE(warns(comparison, "of 6 runs first crossed it in the opposite direction"));
   for (Crossing& crossing : results.crossings) crossing.forward = !crossing.forward;
-  EXPECT_FALSE(warns(compared(std::move(results)), "the other way first"));
+  EXPECT_FALSE(warns(compared(std::move(results)), "first crossed it in the opposite direction"));
 }
 
 TEST(Compare, UnequalMassesAreNamed) {
@@ -231,7 +231,7 @@ TEST(Compare, UnfinishedBelowGroundAndUnbalancedRunsAreCounted) {
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(warns(comparison, "6 of 8 planned runs"));
   EXPECT_TRUE(warns(comparison, "1 of 6 runs ended below ground"));
-  EXPECT_TRUE(warns(comparison, "2 of 6 runs miss more than 1 %"));
+  EXPECT_TRUE(warns(comparison, "2 of 6 runs have an error of more than 1 %"));
   EXPECT_TRUE(warns(comparison, "stiffness is softer than auto"));
 }
 
@@ -271,7 +271,7 @@ TEST(Compare, SlopesWhereGeometryDecidesAreNamed) {
                     "mu = 35 deg: "));
   EXPECT_TRUE(warns(comparison,
                     "zone scree slopes 26.6 deg on average, above atan mu = 16.7 deg: friction "
-                    "stops no block there"));
+                    "cannot stop a block there"));
   // No run reached the scree.
   CampaignResults upper = hand_made_results();
   for (RunRecord& run : upper.runs) run.result.final_state.position = Vec3(5.0, 0.0, -2.5);
@@ -292,7 +292,7 @@ TEST(Compare, ZoneThatStopsBlocksIsNotCalledTooSteepToStopThem) {
   };
   const Comparison some = at_rest_on_scree(2);
   EXPECT_TRUE(warns(some, "but 2 of 6 runs stopped on its flatter parts"));
-  EXPECT_FALSE(warns(some, "friction stops no block there"));
+  EXPECT_FALSE(warns(some, "friction cannot stop a block there"));
   for (const ComparisonWarning& caution : some.cautions) {
     EXPECT_FALSE(contains(caution.brief, "too steep")) << caution.brief;
   }
@@ -402,11 +402,12 @@ TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
     CampaignResults results = hand_made_results();
     for (RunRecord& run : results.runs) run.result.max_speed = speed;
     const Comparison comparison = compared(std::move(results));
-    const bool said = std::any_of(
-        comparison.cautions.begin(), comparison.cautions.end(),
-        [](const ComparisonWarning& caution) {
-          return caution.brief.find("5 % of the runs are faster than 36 m/s") != std::string::npos;
-        });
+    const bool said =
+        std::any_of(comparison.cautions.begin(), comparison.cautions.end(),
+                    [](const ComparisonWarning& caution) {
+                      return caution.brief.find("5 % of the runs exceed a speed of 36 m/s") !=
+                             std::string::npos;
+                    });
     EXPECT_EQ(said, questioned) << speed;
   }
   // One fast run of many is no reason.

@@ -93,7 +93,8 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_FALSE(area.interval);
   EXPECT_EQ(area.verdict(), ContrastVerdict::kUntested);
   EXPECT_TRUE(contains(describe_effect(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
-  EXPECT_TRUE(contains(describe_effect(area), "no interval, since realisations do not differ"));
+  EXPECT_TRUE(
+      contains(describe_effect(area), "no interval, because the realisations do not differ"));
 }
 
 TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSaySo) {
@@ -113,14 +114,16 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
   EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
   const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
   EXPECT_EQ(open.verdict(), ContrastVerdict::kInsignificantAfterCorrection) << *open.holm_p_value;
-  EXPECT_TRUE(contains(describe_effect(open), "; one of 3 differences can be as large by chance"));
+  EXPECT_TRUE(
+      contains(describe_effect(open), "; one of 3 differences tested can be this large by chance"));
   const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
   EXPECT_EQ(none.verdict(), ContrastVerdict::kInsignificant);
   EXPECT_TRUE(contains(describe_difference(none), "m less (")) << describe_difference(none);
-  EXPECT_TRUE(describe_effect(none).ends_with("; not distinguished"));
+  EXPECT_TRUE(describe_effect(none).ends_with("; not significant"));
   const DepositQuantityDifference single = compared_lengths({20.0, 22.0}, {10.0});
   EXPECT_EQ(single.verdict(), ContrastVerdict::kUntested);
-  EXPECT_TRUE(contains(describe_effect(single), "an interval takes two realisations of each file"));
+  EXPECT_TRUE(
+      contains(describe_effect(single), "an interval requires two realisations of each file"));
 }
 
 TEST(RealisationFigures, WithoutADepositAreLeftOut) {

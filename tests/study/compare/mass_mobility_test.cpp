@@ -84,7 +84,7 @@ TEST(MassMobility, SaysWhereStartsAndMassesDiffer) {
   ASSERT_FALSE(all.empty());
   EXPECT_NEAR(all[0].starts_apart, 30.0, 1e-6);
   EXPECT_TRUE(describe_effect(all[0]).ends_with(
-      "; they start 30 m apart; mean mass together is 0.5 times that alone"))
+      "; their release points are 30 m apart; the mean mass together is 0.5 times that alone"))
       << describe_effect(all[0]);
 }
 

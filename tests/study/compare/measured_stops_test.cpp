@@ -107,10 +107,10 @@ TEST(MeasuredStops, NamesThatNothingHasAndPlacesOffTheTerrainAreTold) {
   EXPECT_FALSE(
       warns("x,y,block,shape\n" + good + ",round<1>,compact\n" + good + ",,\n", "measured stops"));
   EXPECT_TRUE(warns("x,y,block\n" + good + ",nobody\n" + good + ",round<1>\n",
-                    "1 of 2 measured stops name a block that no run has"));
+                    "1 of 2 measured stops name a block that was not simulated"));
   EXPECT_TRUE(warns("x,y,shape\n" + good + ",round\n",
-                    "1 of 1 measured stops have a shape that is neither compact nor elongated"));
-  EXPECT_TRUE(warns("x,y\n5,7\n", "1 of 1 measured stops lie off the terrain"));
+                    "1 of 1 measured stops have a shape other than compact or elongated"));
+  EXPECT_TRUE(warns("x,y\n5,7\n", "1 of 1 measured stops lie outside the terrain"));
 }
 
 TEST(MeasuredStops, TablesThatAreNoneAreRefused) {

@@ -225,7 +225,7 @@ TEST_F(EngineResultsOf, WhatTakesContactsIsEmptyAndNotZero) {
   EXPECT_EQ(of_engines, comparison.rows.size());
   std::size_t warned = 0;
   for (const std::string& warning : comparison.warnings) {
-    EXPECT_FALSE(contains(warning, "miss more than 1 %")) << warning;
+    EXPECT_FALSE(contains(warning, "an error of more than 1 %")) << warning;
     warned += contains(warning, "computed by Rockable");
   }
   EXPECT_EQ(warned, 1u);

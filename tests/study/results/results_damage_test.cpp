@@ -97,8 +97,9 @@ TEST(Results, DamageIsNamed) {
                        "bad.h5: /barriers/point_count does not fit points_m"));
   EXPECT_TRUE(contains(replaced("barriers", "point_count", std::vector<std::uint32_t>{1, 4}),
                        "bad.h5: /barriers/point_count does not fit points_m"));
-  EXPECT_TRUE(contains(replaced("barriers", "point_count", std::vector<std::uint32_t>{2, 2}),
-                       "bad.h5: /barriers/points_m has more points than barriers have"));
+  EXPECT_TRUE(
+      contains(replaced("barriers", "point_count", std::vector<std::uint32_t>{2, 2}),
+               "bad.h5: /barriers/points_m has more points than the barriers have in total"));
   EXPECT_TRUE(contains(replaced("barriers", "direction", std::vector<std::string>{"either", "up"}),
                        "bad.h5: /barriers/direction is neither either nor forward"));
   EXPECT_TRUE(contains(replaced("runs", "stop_reason", std::vector<std::uint8_t>{0, 1, 9}),

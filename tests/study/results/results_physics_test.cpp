@@ -24,7 +24,8 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
   { ResultsWriter writer = ResultsWriter::create(target, header); }
   EXPECT_EQ(refusal([&] { ResultsWriter::resume(target, other); }),
             journal_path(target).string() + ": was begun with clast " + header.program_version +
-                " too, but blocks move differently in this clast (physics digest aaaaaaaaaa, here "
+                " too, but this version of clast computes different motions (physics digest "
+                "aaaaaaaaaa, here "
                 "bbbbbbbbbb); delete it and start without `resume`");
   const auto finished = [&](const fs::path& file, const CampaignResults& of, std::uint32_t run) {
     ResultsWriter writer = ResultsWriter::create(file, of);
@@ -36,13 +37,14 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
   EXPECT_TRUE(is_finished(target, header, 1));
   EXPECT_TRUE(is_finished(target, sample_header(), 1));
   EXPECT_TRUE(contains(refusal([&] { is_finished(target, other, 1); }),
-                       "blocks move differently in this clast"));
+                       "this version of clast computes different motions"));
   finished(folder / "b.h5", other, 1);
   EXPECT_EQ(refusal([&] {
               merge_results({target, folder / "b.h5"}, folder / "m.h5");
             }),
-            (folder / "b.h5").string() + ": blocks moved differently in the clast that made it " +
-                "than in that of " + target.string() +
+            (folder / "b.h5").string() +
+                ": was made by a program that computes different motions from that of " +
+                target.string() +
                 " (physics digest bbbbbbbbbb, there aaaaaaaaaa), though both are clast " +
                 header.program_version + "; simulate all shards with one program");
 }

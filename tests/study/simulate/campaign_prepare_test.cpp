@@ -108,7 +108,7 @@ TEST_F(CampaignRun, BarrierThatCountsUphillOnlyIsNamed) {
 }
 
 TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
-  const std::string off = "barrier foot lies off the terrain";
+  const std::string off = "barrier foot is outside the terrain";
   EXPECT_FALSE(plan_warns(prepared(), off));
   EXPECT_TRUE(plan_warns(
       prepared(with("from = [0, -20]\nto = [0, 20]", "from = [0, 21]\nto = [9, 30]")), off));

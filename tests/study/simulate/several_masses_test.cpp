@@ -223,7 +223,7 @@ TEST_F(SeveralMasses, RefuseWhatDoesNotFit) {
   refused(masses("count = 9\n"),
           "make 9 of 9 blocks of a realisation and leave none for [mass] upper");
   refused(masses("count = 2\n", "count = 2\n"),
-          "make 4 of 9 blocks of a realisation; change them to add up");
+          "make 4 of 9 blocks of a realisation; make it equal to that number");
   refused(masses("share = 0.01\n"), "[mass] lower gets none of the 9 blocks");
   refused(masses("in_place = true\n"), "neither drawn nor scaled");
   refused(masses("thickness_m = 0.2\n"), "[mass] lower holds 0 of 3 blocks of realisation 1");
