@@ -116,8 +116,9 @@ SpheroPolyhedron fitted_body(const TriangleMesh& surface, const ScanSurface& sca
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
-    body = fit_core(scan, std::move(body),
-                    {.good_enough = kFitFraction * largest_distance, .hopeless = largest_distance});
+    body = fit_core(
+        scan, std::move(body),
+        {.target_distance = kFitFraction * largest_distance, .abandon_distance = largest_distance});
   }
   if (options.convex) body = make_sphero_polyhedron(convex_hull(body.vertices), radius);
   if (radius == 0.0) return body;
@@ -205,7 +206,7 @@ std::string described(const BlockOptions& options, const Block& block) {
   std::string text = options.core ? "core=yes" : "core=no";
   text += (is_unscaled(block) ? " radius_units=" : " radius_m=") +
           format_significant(block.body.radius, 4);
-  if (!options.radius) text += " radius_share=" + format_significant(options.radius_share, 4);
+  if (!options.radius) text += " radius_share=" + format_significant(options.radius_fraction, 4);
   text += " density_kg_m3=" + format_significant(block.density, 4);
   if (options.mass) text += " mass_kg=" + format_significant(*options.mass, 4);
   if (!options.core) text += " tolerance=" + format_significant(options.tolerance, 4);
@@ -253,7 +254,7 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
     return block_of_body(std::move(block), body, std::move(source), options);
   }
   const Vec3 lengths = smallest_box(surface.vertices).lengths;
-  const double radius = options.radius ? *options.radius : options.radius_share * lengths[2];
+  const double radius = options.radius ? *options.radius : options.radius_fraction * lengths[2];
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
   MeasuredBody measured = with_volume(
       fitted_body(surface, scan, target.volume, radius, options.tolerance * lengths[0], options),
@@ -287,8 +288,8 @@ void BlockOptions::check() const {
     throw InputError("radius is " + format_significant(*radius, 4) +
                      " m; it must be zero or a positive number");
   }
-  if (!(radius_share >= 0.0) || radius_share > kMaxRadiusFraction) {
-    throw InputError("the radius as a fraction of S is " + format_significant(radius_share, 4) +
+  if (!(radius_fraction >= 0.0) || radius_fraction > kMaxRadiusFraction) {
+    throw InputError("the radius as a fraction of S is " + format_significant(radius_fraction, 4) +
                      "; it must be between 0 and 0.25");
   }
   check_positive(density, "density", "kg/m3");

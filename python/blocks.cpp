@@ -37,7 +37,7 @@ py::dict classes_of(const Axes& axes, double axis_error, const SchemeOptions& op
   options.check();
   py::dict classes;
   for (const std::string& scheme : scheme_names()) {
-    classes[py::str(key_of(scheme))] = class_certainty(scheme, axes, axis_error, options);
+    classes[py::str(key_of(scheme))] = assess_class_certainty(scheme, axes, axis_error, options);
   }
   return classes;
 }
@@ -149,7 +149,7 @@ void bind_shape_class(py::module_& module) {
           "True if the value is closer to the limit than 0.05 or than the error of the axes.")
       .def_readonly("survives", &ClassCertainty::is_certain,
                     "True if the class is the same for all axes within their error.")
-      .def_readonly("others", &ClassCertainty::possible_others,
+      .def_readonly("others", &ClassCertainty::other_possible_classes,
                     "All other classes that are possible for axes within their error.")
       .def("__str__", [](const ClassCertainty& one) { return one.name; })
       .def("__repr__", [](const ClassCertainty& one) {

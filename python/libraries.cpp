@@ -67,16 +67,16 @@ Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& ke
   if (!site && !note && !weighed && !taped) {
     throw InputError("nothing to set; give site, note, taped or weighed");
   }
-  if (weighed && !kBlockMass.contains(*weighed)) {
+  if (weighed && !kBlockMassRange.contains(*weighed)) {
     throw InputError("weighed = " + format_significant(*weighed, 6) + " must be " +
-                     kBlockMass.describe());
+                     kBlockMassRange.describe());
   }
   std::optional<Axes> axes;
   if (taped) {
     for (const double length : *taped) {
-      if (kBlockLength.contains(length)) continue;
+      if (kBlockLengthRange.contains(length)) continue;
       throw InputError("taped: " + format_significant(length, 6) + " must be " +
-                       kBlockLength.describe());
+                       kBlockLengthRange.describe());
     }
     axes = Axes::sorted((*taped)[0], (*taped)[1], (*taped)[2]);
   }
@@ -121,7 +121,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
                {"core", ExportedSurface::kCore},
                {"both", ExportedSurface::kBoth},
                {"surface", ExportedSurface::kSurface}},
-              options.what);
+              options.surface);
   take_choice(given, "frame",
               {{"source", ExportFrame::kSource}, {"principal", ExportFrame::kPrincipal}},
               options.frame);

@@ -49,7 +49,7 @@ PopulationRequest population_request(Keywords& given) {
     request.options.size = size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
   }
   for (const std::string& schemes : given.texts("scheme")) {
-    for (const std::string& scheme : split_list(schemes)) {
+    for (const std::string& scheme : split_comma_separated(schemes)) {
       request.options.schemes.push_back(scheme);
     }
   }

@@ -48,15 +48,15 @@ CutRequest cut_request(Keywords& given) {
   given.read("replace", request.replace);
   given.read("prefix", request.options.prefix);
   given.read("seed", request.options.cutting.seed);
-  given.read("least_volume", request.options.cutting.least_volume);
-  given.read("most_blocks", request.options.cutting.most_blocks);
+  given.read("least_volume", request.options.cutting.min_volume);
+  given.read("most_blocks", request.options.cutting.max_blocks);
   given.read("density", request.options.block.density);
-  given.read("radius_share", request.options.block.radius_share);
+  given.read("radius_share", request.options.block.radius_fraction);
   given.read("threads", request.options.threads);
   given.check_all_used();
   check_block_id(request.options.prefix + "0001");
   request.options.block.check();
-  request.difference.least_volume = request.options.cutting.least_volume;
+  request.difference.min_volume = request.options.cutting.min_volume;
   request.difference.check();
   const bool both = !request.terrains.before.empty() && !request.terrains.after.empty();
   const bool none = request.terrains.before.empty() && request.terrains.after.empty();
@@ -89,7 +89,7 @@ py::tuple cut(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   CutRequest request = cut_request(given);
   const RockMassBlocks made = run_with_progress(progress, [&](const ProgressCallback& step) {
-    if (request.output) check_library_target(*request.output);
+    if (request.output) check_library_writable(*request.output);
     request.options.progress = step;
     const bool mesh = !request.file.path.empty();
     RockMassBlocks blocks =

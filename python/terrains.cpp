@@ -35,7 +35,7 @@ std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   TerrainOptions options;
   for (const std::string& input : given.texts("inputs")) options.surface.emplace_back(input);
   for (const std::string& zones : given.texts("zones")) {
-    for (const std::string& zone : split_list(zones)) options.zones.push_back(zone);
+    for (const std::string& zone : split_comma_separated(zones)) options.zones.push_back(zone);
   }
   for (const std::string& lines : given.texts("breaklines")) options.breaklines.emplace_back(lines);
   given.read("up", options.up);
@@ -99,10 +99,10 @@ std::vector<std::string> check_fit(const Terrain& terrain, const py::dict& keywo
     if (warning) warnings.push_back(*warning);
   };
   if (!places.empty()) {
-    check_over_ground(terrain, places, "release");
+    check_positions_over_terrain(terrain, places, "release");
     if (border_distance) add(border_warning(terrain, places, *border_distance));
   }
-  if (block_size) add(cell_size_warning(terrain, *block_size, *block_size));
+  if (block_size) add(edge_length_warning(terrain, *block_size, *block_size));
   return warnings;
 }
 

@@ -20,7 +20,7 @@ namespace clast {
 
 using namespace report_detail;
 
-FolderKind comparison_folder_kind() {
+OutputFolderKind comparison_folder_kind() {
   const auto is_own_file = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
                                                  "report.pdf",

@@ -11,7 +11,7 @@
 namespace clast {
 
 /// Folder kind of folders written by `write_comparison` and `write_animation`.
-FolderKind comparison_folder_kind();
+OutputFolderKind comparison_folder_kind();
 
 /// Writes tables, provenance.json, stops.gpkg, rasters/ and report.html to a folder.
 /// @return the written files, the report last

@@ -79,10 +79,11 @@ void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
     brief.push_back(input + ": and " + std::to_string(table.notes.size() - kMaxBriefNotes) +
                     " more notes");
   }
-  if (table.skipped + table.sorted + table.without_mass > 0) {
+  if (table.skipped_rows + table.reordered_rows + table.blocks_without_mass > 0) {
     brief.push_back(input + ": " + format_count(table.blocks.size(), "row") + " used, " +
-                    std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
-                    " sorted, " + std::to_string(table.without_mass) + " without a usable mass");
+                    std::to_string(table.skipped_rows) + " skipped, " +
+                    std::to_string(table.reordered_rows) + " sorted, " +
+                    std::to_string(table.blocks_without_mass) + " without a usable mass");
   }
 }
 
@@ -99,7 +100,7 @@ void add_table(ReportedPopulation& reported, const BlockMeasuringOptions& readin
   for (const std::string& note : table.notes) {
     reported.notes.push_back(stem.empty() ? note : stem + ": " + note);
   }
-  reported.skipped += table.skipped;
+  reported.skipped += table.skipped_rows;
 }
 
 void add_note(ReportedPopulation& reported, const std::string& note) {
@@ -187,7 +188,7 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
   DimensionColumns columns;
   if (!units.empty()) columns.units = parse_length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
-  for (const std::string& item : split_list(text)) {
+  for (const std::string& item : split_comma_separated(text)) {
     const std::size_t equals = item.find('=');
     const std::string quantity = item.substr(0, equals);
     const std::string column = equals == std::string::npos ? "" : item.substr(equals + 1);
@@ -217,9 +218,9 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
 void PopulationRequest::check() const {
   options.check();
   if (first.inputs.empty()) throw InputError("no block library and no table of blocks is given");
-  if (reading.axis_error && !kAxisError.contains(*reading.axis_error)) {
+  if (reading.axis_error && !kAxisErrorRange.contains(*reading.axis_error)) {
     throw InputError("`axis_error` = " + format_significant(*reading.axis_error, 6) + " must be " +
-                     kAxisError.describe());
+                     kAxisErrorRange.describe());
   }
   for (const PopulationFiles& files : {first, files_against(*this)}) {
     parse_dimension_columns(files.columns, files.units);

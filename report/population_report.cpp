@@ -64,7 +64,7 @@ std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
 
 }  // namespace
 
-FolderKind population_folder_kind(const std::filesystem::path& folder) {
+OutputFolderKind population_folder_kind(const std::filesystem::path& folder) {
   const auto is_own_file = [diagrams =
                                 earlier_diagrams(folder)](const std::filesystem::path& file) {
     const std::string name = file.string();

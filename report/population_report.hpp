@@ -9,7 +9,7 @@ namespace clast {
 
 /// Returns the folder kind by which folders of `write_population_report` are recognised. It
 /// includes the diagrams listed in provenance.json of `folder`.
-FolderKind population_folder_kind(const std::filesystem::path& folder);
+OutputFolderKind population_folder_kind(const std::filesystem::path& folder);
 
 /// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, SVG diagrams and a
 /// self-contained report.html.

@@ -28,7 +28,8 @@ struct MeasuringOptions {
 struct SurfaceMeasures {
   std::map<std::string, double>
       indices;  ///< shape indices by name, including those computed from the axes
-  std::optional<Equilibria> sides;     ///< number of equilibria; empty for balls and capsules
+  std::optional<StaticEquilibriumCounts>
+      sides;                           ///< number of equilibria; empty for balls and capsules
   std::optional<Roundness> roundness;  ///< set if requested
 };
 

@@ -103,8 +103,8 @@ class Fit {
         since_milestone = 0;
       }
       if (since_milestone == kRoundsWithoutProgress) break;
-      if (least <= options_.good_enough || round == options_.rounds) break;
-      if (round >= kRoundsOfHope && least > kHope * options_.hopeless) break;
+      if (least <= options_.target_distance || round == options_.rounds) break;
+      if (round >= kRoundsOfHope && least > kHope * options_.abandon_distance) break;
       if (pulls.largest > kWorse * least) {
         share *= kShorter;
         may_collapse_ = false;
@@ -279,9 +279,10 @@ void CoreFitOptions::check() const {
   if (rounds < 0) {
     throw InputError("rounds = " + std::to_string(rounds) + ": must be zero or more");
   }
-  if (!(good_enough >= 0.0) || !(hopeless >= 0.0)) {
-    throw InputError("good_enough = " + format_significant(good_enough, 6) + " and hopeless = " +
-                     format_significant(hopeless, 6) + ": must be zero or more");
+  if (!(target_distance >= 0.0) || !(abandon_distance >= 0.0)) {
+    throw InputError("good_enough = " + format_significant(target_distance, 6) +
+                     " and hopeless = " + format_significant(abandon_distance, 6) +
+                     ": must be zero or more");
   }
 }
 

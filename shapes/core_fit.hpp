@@ -7,8 +7,8 @@ namespace clast {
 
 struct CoreFitOptions {
   int rounds = 30;
-  double good_enough = 0.0;  ///< stop if the largest distance is at most this, m
-  double hopeless = 1e300;   ///< stop if this largest distance cannot be reached, m
+  double target_distance = 0.0;     ///< stop if the largest distance is at most this, m
+  double abandon_distance = 1e300;  ///< stop if this largest distance cannot be reached, m
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -33,7 +33,8 @@ TriangleMesh inset(const TriangleMesh& mesh, double depth) {
     }
   }
   TriangleMesh result = mesh;
-  for (std::size_t v = 0; v < fits.size(); ++v) result.vertices[v] += fits[v].minimising_step();
+  for (std::size_t v = 0; v < fits.size(); ++v)
+    result.vertices[v] += fits[v].step_to_intersection();
   return result;
 }
 

@@ -29,7 +29,7 @@ std::string describe_block_scale(const ScanToBlockOptions& options) {
 
 }  // namespace
 
-BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
+BatchPrinter::BatchPrinter(std::size_t scans, const ScanBatchOptions& options,
                            const std::string& report, bool json)
     : options_(options), scans_(scans), json_(json), bar_("scans", scans) {
   if (!report.empty()) report_.emplace(report, options.replace || options.resume);
@@ -105,7 +105,7 @@ void BatchPrinter::on_note(const std::string& text) {
   std::cerr << "clast: " << format_for_terminal(text) << "\n";
 }
 
-void BatchPrinter::finish(const BatchResult& result) {
+void BatchPrinter::finish(const ScanBatchResult& result) {
   bar_.clear();
   if (report_) report_->finish();
   print_end(result);
@@ -117,7 +117,7 @@ void BatchPrinter::finish(const BatchResult& result) {
                    "; the reasons are above");
 }
 
-void BatchPrinter::print_end(const BatchResult& result) const {
+void BatchPrinter::print_end(const ScanBatchResult& result) const {
   if (json_) {
     Json json = {{"blocks", made_}, {"failed", failed_}};
     if (options_.resume) json["skipped"] = result.skipped;

@@ -13,14 +13,14 @@
 namespace clast {
 
 /// Prints blocks to stdout, as lines or JSON, and failures to stderr. Optionally writes pages.
-class BatchPrinter : public BatchObserver {
+class BatchPrinter : public ScanBatchObserver {
  public:
   /// Starts the output.
   /// @param scans  number of scans
   /// @param report  folder of pages; if empty, no pages are written
   /// @param json  true: prints the blocks as JSON at the end; false: prints lines
   /// @throws InputError  if the folder of pages cannot be written
-  BatchPrinter(std::size_t scans, const BatchOptions& options, const std::string& report,
+  BatchPrinter(std::size_t scans, const ScanBatchOptions& options, const std::string& report,
                bool json);
 
   void on_block_made(const Block& block, const BlockOrigin& origin) override;
@@ -37,14 +37,14 @@ class BatchPrinter : public BatchObserver {
   }
   /// Prints the summary and writes the summary page.
   /// @throws InputError  if a scan gave no block; states the reason if there is a single scan
-  void finish(const BatchResult& result);
+  void finish(const ScanBatchResult& result);
 
  private:
   using Json = nlohmann::ordered_json;
 
-  void print_end(const BatchResult& result) const;
+  void print_end(const ScanBatchResult& result) const;
 
-  const BatchOptions& options_;
+  const ScanBatchOptions& options_;
   std::size_t scans_;
   bool json_;
   ProgressBar bar_;

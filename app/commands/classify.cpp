@@ -132,7 +132,7 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
       .add_option("--axis-error", args.request.reading.axis_error,
                   "Error of the axes, m; default: 0.05 for a table (tape), twice the "
                   "deviation from the scan for a library")
-      ->check(within(kAxisError))
+      ->check(within(kAxisErrorRange))
       ->type_name("M");
   command.add_flag("--thirds", args.request.options.limits.sneed_folk_thirds,
                    "Sneed & Folk: limits 1/3 and 2/3 for the second letter of a class, instead of "
@@ -140,14 +140,14 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
   command
       .add_option("--erdogan-limit", args.request.options.limits.erdogan_limit,
                   "Scheme erdogan: two axes count as different if their ratio is at least this")
-      ->check(within(kErdoganLimit))
+      ->check(within(kErdoganLimitRange))
       ->type_name("RATIO")
       ->capture_default_str();
   command
       .add_option("--roundness", args.request.reading.roundness_edge,
                   "With --json: also compute Wadell roundness of blocks of a library, on their "
                   "surface remeshed to this edge length, m")
-      ->check(within(kBlockLength))
+      ->check(within(kBlockLengthRange))
       ->type_name("M");
 }
 
@@ -219,7 +219,8 @@ void add_classify(CLI::App& app) {
     request.reading.box_given = command->count("--box") > 0;
     request.reading.surfaces = args->json;
     request.options.size = args->size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
-    request.options.schemes = args->schemes == "all" ? scheme_names() : split_list(args->schemes);
+    request.options.schemes =
+        args->schemes == "all" ? scheme_names() : split_comma_separated(args->schemes);
     check_options_apply(*args, *command);
     check_usage([&] { request.check(); });
     classify(*args);

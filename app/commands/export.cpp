@@ -137,8 +137,8 @@ void add_export(CLI::App& app) {
     if (!args->scene.runs.empty()) {
       throw CLI::ValidationError("--runs", "applies to scenes of a campaign (--to)");
     }
-    args->options.formats = split_list(args->formats);
-    args->options.what = kSurfaces.at(args->what);
+    args->options.formats = split_comma_separated(args->formats);
+    args->options.surface = kSurfaces.at(args->what);
     args->options.frame = kFrames.at(args->frame);
     if (command->count("--segments") > 0) args->options.segments = args->segments;
     run_export(*args);

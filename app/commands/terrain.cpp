@@ -152,10 +152,10 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
     if (warning) terrain.report.notes.push_back(*warning);
   };
   if (!releases.empty()) {
-    check_over_ground(terrain, releases, args.releases);
+    check_positions_over_terrain(terrain, releases, args.releases);
     note(border_warning(terrain, releases, args.border_distance));
   }
-  if (args.block_size) note(cell_size_warning(terrain, *args.block_size, *args.block_size));
+  if (args.block_size) note(edge_length_warning(terrain, *args.block_size, *args.block_size));
 }
 
 /// Files that an export or an image of that name may replace.
@@ -204,7 +204,7 @@ void check_outputs(const TerrainArgs& args) {
   check_extension("--export", args.exported,
                   {".stl", ".ply", ".obj", ".vtp", ".glb", ".tif", ".tiff"});
   check_extension("--picture", args.picture, {".svg"});
-  std::vector<std::string> inputs = split_list(args.breaklines);
+  std::vector<std::string> inputs = split_comma_separated(args.breaklines);
   for (const std::string& file : {args.releases, args.barriers}) {
     if (!file.empty()) inputs.push_back(file);
   }
@@ -225,9 +225,9 @@ void check_outputs(const TerrainArgs& args) {
 
 void make_terrain(TerrainArgs args) {
   args.options.surface.assign(args.inputs.begin(), args.inputs.end());
-  args.options.zones = split_list(args.zones);
-  args.options.columns = split_list(args.columns);
-  for (const std::string& file : split_list(args.breaklines)) {
+  args.options.zones = split_comma_separated(args.zones);
+  args.options.columns = split_comma_separated(args.columns);
+  for (const std::string& file : split_comma_separated(args.breaklines)) {
     args.options.breaklines.emplace_back(file);
   }
   check_usage([&] {
@@ -265,25 +265,25 @@ void add_grid_options(CLI::App& command, TerrainArgs& args) {
       .add_option("--resolution", options.resolution,
                   "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
                   "default: about four points of a cloud per cell, no resampling of others")
-      ->check(within(kCellSize))
+      ->check(within(kCellSizeRange))
       ->type_name("M");
   command
       .add_option("--percentile", options.percentile,
                   "Height of a cell of a cloud: this percentile of the heights of its points, 0 "
                   "for the lowest; default: their mean")
-      ->check(within(kPercentile))
+      ->check(within(kPercentileRange))
       ->type_name("P");
   command
       .add_option("--outliers", options.outliers,
                   "Leave out points of a cloud that are farther than this above or below the "
                   "surrounding ground, m")
-      ->check(within(kOutlierDistance))
+      ->check(within(kOutlierDistanceRange))
       ->type_name("M");
   command
       .add_option("--fill", options.fill,
                   "Fill holes up to this width, m; default: 3 cells of a cloud, 3 median edges of "
                   "a mesh, none of a raster")
-      ->check(within(kHoleWidth))
+      ->check(within(kHoleWidthRange))
       ->type_name("M");
   command
       .add_option("--breaklines", args.breaklines,
@@ -296,14 +296,14 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
   command
       .add_option("--crack", options.crack,
                   "Close cracks between tiles up to this width, m; 0: none")
-      ->check(within(kCrackWidth))
+      ->check(within(kCrackWidthRange))
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--spikes", options.spike_steepness,
                   "Level single vertices that protrude by more than this many times the distance "
                   "to their neighbours; 0: none")
-      ->check(within(kSpikeSteepness))
+      ->check(within(kSpikeSteepnessRange))
       ->type_name("X")
       ->capture_default_str();
   command.add_option("--smoothing", options.smoothing, "Rounds of smoothing")
@@ -314,7 +314,7 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
       .add_option("--tolerance", options.tolerance,
                   "Simplify: remove vertices while the surface moves up or down by no more than "
                   "this, m; overhangs are kept")
-      ->check(within(kSurfaceTolerance))
+      ->check(within(kSurfaceToleranceRange))
       ->type_name("M");
   command.add_flag("--cut-zones", options.cut_zones,
                    "Cut the borders of zone polygons into the triangles");
@@ -329,14 +329,14 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
   command
       .add_option("--border-distance", args.border_distance,
                   "Warn if a release point is nearer than this to the border, m")
-      ->check(within(kBorderDistance))
+      ->check(within(kBorderDistanceRange))
       ->needs(releases)
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--block-size", args.block_size,
                   "Diameter of the blocks, m: warn if the ground is much coarser or finer")
-      ->check(within(kBlockLength))
+      ->check(within(kBlockLengthRange))
       ->type_name("M");
   CLI::Option* picture =
       command
@@ -399,7 +399,7 @@ void add_terrain(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command->add_option("--export-cell", args->export_cell, "Cell size of an exported tif, m")
-      ->check(within(kCellSize))
+      ->check(within(kCellSizeRange))
       ->needs(exported)
       ->type_name("M")
       ->capture_default_str();

@@ -26,13 +26,13 @@ namespace clast {
 namespace {
 
 struct VaryArgs {
-  SeriesRequest request;
+  VariationSeriesRequest request;
   std::string library;
   std::string output = "series.h5";
   std::vector<std::string> forms;  ///< --to
   std::string grid;
   double least = 0.2;
-  SeriesTargets steps;
+  VariationTargets steps;
   std::string table;
   std::string keep = "mass";
   bool json = false;
@@ -64,14 +64,14 @@ FormGrid read_grid(const std::string& text, double least) {
 }
 
 /// Targets of all options except --like, which needs the library.
-SeriesTargets steps_wanted(const VaryArgs& args) {
-  SeriesTargets steps = args.steps;
+VariationTargets steps_wanted(const VaryArgs& args) {
+  VariationTargets steps = args.steps;
   for (const std::string& form : args.forms) steps.ratios.push_back(read_ratios(form));
   if (!args.grid.empty()) steps.grid = read_grid(args.grid, args.least);
   return steps;
 }
 
-SeriesResult make_bodies(SeriesRequest request) {
+VariationSeriesResult make_bodies(VariationSeriesRequest request) {
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> progress;
   request.options.progress = [&](const ProgressUpdate& step) {
@@ -80,14 +80,14 @@ SeriesResult make_bodies(SeriesRequest request) {
     progress->update(step.done);
   };
   try {
-    return make_series(request);
+    return make_variation_series(request);
   } catch (const Cancelled&) {
     throw InputError("interrupted; " + request.output.string() + " is unchanged");
   }
 }
 
-void print_series(const VaryArgs& args, const SeriesResult& made) {
-  const BlockSeries& series = made.series;
+void print_series(const VaryArgs& args, const VariationSeriesResult& made) {
+  const VariedBlockSeries& series = made.series;
   if (args.json) {
     std::cout << series_json(series, made.fit).dump(2) << "\n";
     return;
@@ -105,16 +105,16 @@ void print_series(const VaryArgs& args, const SeriesResult& made) {
 }
 
 void vary(const VaryArgs& args) {
-  SeriesRequest request = args.request;
+  VariationSeriesRequest request = args.request;
   check_usage([&] {
-    request.steps = steps_wanted(args);
+    request.targets = steps_wanted(args);
     request.library = args.library;
     request.output = args.output;
     request.table = args.table;
-    request.options.variation.keep = parse_preserved_size(args.keep);
+    request.options.variation.preserved_size = parse_preserved_size(args.keep);
     request.check();
   });
-  const SeriesResult made = make_bodies(request);
+  const VariationSeriesResult made = make_bodies(request);
   for (const std::string& note : made.notes)
     std::cerr << "clast: note: " << format_for_terminal(note) << "\n";
   print_series(args, made);
@@ -123,7 +123,8 @@ void vary(const VaryArgs& args) {
     std::cerr << "clast: warning: " << format_for_terminal(failed[i]) << "\n";
   }
   if (!failed.empty()) {
-    throw GeometryError(std::to_string(failed.size()) + " of " + std::to_string(made.wanted) +
+    throw GeometryError(std::to_string(failed.size()) + " of " +
+                        std::to_string(made.requested_count) +
                         " bodies could not be made; the others are in " + args.output);
   }
 }
@@ -139,11 +140,11 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--least", args.least,
                   "Smallest ratio in the grid: S/L of sneed-folk, I/L and S/I of zingg")
-      ->check(within(kMinRatio))
+      ->check(within(kMinRatioRange))
       ->type_name("RATIO")
       ->capture_default_str();
   command
-      .add_option("--like", args.request.like_ids,
+      .add_option("--like", args.request.target_ratio_ids,
                   "Stretch to the ratios of these blocks of the library")
       ->type_name("ID");
 }
@@ -152,23 +153,23 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--convexity", args.steps.convexity,
                   "Fill hollows until the volume is this fraction of that of the convex hull")
-      ->check(within(kVariedConvexity))
+      ->check(within(kVariedConvexityRange))
       ->type_name("SHARE");
   command
       .add_option("--rounding", args.steps.rounding,
                   "Radius of edges and corners as a fraction of S, 0 to 0.4")
-      ->check(within(kVariedRadiusFraction))
+      ->check(within(kVariedRadiusFractionRange))
       ->type_name("SHARE");
   command
       .add_option("--roundness", args.steps.roundness,
                   "Choose the radius that gives this Wadell roundness")
-      ->check(within(kVariedRoundness))
+      ->check(within(kVariedRoundnessRange))
       ->type_name("VALUE");
   command
       .add_option("--roundness-edge", args.steps.roundness_edge,
                   "Edge length of the mesh on which roundness is measured, as a fraction of the "
                   "diameter of a sphere of equal volume")
-      ->check(within(kRoundnessEdge))
+      ->check(within(kRoundnessEdgeRange))
       ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--vertices", args.steps.vertices, "Simplify to this many vertices")
@@ -177,7 +178,7 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--detail", args.steps.detail,
                   "Multiply the surface detail: 0 removes it, 1 keeps it, 2 doubles it")
-      ->check(within(kDetailGain))
+      ->check(within(kDetailGainRange))
       ->type_name("FACTOR");
   command
       .add_option("--degree", args.steps.degree,
@@ -195,17 +196,17 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->check(CLI::IsMember(reference_shape_names()))
       ->type_name("FORM");
   command.add_option("--exponent", args.steps.exponent, "Exponent of the superellipsoid, 1 to 20")
-      ->check(within(kSuperellipsoidExponent))
+      ->check(within(kSuperellipsoidExponentRange))
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--inertia", args.steps.inertia,
                   "Bodies with the block's mass and principal moments of inertia")
-      ->check(CLI::IsMember(inertia_form_names()))
+      ->check(CLI::IsMember(inertia_body_names()))
       ->type_name("FORM");
   CLI::Option* draw =
       command
-          .add_option("--draw", args.request.draw,
+          .add_option("--draw", args.request.sampled_count,
                       "Draw this many bodies, with sizes and forms distributed like those of the "
                       "blocks, or of the table of --from")
           ->check(whole_number(1, kMaxSeriesBodies))

@@ -299,7 +299,7 @@ void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t fir
 
 }  // namespace
 
-std::optional<TriangleMesh> read_ply(std::string_view content) {
+std::optional<TriangleMesh> read_ply_mesh(std::string_view content) {
   TextScanner text(content);
   const PlyHeader header = read_ply_header(text);
   Body body(text.remaining_text(), header);

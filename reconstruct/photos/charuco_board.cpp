@@ -68,8 +68,8 @@ std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const Charu
   std::vector<BoardCorner> found;
   for (std::size_t index = 0; index < observations.size(); ++index) {
     const auto corner =
-        photos_detail::triangulate(model, observations[index], options.largest_error);
-    if (!corner || corner->inlier_count < options.fewest_photos) continue;
+        photos_detail::triangulate(model, observations[index], options.max_reprojection_error);
+    if (!corner || corner->inlier_count < options.min_photos) continue;
     found.push_back({static_cast<int>(index), corner->position, corner->inlier_count,
                      std::sqrt(corner->squared_error / static_cast<double>(corner->inlier_count))});
   }

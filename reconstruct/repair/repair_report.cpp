@@ -35,12 +35,13 @@ class Sentences {
       }
     }
     for (const DuplicateSurface& copy : report_.duplicates) notes.push_back(of(copy));
-    if (report_.wrap_bias) {
+    if (report_.relative_wrap_excess) {
       notes.push_back(
           "the self-intersections of the surface could not be removed, so it was wrapped anew: "
           "hollows narrower "
           "than a sixtieth of its diagonal are bridged, and the " +
-          in_percent(*report_.wrap_bias) + " of volume that this added is removed by scaling");
+          in_percent(*report_.relative_wrap_excess) +
+          " of volume that this added is removed by scaling");
     }
     return notes;
   }
@@ -71,13 +72,13 @@ class Sentences {
       case RetentionReason::kClosed:
         text += "The kept copy is closed";
         break;
-      case RetentionReason::kWhole:
+      case RetentionReason::kMoreComplete:
         text += "The kept copy covers the whole block";
         break;
       case RetentionReason::kFiner:
         text += "The kept copy has more triangles";
         break;
-      case RetentionReason::kSize:
+      case RetentionReason::kLarger:
         text += "Neither copy is more complete or finer, so the larger one was kept";
         break;
     }
@@ -162,8 +163,8 @@ class Sentences {
       notes.push_back(
           format_count(fans, "hole", "holes") + " with " +
           format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
-          (largest_fan <= reconstruct_detail::kFanEdges ? "a fan"
-                                                        : "triangles between their corners"));
+          (largest_fan <= reconstruct_detail::kMaxFanEdges ? "a fan"
+                                                           : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +
@@ -183,7 +184,7 @@ class Sentences {
           " of the surface was filled without data: no scan shows the surface at the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
-      if (hole.area_fraction <= kLargeHole) continue;
+      if (hole.area_fraction <= kLargeHoleFraction) continue;
       notes.push_back(
           "the filling at " + format_point(hole.centre) + " is " + in_percent(hole.area_fraction) +
           " of the surface; it is an assumption on which volume and axes depend: scan that side, "

@@ -134,7 +134,7 @@ std::string card(const Block& block, const std::string& source) {
 
 }  // namespace
 
-FolderKind gallery_folder_kind() {
+OutputFolderKind gallery_folder_kind() {
   return {"gallery of blocks", kPage, kMark,
           [](const std::filesystem::path& file) { return file == kPage; }};
 }

@@ -10,7 +10,7 @@
 namespace clast {
 
 /// Returns the folder kind by which folders of `write_gallery` are recognised.
-FolderKind gallery_folder_kind();
+OutputFolderKind gallery_folder_kind();
 
 /// Writes FOLDER/gallery.html, self-contained, with image, measures and interactive 3-D blocks.
 /// @param title  title of the page, such as the name of the library

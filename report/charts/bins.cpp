@@ -36,13 +36,13 @@ std::size_t Bins::of(double value) const {
 Bins choose_bins(const Span& values, const std::vector<double>& limits) {
   constexpr double kUsual = 24.0, kMost = 60.0;
   Bins bins;
-  bins.width = round_up_to_nice((values.high - values.low) / kUsual);
+  bins.width = round_up_to_nice_number((values.high - values.low) / kUsual);
   const auto fit = [&](double width) {
     return std::all_of(limits.begin(), limits.end(),
                        [&](double limit) { return is_whole_number(limit / width); });
   };
   for (double width = bins.width; (values.high - values.low) / width <= kMost;
-       width = round_up_to_nice(0.4 * width)) {
+       width = round_up_to_nice_number(0.4 * width)) {
     if (!fit(width)) continue;
     bins.width = width;
     break;

@@ -22,7 +22,7 @@ std::string s_c_chart(const PopulationReport& report) {
     Series series{reported.population.name, series_colour(all.size()), "", {}};
     const bool named = reported.population.blocks.size() <= kMaxNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
-      series.values.push_back(elongation_index(block.axes_as_written));
+      series.values.push_back(elongation_index(block.axes_in_table_unit));
       if (named) series.names.push_back(block.name);
     }
     all.push_back(std::move(series));
@@ -53,7 +53,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const auto add = [&](const ReportedPopulation& reported, const std::string& name, bool by_mass) {
     ClassFractionSeries series{name, series_colour(all.size()), {}};
     classes.clear();
-    for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
+    for (const ClassFraction& share : reported.summary.schemes[scheme].fractions) {
       classes.push_back(share.name);
       series.shares.push_back(share_bar(share, by_mass));
     }
@@ -62,7 +62,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const bool two = report.populations.size() > 1;
   for (const ReportedPopulation& reported : report.populations) {
     add(reported, two ? reported.population.name : "by number", false);
-    if (!two && reported.summary.with_mass > 0) add(reported, "by mass", true);
+    if (!two && reported.summary.blocks_with_mass > 0) add(reported, "by mass", true);
   }
   return draw_class_fractions(
       "Fractions of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes,

@@ -95,7 +95,7 @@ ResponseRange response_range(std::span<const ShapeResponse> forms) {
     range.most = std::max(range.most, form.value);
   }
   if (range.most > range.least) {
-    range.step = round_down_to_nice((range.most - range.least) / kMinBands);
+    range.step = round_down_to_nice_number((range.most - range.least) / kMinBands);
   }
   return range;
 }

@@ -82,8 +82,8 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
     }
   }
   if (std::isfinite(mean.direction)) {
-    const Vec2 a = rose_point(mean.direction, kRadius * mean.resultant);
-    const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant);
+    const Vec2 a = rose_point(mean.direction, kRadius * mean.resultant_length);
+    const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant_length);
     svg += format_svg_line(a.x(), a.y(), b.x(), b.y(), "stroke=\"#1d2733\" stroke-width=\"3\"");
   }
   svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, "downslope", kRoseText);

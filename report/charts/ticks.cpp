@@ -15,7 +15,7 @@ Ticks choose_ticks(double low, double high, int wanted) {
     found.values = {low};
     return found;
   }
-  found.step = round_up_to_nice((high - low) / std::max(wanted, 1));
+  found.step = round_up_to_nice_number((high - low) / std::max(wanted, 1));
   found.decimals = std::max(0, -static_cast<int>(std::floor(std::log10(found.step) + 1e-9)));
   // A hair of slack keeps a tick that rounding put just outside.
   const double slack = 1e-9 * found.step;

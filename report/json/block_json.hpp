@@ -10,7 +10,7 @@ namespace clast {
 
 /// Returns the number of equilibria of each kind: {"stable": .., "unstable": .., "saddle": ..}.
 /// Null if `sides` is empty.
-nlohmann::ordered_json equilibria_json(const std::optional<Equilibria>& sides);
+nlohmann::ordered_json equilibria_json(const std::optional<StaticEquilibriumCounts>& sides);
 
 /// Returns all data of a block, with units in the keys (docs/formats.md). For unscaled blocks, keys
 /// of lengths end in _units, and mass and moments are null.

@@ -17,7 +17,7 @@ Json schema_of(const ValueFormat& form);
 /// Returns the JSON schema of a number range; 0 is also allowed if it has a meaning.
 Json number_schema(const NumberRange& range) {
   Json json = {{"type", "number"}};
-  if (range.zero != nullptr) {
+  if (range.zero_meaning != nullptr) {
     json["minimum"] = 0.0;
     json["maximum"] = range.high;
     json["anyOf"] = {{{"maximum", 0.0}}, {{"minimum", range.low}}};

@@ -8,6 +8,7 @@
 namespace clast {
 
 /// Returns the output of `clast vary --json` (docs/formats.md).
-nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit);
+nlohmann::ordered_json series_json(const VariedBlockSeries& series,
+                                   const std::optional<CopulaFit>& fit);
 
 }  // namespace clast

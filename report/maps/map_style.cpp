@@ -103,7 +103,7 @@ std::vector<double> limits_by_factors(const Span& span, double unit,
 
 /// Limits at multiples of a round number.
 std::vector<double> even_limits(const Span& span, double unit) {
-  const double step = round_up_to_nice(span.high / unit / static_cast<double>(kMaxClasses));
+  const double step = round_up_to_nice_number(span.high / unit / static_cast<double>(kMaxClasses));
   std::vector<double> limits;
   for (double k = std::max(1.0, std::ceil(span.low / unit / step));; k += 1.0) {
     // The inverse of a small step is a whole number: 1, 2 or 5 times a power of ten.

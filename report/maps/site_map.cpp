@@ -105,7 +105,7 @@ SiteMap whole_site(const Terrain& terrain, std::span<const Vec2> releases,
 }  // namespace
 
 double SiteMap::contour_interval() const {
-  return std::max(0.1, round_up_to_nice((highest - lowest) / 12.0));
+  return std::max(0.1, round_up_to_nice_number((highest - lowest) / 12.0));
 }
 
 SiteMap make_site_map(const Comparison& comparison) {
@@ -150,10 +150,10 @@ SiteMap make_site_map(const CampaignHeader& header) {
 
 SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
                       const std::vector<std::vector<Vec2>>& lines) {
-  check_near_ground(terrain, releases, "the release point");
+  check_positions_near_terrain(terrain, releases, "the release point");
   std::vector<BarrierLine> barriers;
   for (const std::vector<Vec2>& line : lines) {
-    check_near_ground(terrain, line, "the barrier");
+    check_positions_near_terrain(terrain, line, "the barrier");
     barriers.push_back({.name = {}, .through = line, .files = {}});
   }
   SiteMap site = whole_site(terrain, releases, std::move(barriers));

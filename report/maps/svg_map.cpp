@@ -110,7 +110,7 @@ std::string releases(const SiteMap& site, const Sheet& sheet) {
 
 std::string scale_bar(const Sheet& sheet) {
   const double rough = 110.0 / sheet.scale;
-  double metres = round_up_to_nice(rough);
+  double metres = round_up_to_nice_number(rough);
   if (metres * sheet.scale > 0.4 * sheet.width()) metres /= 2.0;
   const double length = metres * sheet.scale, x = kMapLeft + 14.0;
   const double y = kMapTop + sheet.height() - 18.0;

@@ -33,7 +33,7 @@ std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& compar
 }
 
 /// Appends the mean, p95 and maximum of a summary.
-void append_summary(std::vector<std::string>& cells, const Summary& summary, int decimals) {
+void append_summary(std::vector<std::string>& cells, const SampleSummary& summary, int decimals) {
   for (const double value : {summary.mean, summary.p95, summary.max}) {
     cells.push_back(format_measured(value, summary, decimals));
   }
@@ -79,7 +79,7 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
     }
     cells.push_back(
         group->total.mean > 0.0 ? format_percent(group->rotational.mean / group->total.mean) : "-");
-    const Summary& rate = group->rotation_rate;
+    const SampleSummary& rate = group->rotation_rate;
     for (const double value : {rate.mean, rate.p95, rate.max}) {
       cells.push_back(format_fixed(value / kTurn, 2));
     }

@@ -60,15 +60,15 @@ std::string figures_table(const Comparison& comparison, const DepositQuantityCom
 /// Describes in which quantities a pair of files differs, by how much, and in which not.
 std::string describe_pair(const Comparison& comparison,
                           const std::vector<const DepositQuantityDifference*>& pair) {
-  std::map<Verdict, std::string> lists;
+  std::map<ContrastVerdict, std::string> lists;
   std::size_t fewest = pair.front()->first.summary.count, tests = 0;
   for (const DepositQuantityDifference* one : pair) {
     const std::string& words = deposit_quantities()[one->first.figure].words;
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
-    tests = std::max(tests, one->tests);
-    const Verdict verdict = one->verdict();
-    const bool with_gap =
-        verdict == Verdict::kSignificant || verdict == Verdict::kInsignificantAfterCorrection;
+    tests = std::max(tests, one->family_size);
+    const ContrastVerdict verdict = one->verdict();
+    const bool with_gap = verdict == ContrastVerdict::kSignificant ||
+                          verdict == ContrastVerdict::kInsignificantAfterCorrection;
     append_item(lists[verdict],
                 words + (with_gap ? " " + describe_difference(*one) : std::string()));
   }
@@ -79,18 +79,18 @@ std::string describe_pair(const Comparison& comparison,
                             (fewest < 2 ? "because it requires two realisations of each file."
                                         : "because the realisations do not differ."));
   }
-  const std::string& clear = lists[Verdict::kSignificant];
+  const std::string& clear = lists[ContrastVerdict::kSignificant];
   return (clear.empty() ? format_paragraph(names + ": no quantity differs significantly.")
                         : format_headed_list(names + ", significant differences:", clear)) +
          format_headed_list("Not significant after the correction, because one of " +
                                 std::to_string(tests) +
                                 " differences tested can be this large by chance:",
-                            lists[Verdict::kInsignificantAfterCorrection]) +
+                            lists[ContrastVerdict::kInsignificantAfterCorrection]) +
          format_headed_list(
              "Not significant, because the 95 % interval of the difference contains zero:",
-             lists[Verdict::kInsignificant]) +
+             lists[ContrastVerdict::kInsignificant]) +
          format_headed_list("Without an interval, because the realisations do not differ:",
-                            lists[Verdict::kUntested]);
+                            lists[ContrastVerdict::kUntested]);
 }
 
 std::string differences_table(const Comparison& comparison,
@@ -109,10 +109,10 @@ std::string differences_table(const Comparison& comparison,
                format_fixed(one.estimate, figure.decimals),
                interval_text(one.interval, figure.decimals),
                one.p_value ? format_significant(*one.p_value, 2) : "-",
-               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm                              ? "-"
-               : one.verdict() == Verdict::kSignificant ? "yes"
-                                                        : "no"});
+               one.holm_p_value ? format_significant(*one.holm_p_value, 2) : "-",
+               !one.holm_p_value                                ? "-"
+               : one.verdict() == ContrastVerdict::kSignificant ? "yes"
+                                                                : "no"});
   }
   return table.html();
 }

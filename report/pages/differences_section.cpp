@@ -68,7 +68,7 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
     if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
     const double unit = 100.0 / size;
     marks.push_back({row_name(comparison, *one), unit * one->estimate, unit * one->interval->low,
-                     unit * one->interval->high, one->verdict() == Verdict::kSignificant,
+                     unit * one->interval->high, one->verdict() == ContrastVerdict::kSignificant,
                      describe_effect(*one, comparison)});
   }
   return draw_interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
@@ -76,26 +76,27 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::map<Verdict, std::string> lists;
+  std::map<ContrastVerdict, std::string> lists;
   std::size_t tests = 0;
   for (const Difference* one : picture.rows) {
-    const Verdict verdict = one->verdict();
-    const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kUntested;
+    const ContrastVerdict verdict = one->verdict();
+    const bool with_gap =
+        verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kUntested;
     append_item(lists[verdict], row_name(comparison, *one) +
                                     (with_gap ? " " + describe_difference(*one) : std::string()));
-    tests = std::max(tests, one->tests);
+    tests = std::max(tests, one->family_size);
   }
   return format_headed_list(picture.title + ", significant differences:",
-                            lists[Verdict::kSignificant]) +
+                            lists[ContrastVerdict::kSignificant]) +
          format_headed_list("Means do not differ significantly, but distributions do:",
-                            lists[Verdict::kDistributionDiffers]) +
+                            lists[ContrastVerdict::kDistributionDiffers]) +
          format_headed_list("Not significant after the correction, because one of " +
                                 std::to_string(tests) +
                                 " differences tested can be this large by chance:",
-                            lists[Verdict::kInsignificantAfterCorrection]) +
-         format_headed_list("No significant difference:", lists[Verdict::kInsignificant]) +
+                            lists[ContrastVerdict::kInsignificantAfterCorrection]) +
+         format_headed_list("No significant difference:", lists[ContrastVerdict::kInsignificant]) +
          format_headed_list(picture.title + ", from one realisation, without a test:",
-                            lists[Verdict::kUntested]);
+                            lists[ContrastVerdict::kUntested]);
 }
 
 std::string make_table(const Comparison& comparison) {
@@ -115,8 +116,8 @@ std::string make_table(const Comparison& comparison) {
                format_significant(one.cliffs_delta, 3),
                one.hedges_g ? format_significant(*one.hedges_g, 3) : "-",
                format_significant(one.ks_distance, 3),
-               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm            ? "-"
+               one.holm_p_value ? format_significant(*one.holm_p_value, 2) : "-",
+               !one.holm_p_value      ? "-"
                : one.is_significant() ? "yes"
                                       : "no"});
   }
@@ -127,8 +128,9 @@ std::string make_table(const Comparison& comparison) {
 std::string method_of(const Comparison& comparison) {
   const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
                                 [](const CampaignResults& results) { return results.stay; });
-  const bool tested = std::any_of(comparison.differences.begin(), comparison.differences.end(),
-                                  [](const Difference& one) { return one.p_holm.has_value(); });
+  const bool tested =
+      std::any_of(comparison.differences.begin(), comparison.differences.end(),
+                  [](const Difference& one) { return one.holm_p_value.has_value(); });
   if (!tested) {
     return format_paragraph(
         "With one realisation, significance cannot be tested, so there are no intervals and no "

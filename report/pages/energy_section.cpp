@@ -135,8 +135,8 @@ std::string shares_table(const Comparison& comparison,
         energies.push_back(kKilojoulesPerJoule * energy(one->samples.back()));
         shares.push_back(share(compute_energy_fractions(one->samples)));
       }
-      const Summary summary = summarise(shares);
-      cells.push_back(format_significant_digits(summarise(energies).mean));
+      const SampleSummary summary = summarise_sample(shares);
+      cells.push_back(format_significant_digits(summarise_sample(energies).mean));
       cells.push_back(format_percent(summary.mean));
       cells.push_back(format_percent(*std::min_element(shares.begin(), shares.end())));
       cells.push_back(format_percent(summary.max));
@@ -162,7 +162,7 @@ std::string describe_dissipation(const Comparison& comparison,
     for (const RealisationEnergies* one : realisations) {
       shares.push_back(share(compute_energy_fractions(one->samples)));
     }
-    return summarise(shares).mean;
+    return summarise_sample(shares).mean;
   };
   const auto by = [&](double Dissipation::*part) {
     return mean([part](const EnergyFractions& shares) {

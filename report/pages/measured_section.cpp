@@ -40,15 +40,15 @@ std::string measured_table(const Comparison& comparison) {
       1);
   for (const MeasuredGroup& group : comparison.measured->groups) {
     const std::optional<Interval>& interval = group.medians.interval;
-    table.row({comparison.groups[group.group].name, std::to_string(group.measured),
-               std::to_string(group.simulated), format_fixed(group.runout.mean, 1),
-               format_fixed(group.simulated_runout, 1), format_fixed(group.quartiles.median, 1),
-               format_fixed(group.simulated_quartiles.median, 1),
-               format_fixed(group.medians.estimate, 1),
-               interval ? format_fixed(interval->low, 1) : "-",
-               interval ? format_fixed(interval->high, 1) : "-",
-               format_significant(group.cliffs_delta, 3), format_significant(group.ks_distance, 3),
-               group.medians.p_holm ? format_significant(*group.medians.p_holm, 2) : "-"});
+    table.row(
+        {comparison.groups[group.group].name, std::to_string(group.measured),
+         std::to_string(group.simulated), format_fixed(group.runout.mean, 1),
+         format_fixed(group.simulated_runout, 1), format_fixed(group.quartiles.median, 1),
+         format_fixed(group.simulated_quartiles.median, 1), format_fixed(group.medians.estimate, 1),
+         interval ? format_fixed(interval->low, 1) : "-",
+         interval ? format_fixed(interval->high, 1) : "-",
+         format_significant(group.cliffs_delta, 3), format_significant(group.ks_distance, 3),
+         group.medians.holm_p_value ? format_significant(*group.medians.holm_p_value, 2) : "-"});
   }
   return table.html();
 }

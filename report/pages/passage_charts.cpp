@@ -146,7 +146,7 @@ std::string format_crossing_table(const Comparison& comparison,
         const double value = figure.unit * figure.value(*one);
         if (std::isfinite(value)) values.push_back(value);
       }
-      const Summary summary = summarise(values);
+      const SampleSummary summary = summarise_sample(values);
       const bool any = !values.empty();
       cells.push_back(any ? format_significant_digits(summary.mean) : "-");
       cells.push_back(values.size() > 1 ? format_significant_digits(summary.std) : "-");

@@ -46,7 +46,7 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
     }
   }
   if (runs == 0) return {};
-  const Summary summary = summarise(moved);
+  const SampleSummary summary = summarise_sample(moved);
   return {std::to_string(runs),
           known ? count_and_share(hitting, runs) : "not known",
           known ? format_fixed(hit / static_cast<double>(runs), 2) : "not known",

@@ -28,8 +28,8 @@ std::string population_head(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     title += (title.empty() ? "" : " and ") + reported.population.name;
     std::string text = format_count(reported.summary.blocks, "block");
-    if (reported.summary.with_mass > 0) {
-      text += ", " + std::to_string(reported.summary.with_mass) + " with a mass, " +
+    if (reported.summary.blocks_with_mass > 0) {
+      text += ", " + std::to_string(reported.summary.blocks_with_mass) + " with a mass, " +
               format_block_mass(reported.summary.size.total_mass) + " kg";
     }
     facts += format_fact(reported.population.name, text);
@@ -63,9 +63,9 @@ std::string comparison_section(const PopulationReport& report) {
   if (!report.comparison) return {};
   const PopulationComparison& comparison = *report.comparison;
   std::string html = "<ul>\n";
-  for (const ClassDifference& one : comparison.schemes)
+  for (const ClassFractionDifference& one : comparison.schemes)
     html += "<li>" + escape_html(one.description) + "</li>\n";
-  for (const MeasureDifference& one : comparison.measures) {
+  for (const ShapeMeasureDifference& one : comparison.measures) {
     html += "<li>" + escape_html(one.description) + "</li>\n";
   }
   const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
@@ -86,14 +86,14 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
     html += "<div class=\"beside\">" +
             format_figure(diagrams.at(fractions_file_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
-      const bool weighed = reported.summary.with_mass > 0;
+      const bool weighed = reported.summary.blocks_with_mass > 0;
       std::vector<std::string> heads = {"class", "blocks", "fraction", "95 % interval"};
       if (weighed) {
         for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
       }
       if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
       HtmlTable table(heads, 1);
-      for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
+      for (const ClassFraction& share : reported.summary.schemes[scheme].fractions) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
                                           format_percent(share.fraction),
                                           range_text(share.low, share.high)};
@@ -137,7 +137,7 @@ std::string boxes_section(const PopulationReport& report) {
     std::string words;
     for (const BoxConventionEffect& effect : compare_box_conventions(
              blocks, report.options.selected_schemes(), report.options.limits)) {
-      words += "<li>" + escape_html(describe_box_effect(effect)) + "</li>\n";
+      words += "<li>" + escape_html(describe_box_convention_effect(effect)) + "</li>\n";
     }
     if (words.empty()) continue;
     if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
@@ -186,18 +186,19 @@ std::string blocks_section(const PopulationReport& report) {
     for (const MeasuredBlock& block : blocks) {
       std::vector<std::string> cells = {block.name};
       for (const SchemeFractions& scheme : reported.summary.schemes) {
-        cells.push_back(shape_class(scheme.scheme, block.axes_as_written, report.options.limits));
+        cells.push_back(
+            shape_class(scheme.scheme, block.axes_in_table_unit, report.options.limits));
       }
       const ClassCertainty certainty =
-          class_certainty(first, block.axes, block.axis_error, report.options.limits);
+          assess_class_certainty(first, block.axes, block.axis_error, report.options.limits);
       cells.push_back(certainty.near_limit ? describe_certainty(certainty)
                                            : "far from class limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
         cells.push_back(format_significant_digits(axis, 3) + (block.unscaled ? " u" : ""));
       }
       cells.push_back(block.mass ? format_significant_digits(*block.mass, 4) : "-");
-      cells.push_back(format_fixed(elongation_index(block.axes_as_written), 2));
-      cells.push_back(format_fixed(block.axes_as_written.S / block.axes_as_written.L, 2));
+      cells.push_back(format_fixed(elongation_index(block.axes_in_table_unit), 2));
+      cells.push_back(format_fixed(block.axes_in_table_unit.S / block.axes_in_table_unit.L, 2));
       table.row(std::move(cells));
     }
     html += table.html();

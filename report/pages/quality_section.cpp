@@ -26,7 +26,7 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
     }
   }
   if (worst == nullptr) return {what + unit, "not known", "-", "-", "-"};
-  const Summary summary = summarise(values);
+  const SampleSummary summary = summarise_sample(values);
   const std::string run =
       (has_several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run "
                                      : "run ") +

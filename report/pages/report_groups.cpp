@@ -58,7 +58,7 @@ std::pair<std::string, std::string> choose_curve_style(
   return {shades[before / kDashes.size() % shades.size()], kDashes[before % kDashes.size()]};
 }
 
-std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit) {
+std::string format_mean_and_deviation(const SampleSummary& summary, int decimals, double unit) {
   if (summary.count == 0) return "-";
   if (summary.count == 1)
     return format_fixed(summary.mean * unit, decimals);  // one does not scatter
@@ -66,7 +66,7 @@ std::string format_mean_and_deviation(const Summary& summary, int decimals, doub
          format_fixed(summary.std * unit, decimals);
 }
 
-std::string format_measured(double value, const Summary& summary, int decimals) {
+std::string format_measured(double value, const SampleSummary& summary, int decimals) {
   return summary.count == 0 ? "-" : format_fixed(value, decimals);
 }
 

@@ -19,9 +19,10 @@ std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind k
 std::string short_group_name(const Group& group);
 
 /// Formats mean and standard deviation; "-" for an empty sample.
-std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit = 1.0);
+std::string format_mean_and_deviation(const SampleSummary& summary, int decimals,
+                                      double unit = 1.0);
 /// Formats a value of a summary; "-" for an empty sample.
-std::string format_measured(double value, const Summary& summary, int decimals);
+std::string format_measured(double value, const SampleSummary& summary, int decimals);
 
 /// Appends an item to a list such as "runout; largest speed".
 void append_item(std::string& list, const std::string& item);

@@ -39,7 +39,7 @@ std::vector<LabelledLine> barrier_places(const Comparison& comparison,
       distances.push_back(comparison.downslope.dot(way.head<2>()));
     }
     if (distances.empty()) continue;
-    places.push_back({summarise(distances).median, comparison.lines[line].name});
+    places.push_back({summarise_sample(distances).median, comparison.lines[line].name});
   }
   return places;
 }
@@ -101,17 +101,18 @@ std::string least_demand(const Comparison& comparison, const std::vector<Profile
 /// Mean, 95th percentile and largest of a quantity of every class.
 std::string against_distance(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                              std::optional<std::uint32_t> file, const ChartAxes& axes,
-                             Summary ProfileBin::*quantity, double unit) {
+                             SampleSummary ProfileBin::*quantity, double unit) {
   std::vector<Trace> traces;
   for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
     const Group& group = comparison.groups[g];
     if (group.file != file) continue;
     const Bins along = bins_of_group(bins, g);
-    const auto add = [&](const char* name, const char* dash, double Summary::*value, bool shown) {
+    const auto add = [&](const char* name, const char* dash, double SampleSummary::*value,
+                         bool shown) {
       Trace trace{
           group.key + ", " + name, class_colour(group.key), dash, Trace::Kind::kLine, {}, {}};
       for (const ProfileBin* bin : along) {
-        const Summary& summary = bin->*quantity;
+        const SampleSummary& summary = bin->*quantity;
         trace.x.push_back(0.5 * (bin->from + bin->to));
         trace.y.push_back(summary.count > 0 ? summary.*value * unit : NAN);
       }
@@ -119,9 +120,9 @@ std::string against_distance(const Comparison& comparison, const std::vector<Pro
       trace.shown = shown;
       traces.push_back(std::move(trace));
     };
-    add("95 % below", "", &Summary::p95, true);
-    add("mean", "6 3", &Summary::mean, true);
-    add("largest", "2 2", &Summary::max, false);
+    add("95 % below", "", &SampleSummary::p95, true);
+    add("mean", "6 3", &SampleSummary::mean, true);
+    add("largest", "2 2", &SampleSummary::max, false);
   }
   return draw_plotly_chart(axes, traces);
 }

@@ -195,7 +195,7 @@ std::string scale_table(const PhotoScale& scale) {
   HtmlTable table({"length", "for the scale", "stated, m", "in the model, m", "scale, m per unit",
                    "error against the others, %"},
                   2);
-  for (const ScaleMeasure& one : scale.measures) {
+  for (const ComparedLength& one : scale.measures) {
     table.row({one.name, one.used ? "used" : "left out", format_significant_digits(one.length, 6),
                format_significant_digits(one.length / one.factor * scale.metres_per_unit, 6),
                format_significant_digits(one.factor, 7),
@@ -207,10 +207,10 @@ std::string scale_table(const PhotoScale& scale) {
     words += "; the lengths that set the scale differ by " + format_fixed(100.0 * scale.spread, 3) +
              " % (standard deviation)";
   words += ". The last column is the error of a length if only the others set the scale.";
-  if (scale.side_check) {
+  if (scale.marker_side_ratio) {
     words += " With this scale, the sides of the markers are " +
-             format_fixed(100.0 * std::abs(*scale.side_check), 2) + " % " +
-             (*scale.side_check > 0.0 ? "longer" : "shorter") + " than stated.";
+             format_fixed(100.0 * std::abs(*scale.marker_side_ratio), 2) + " % " +
+             (*scale.marker_side_ratio > 0.0 ? "longer" : "shorter") + " than stated.";
   }
   return table.html() + format_paragraph(words) +
          (scale.notes.empty() ? "" : format_note_box("About the scale", scale.notes));
@@ -262,7 +262,7 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evid
                       comma_separated(names));
     }
   };
-  left_out("without a camera", scan.without_camera);
+  left_out("without a camera", scan.photos_without_camera);
   left_out("blurred and skipped", blurred);
   left_out("without a matching photo 6 to 32 degrees away", alone);
   const std::size_t compared = ring.cameras.size() - blurred.size() - alone.size();

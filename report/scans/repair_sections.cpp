@@ -52,10 +52,11 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
                  defect.position ? format_point(*defect.position) : ""});
   }
   html += defects.html();
-  if (report.wrap_bias) {
+  if (report.relative_wrap_excess) {
     html += format_paragraph(
         "The self-intersections of the surface could not be removed, so it was wrapped; the " +
-        format_percent(*report.wrap_bias) + " of volume added by wrapping is removed by scaling.");
+        format_percent(*report.relative_wrap_excess) +
+        " of volume added by wrapping is removed by scaling.");
   }
   if (!report.holes.empty()) {
     HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,

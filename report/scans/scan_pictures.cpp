@@ -61,7 +61,7 @@ std::string length_text(double metres, bool metric) {
 }
 
 std::string scale_bar(const Camera& camera, bool metric) {
-  const double length = round_down_to_nice(kMaxBar * camera.width * camera.pixel);
+  const double length = round_down_to_nice_number(kMaxBar * camera.width * camera.pixel);
   const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
   return format_svg_line(left, y, right, y, stroke) +

@@ -66,7 +66,7 @@ ComparisonTable make_table(const std::string& name, const TableColumns<Row>& col
       }
     };
   };
-  return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
+  return {name, filled(format_csv<Row>), filled(to_table_values<Row>)};
 }
 
 }  // namespace clast::report_detail

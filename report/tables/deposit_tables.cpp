@@ -15,7 +15,7 @@ const TableColumns<DepositMeasures>& realisation_columns() {
   const auto degrees = [](const Vec3& from, const Vec3& to) {
     return kDegreesPerRadian * std::atan(height_length_ratio(from, to));
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"realisation", "", "number of the realisation, from 1",
          [](const Row& row) { return row.realisation + 1; }},
         {"blocks", "", "number of released blocks", &Row::blocks},
@@ -119,11 +119,11 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"p_value", "", "p-value of the hypothesis of no difference, uncorrected",
        [](const Row& row) { return row.p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
-       [](const Row& row) { return row.p_holm.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
+       [](const Row& row) { return row.holm_p_value.value_or(NAN); }},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Row::family_size},
       {"distinguished", "", "1 if `p_holm` is below 0.05, else 0",
        [](const Row& row) {
-         return std::uint64_t{row.verdict() == Verdict::kSignificant ? 1u : 0u};
+         return std::uint64_t{row.verdict() == ContrastVerdict::kSignificant ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote", [](const Row& row) { return describe_effect(row); }}};
   return columns;

@@ -16,7 +16,7 @@ struct EnergyOfFile {
 
 const TableColumns<EnergyOfFile>& energy_columns() {
   using Row = EnergyOfFile;
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"realisation", "", "number of the realisation, from 1",
          [](const Row& row) { return row.realisation + 1; }}},
        adapt_columns<Row>(

@@ -27,16 +27,17 @@ struct ZoneOfSet {
 
 struct Statistic {
   const char* name;
-  double Summary::*value;
+  double SampleSummary::*value;
 };
-const std::vector<Statistic> kAllStatistics = {{"mean", &Summary::mean},
-                                               {"std", &Summary::std},
-                                               {"median", &Summary::median},
-                                               {"p95", &Summary::p95},
-                                               {"max", &Summary::max}};
-const std::vector<Statistic> kMeanAndStd = {{"mean", &Summary::mean}, {"std", &Summary::std}};
+const std::vector<Statistic> kAllStatistics = {{"mean", &SampleSummary::mean},
+                                               {"std", &SampleSummary::std},
+                                               {"median", &SampleSummary::median},
+                                               {"p95", &SampleSummary::p95},
+                                               {"max", &SampleSummary::max}};
+const std::vector<Statistic> kMeanAndStd = {{"mean", &SampleSummary::mean},
+                                            {"std", &SampleSummary::std}};
 const std::vector<Statistic> kUpper = {
-    {"mean", &Summary::mean}, {"p95", &Summary::p95}, {"max", &Summary::max}};
+    {"mean", &SampleSummary::mean}, {"p95", &SampleSummary::p95}, {"max", &SampleSummary::max}};
 
 /// Makes a column per statistic, whose name replaces `*` in `name`; NaN if nothing was measured.
 /// @param summary  of a row, a function or a member
@@ -49,14 +50,14 @@ TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, cons
     std::string column = name;
     column.replace(column.find('*'), 1, statistic.name);
     columns.push_back({column, unit, meaning, [=, value = statistic.value](const Row& row) {
-                         const Summary& of_row = std::invoke(summary, row);
+                         const SampleSummary& of_row = std::invoke(summary, row);
                          return of_row.count > 0 ? of_row.*value : NAN;
                        }});
   }
   return columns;
 }
 
-Summary in_degrees(const Summary& angle) {
+SampleSummary in_degrees(const SampleSummary& angle) {
   return {angle.count,
           angle.mean * kDegreesPerRadian,
           angle.std * kDegreesPerRadian,
@@ -73,7 +74,7 @@ const std::string& group_name(const ComparisonRow<Item>& row) {
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
   const auto stops = [](const Row& row) { return row->deposit.stops; };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", [](const Row& row) { return row->group.name; }},
         {"count", "", "number of runs that came to rest; the statistics are over these runs",
          [=](const Row& row) { return stops(row).rest; }}},
@@ -136,11 +137,11 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
        "if a group has a single realisation",
        [](const Row& row) { return row->p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
-       [](const Row& row) { return row->p_holm.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
+       [](const Row& row) { return row->holm_p_value.value_or(NAN); }},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::family_size},
       {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
-         if (!row->p_holm) return NAN;
+         if (!row->holm_p_value) return NAN;
          return std::uint64_t{row->is_significant() ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote",
@@ -157,7 +158,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
                               "95 % confidence interval; empty for a single realisation",
                               [interval](const Row& row) { return bounds_of(interval(row)); });
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<Measured>},
         {"measured", "", "number of measured stops of the group", &Measured::measured},
         {"simulated", "", "number of simulated runs at rest", &Measured::simulated}},
@@ -175,7 +176,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
         {"p_value", "", "p-value of the distance, uncorrected; empty for a single realisation",
          [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
         {"p_holm", "", "`p_value` with Holm's correction for all groups",
-         [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
+         [](const Row& row) { return row->medians.holm_p_value.value_or(NAN); }}},
        array_columns<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of the runout of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
@@ -198,7 +199,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns() {
   using Row = ComparisonRow<ProfileBin>;
   const char* along = "distance from each run's release point along downslope";
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<ProfileBin>},
         {"from_m", "m", along, &ProfileBin::from},
         {"to_m", "m", along, &ProfileBin::to},
@@ -234,7 +235,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
     parameters.push_back({field.name, field.unit, field.meaning,
                           [=](const Row& row) { return ground(row).*field.value; }});
   }
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
         {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
         {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
@@ -272,10 +273,10 @@ std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison) {
 const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns() {
   using Row = BarrierGroupStatistics;
   const auto statistics = [](const char* name, const char* unit, const char* meaning,
-                             Summary Row::*summary) {
+                             SampleSummary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"barrier", "", "name of the barrier; for a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name of the group", &Row::group},
         {"runs", "",

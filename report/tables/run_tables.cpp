@@ -59,7 +59,7 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
     return TableColumn<Row>{name, "J", "kinetic energy at the first and at the last contact",
                             [value](const Row& row) { return row->impact.*value; }};
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"zone", "", "name of the ground zone of the first contact",
          [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
@@ -83,7 +83,7 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
   const auto each = [](const Row& row) -> std::uint64_t {
     return row.comparison.results[row->run.file].runs_per_realisation();
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"realisation", "", "number of the realisation, from 1",
          [=](const Row& row) { return row->stay.run / each(row) + 1; }},
@@ -122,7 +122,7 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
   const auto stored = [&](const std::vector<std::string>& names) {
     return adapt_columns<Row>(selected_columns(stored_crossing_columns(), names), crossing);
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"barrier", "", "name of the barrier; for a ring as in barriers.csv",
          [=](const Row& row) { return line(row).name; }},

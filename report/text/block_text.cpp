@@ -122,7 +122,7 @@ NamedValues describe_block(const Block& block) {
   for (const auto& [name, value] : block_indices(block, block.axes())) {
     line(name, format_rounded(value));
   }
-  if (const std::optional<Equilibria> sides = block_equilibria(block)) {
+  if (const std::optional<StaticEquilibriumCounts> sides = block_equilibria(block)) {
     line("equilibria", std::to_string(sides->stable) + " stable, " +
                            std::to_string(sides->unstable) + " unstable, " +
                            std::to_string(sides->saddle) + " saddles");

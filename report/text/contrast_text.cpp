@@ -34,7 +34,7 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
   double low = sign * (factor * contrast.interval->low);
   double high = sign * (factor * contrast.interval->high);
   if (low > high) std::swap(low, high);
-  const int decimals = justified_decimals({low, high}, kMaxDecimals);
+  const int decimals = significant_decimals({low, high}, kMaxDecimals);
   return format_decimals(sign * gap, decimals) + of_unit + way + " (" +
          format_decimals(low, decimals) + " to " + format_decimals(high, decimals) + of_unit + ")";
 }
@@ -58,11 +58,11 @@ std::string describe_effect(const Difference& difference, const Comparison& comp
                             comparison.groups[difference.second].name + " " +
                             mean(difference.second_mean) + "; " + describe_difference(difference);
   switch (difference.verdict()) {
-    case Verdict::kUntested:
+    case ContrastVerdict::kUntested:
       return means + "; with one realisation, significance cannot be tested";
-    case Verdict::kSignificant:
+    case ContrastVerdict::kSignificant:
       return means;
-    case Verdict::kDistributionDiffers:
+    case ContrastVerdict::kDistributionDiffers:
       return means + ", which is not significant, but the distributions differ";
     default:
       return means + ", which is not significant" +
@@ -83,12 +83,12 @@ std::string describe_effect(const DepositQuantityDifference& difference) {
                            ", from " + std::to_string(difference.first.summary.count) + " and " +
                            format_count(difference.second.summary.count, "realisation");
   switch (difference.verdict()) {
-    case Verdict::kSignificant:
+    case ContrastVerdict::kSignificant:
       return text;
-    case Verdict::kInsignificantAfterCorrection:
+    case ContrastVerdict::kInsignificantAfterCorrection:
       return text + "; one of " + std::to_string(difference.tests) +
              " differences tested can be this large by chance";
-    case Verdict::kUntested:
+    case ContrastVerdict::kUntested:
       break;
     default:
       return text + "; not significant";

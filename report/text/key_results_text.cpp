@@ -116,26 +116,26 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
                             format_decimals(farther.mean, decimals) + " and " +
                             format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
-    case Verdict::kSignificant:
+    case ContrastVerdict::kSignificant:
       return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " + b +
              " ones" + (gap.of_few ? " on average" : "") + interval +
              (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
-    case Verdict::kDistributionDiffers:
+    case ContrastVerdict::kDistributionDiffers:
       return prefix + means + ", a difference that is not significant" + interval +
              "; but the distributions of their runouts differ";
-    case Verdict::kInsignificantAfterCorrection:
-    case Verdict::kInsignificant:
+    case ContrastVerdict::kInsignificantAfterCorrection:
+    case ContrastVerdict::kInsignificant:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
                   ? "among all the comparisons made, a difference of this size" + interval +
                         " is not significant"
                   : "the difference is not significant" + interval);
-    case Verdict::kGroundDependent:
+    case ContrastVerdict::kGroundDependent:
       return prefix + means + "; which class runs farther depends on the ground parameters" +
              interval;
-    case Verdict::kUntested:
+    case ContrastVerdict::kUntested:
       return prefix + means + "; with one realisation, significance cannot be tested";
-    case Verdict::kTooFewValues:
+    case ContrastVerdict::kTooFewValues:
       break;
   }
   const std::string ends = other_ends(statement.stops);
@@ -251,16 +251,16 @@ std::string describe_files(const Comparison& comparison, const KeyResults& answe
                                    ? " (" + format_length_interval(*gap.interval, decimals) +
                                          (answer.has_draws() ? kByDraw : "") + ")"
                                    : "";
-  if (gap.verdict == Verdict::kSignificant) {
+  if (gap.verdict == ContrastVerdict::kSignificant) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
            interval + ".";
   }
-  if (gap.verdict == Verdict::kTooFewValues) return "";
-  if (gap.verdict == Verdict::kUntested) {
+  if (gap.verdict == ContrastVerdict::kTooFewValues) return "";
+  if (gap.verdict == ContrastVerdict::kUntested) {
     return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
            "; with one realisation, significance cannot be tested.";
   }
-  if (gap.verdict == Verdict::kGroundDependent) {
+  if (gap.verdict == ContrastVerdict::kGroundDependent) {
     return "Whether blocks run farther in " + a + " or in " + b +
            " depends on the ground parameters" + interval + ".";
   }

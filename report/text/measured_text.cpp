@@ -25,21 +25,21 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
     const Interval interval = group.medians.interval.value_or(Interval{});
     std::string verdict;
     switch (judge_agreement(group)) {
-      case Verdict::kTooFewValues:
+      case ContrastVerdict::kTooFewValues:
         verdict =
             format_count(group.measured, "measured stop") + ", too few for a test; " + medians;
         break;
-      case Verdict::kUntested:
+      case ContrastVerdict::kUntested:
         verdict = medians + "; with one realisation, significance cannot be tested";
         break;
-      case Verdict::kSignificant:
+      case ContrastVerdict::kSignificant:
         verdict = interval.low > 0.0
                       ? format_length(gap, decimals) + " farther in the field than simulated (" +
                             format_length_interval(interval, decimals) + ")"
                       : format_length(-gap, decimals) + " less far in the field than simulated (" +
                             format_length_interval({-interval.high, -interval.low}, decimals) + ")";
         break;
-      case Verdict::kDistributionDiffers:
+      case ContrastVerdict::kDistributionDiffers:
         verdict = "the medians agree, but the distributions differ; " + medians;
         break;
       default:

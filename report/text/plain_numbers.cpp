@@ -28,7 +28,7 @@ int decimals_of_energy(double joules) { return joules >= 1e3 && joules < 1e4 ? 1
 }  // namespace
 
 int decimals_of_length(double length, const std::optional<Interval>& interval) {
-  return justified_decimals(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
+  return significant_decimals(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
 }
 
 std::string format_length(double length, int decimals) {

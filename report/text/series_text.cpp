@@ -36,7 +36,7 @@ std::string describe_copula_fit(const CopulaFit& fit) {
       " at most; rank correlations of the population and of the drawn bodies:\n";
   for (const RankCorrelation& pair : fit.correlations) {
     text += "  " + pair.first + " and " + pair.second + ": " + format_decimals(pair.population, 2) +
-            ", " + format_decimals(pair.drawn, 2) + "\n";
+            ", " + format_decimals(pair.sampled, 2) + "\n";
   }
   if (fit.removed_correlation > 0.0) {
     text += "  correlations reduced by " + format_percent(fit.removed_correlation, 0) +

@@ -128,7 +128,7 @@ class ShpReader {
     for (std::size_t e = 0; e < edges; ++e) {
       const std::string what = "a vertex of edge " + std::to_string(e);
       const Index from = vertex_number(what), to = vertex_number(what);
-      body.edges.push_back(edge_key(from, to));
+      body.edges.push_back(make_edge_key(from, to));
     }
   }
 

@@ -138,10 +138,10 @@ Unknown read_unknown(const DeclaredTable& table) {
   Unknown unknown;
   unknown_keys().read(table, unknown);
   const NumberRange allowed =
-      table.checked("parameter", [&] { return parameter_range(unknown.parameter); });
+      table.run_check("parameter", [&] { return parameter_range(unknown.parameter); });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
-      table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
+      table.read_numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
   unknown.low = ends[0];
   unknown.high = ends[1];
   if (!(unknown.low < unknown.high)) {

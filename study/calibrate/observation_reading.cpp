@@ -35,8 +35,8 @@ bool is_fitted(const std::string& use) { return use == "fit"; }
 std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
                                const std::string& expected) {
   const ValueFormat& form = table.form(key);
-  return table.numbers(key, table.require_key(key, expected), form.least, form.most, expected,
-                       form.leaf().range);
+  return table.read_numbers(key, table.require_key(key, expected), form.least, form.most, expected,
+                            form.leaf().range);
 }
 
 /// Returns the only one of the mutually exclusive keys.
@@ -86,7 +86,7 @@ SummaryStatistic figure_named(const TomlTable& table, const TomlNode& node,
 std::vector<SummaryStatistic> stop_figures(const DeclaredTable& table) {
   std::vector<SummaryStatistic> figures;
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.text_list("figures");
+    const std::vector<std::string> names = *table.read_text_list("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       figures.push_back(figure_named(table, element(*asked, i), names[i]));
     }
@@ -200,7 +200,7 @@ std::vector<SummaryStatistic> trajectory_figures(const DeclaredTable& table) {
     }
   };
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.text_list("figures");
+    const std::vector<std::string> names = *table.read_text_list("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i], [&] { return figure_named(table, element(*asked, i), names[i]); });
     }
@@ -264,7 +264,7 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
 
 void read_passages(const DeclaredTable& table, const SiteDescription& site,
                    Observation& observation) {
-  observation.barrier = *table.text("barrier");
+  observation.barrier = *table.read_text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
     table.refuse("barrier", "the campaign of site " + site.name + " has no such barrier");
@@ -293,7 +293,7 @@ void read_passages(const DeclaredTable& table, const SiteDescription& site,
 }
 
 std::size_t site_of(const DeclaredTable& table, const std::vector<CalibrationSite>& sites) {
-  const std::optional<std::string> name = table.text("site");
+  const std::optional<std::string> name = table.read_text("site");
   if (!name && sites.size() == 1) return 0;
   const TomlNode& node = table.require_key("site", "the name of a [[site]]");
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -374,7 +374,7 @@ const MemberTable<Observation>& observation_keys() {
                 one_or_more(figure), places},
        TableKey{"beyond_m", "m",
                 "distances along downslope: the fraction of stops beyond each is used",
-                list(number(kMapCoordinate), 1, 20), stops},
+                list(number(kMapCoordinateRange), 1, 20), stops},
        {"barrier", "", "name of a barrier of the campaign", text()},
        TableKey{"releases", "",
                 "number of released blocks, or of the impacts over which the values are averaged",

@@ -20,9 +20,10 @@ ObservedTrajectorySet read_trajectories(const std::filesystem::path& file) {
   constexpr const char* kColumns =
       "six numbers: trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s";
   const std::vector<NumericRow> rows = read_numeric_table(
-      file, {.names = {{"trajectory"}, {"time_s"}, {"x"}, {"y"}, {"speed_m_s"}, {"spin_rad_s"}},
-             .range = {-1e8, 1e8},
-             .meaning = kColumns});
+      file,
+      {.column_names = {{"trajectory"}, {"time_s"}, {"x"}, {"y"}, {"speed_m_s"}, {"spin_rad_s"}},
+       .range = {-1e8, 1e8},
+       .expected_line = kColumns});
   std::map<double, ObservedTrajectory> by_number;
   for (const NumericRow& row : rows) {
     ObservedTrajectory& own = by_number[row.values[0]];

@@ -57,7 +57,7 @@ MatrixXd rank_correlations(const MatrixXd& draws) {
   const Index count = draws.rows();
   MatrixXd about(count, draws.cols());
   for (Index i = 0; i < count; ++i) {
-    const std::vector<double> ranked = ranks(row_of(draws, i));
+    const std::vector<double> ranked = fractional_ranks(row_of(draws, i));
     for (Index k = 0; k < draws.cols(); ++k) about(i, k) = ranked[static_cast<std::size_t>(k)];
     about.row(i).array() -= about.row(i).mean();
     about.row(i) /= std::max(about.row(i).norm(), 1e-300);
@@ -247,14 +247,14 @@ CalibrationPosterior infer_posterior(const CalibrationStudy& study, const Calibr
   TemperedSamplingOptions options;
   options.draws = study.design.draws;
   options.seed = derive_seed(study.design.seed, "posterior");
-  TemperedSample sample = sample_tempered(
+  TemperedSample sample = draw_tempered_sample(
       study.unknowns.size(),
       [&](const MatrixXd& places) { return likelihood.log_likelihood(places); }, options);
   CalibrationPosterior posterior;
   posterior.shares = std::move(sample.points);
   posterior.log_likelihood = std::move(sample.log_likelihood);
   posterior.log_evidence = sample.log_evidence;
-  posterior.temperatures = sample.temperatures;
+  posterior.temperatures = sample.tempering_steps;
   posterior.accepted = sample.acceptance_rate;
   posterior.member_figures = figures.values;
   posterior.draws = posterior.shares;

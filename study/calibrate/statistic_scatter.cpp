@@ -78,15 +78,15 @@ VectorXd figures_of(const std::vector<const Observation*>& observations,
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
 
-struct Moments {
+struct SolidMoments {
   VectorXd mean;
   MatrixXd covariance;
 };
 
 /// Each over the draws that have the values.
-Moments moments_of(const std::vector<VectorXd>& draws) {
+SolidMoments moments_of(const std::vector<VectorXd>& draws) {
   const Index count = draws.front().size();
-  Moments moments{VectorXd::Constant(count, kNone), MatrixXd::Constant(count, count, kNone)};
+  SolidMoments moments{VectorXd::Constant(count, kNone), MatrixXd::Constant(count, count, kNone)};
   const auto mean_over = [&](const std::function<double(const VectorXd&)>& value) {
     double sum = 0.0;
     std::size_t finite = 0;
@@ -113,9 +113,9 @@ Moments moments_of(const std::vector<VectorXd>& draws) {
 
 using DrawSamples = std::function<std::vector<Sample>()>;
 
-Moments bootstrap_moments(const std::vector<const Observation*>& observations,
-                          const std::vector<std::vector<SelectedOutcome>>& seen,
-                          const SiteBlocks& site, bool whole, const DrawSamples& draw) {
+SolidMoments bootstrap_moments(const std::vector<const Observation*>& observations,
+                               const std::vector<std::vector<SelectedOutcome>>& seen,
+                               const SiteBlocks& site, bool whole, const DrawSamples& draw) {
   std::vector<VectorXd> draws;
   for (std::size_t i = 0; i < kScatterDraws; ++i) {
     draws.push_back(figures_of(observations, seen, site, draw(), whole));
@@ -238,10 +238,10 @@ StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*
     for (const SharedReleases& blocks : site.blocks) samples.push_back(draw(blocks));
     return samples;
   };
-  Moments field = bootstrap_moments(observations, seen, site, false, [&] {
+  SolidMoments field = bootstrap_moments(observations, seen, site, false, [&] {
     return of_each([&](const SharedReleases& blocks) { return as_in_field(blocks, random); });
   });
-  Moments within = bootstrap_moments(observations, seen, site, true, [&] {
+  SolidMoments within = bootstrap_moments(observations, seen, site, true, [&] {
     return of_each(
         [&](const SharedReleases& blocks) { return one_by_one(blocks, blocks.rows, random); });
   });
@@ -256,7 +256,7 @@ StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*
   StatisticScatter scatter{field.mean, field.covariance, within.covariance,
                            MatrixXd::Zero(whole.size(), whole.size())};
   if (site.points.size() > 1) {
-    const Moments points =
+    const SolidMoments points =
         bootstrap_moments(observations, seen, site, true, [&] { return by_points(site, random); });
     scatter.points = few_points_factor(site.points.size()) * points.covariance;
   }

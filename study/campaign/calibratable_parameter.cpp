@@ -69,16 +69,16 @@ std::span<const Settable> settables() {
   static constexpr const char* kNormal =
       "no campaign has [blocks] draw with mass_kg = { normal = [mean, std] }";
   static constexpr std::array<Settable, 15> kSettables{
-      {{"blocks.mass_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kFixed>,
+      {{"blocks.mass_kg", kBlockMassRange, &set_mass<&Distribution::first>, &has_mass<Law::kFixed>,
         "no campaign has [blocks] draw with a number as mass_kg"},
-       {"blocks.mass_median_kg", kBlockMass, &set_mass<&Distribution::first>,
+       {"blocks.mass_median_kg", kBlockMassRange, &set_mass<&Distribution::first>,
         &has_mass<Law::kLogNormal>, kLogNormal},
        {"blocks.mass_sigma", kLogSigma, &set_mass<&Distribution::second>,
         &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_mean_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kNormal>,
-        kNormal},
-       {"blocks.mass_std_kg", kBlockMass, &set_mass<&Distribution::second>, &has_mass<Law::kNormal>,
-        kNormal},
+       {"blocks.mass_mean_kg", kBlockMassRange, &set_mass<&Distribution::first>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"blocks.mass_std_kg", kBlockMassRange, &set_mass<&Distribution::second>,
+        &has_mass<Law::kNormal>, kNormal},
        {"contact.stiffness_n_m", kStiffness,
         [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
        {"contact.tangential_stiffness_n_m", kStiffness,

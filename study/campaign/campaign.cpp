@@ -26,9 +26,9 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
   table.read("zones", terrain.zones);
   if (std::optional<ZoneFile> file =
-          table.checked("zones", [&] { return parse_zone_file(terrain.zones); })) {
+          table.run_check("zones", [&] { return parse_zone_file(terrain.zones); })) {
     file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
-    terrain.zones = file->option_texts();
+    terrain.zones = file->zone_option_values();
   } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
     table.refuse("zones",
                  "must name one zone per surface file (" + std::to_string(terrain.surface.size()) +
@@ -52,33 +52,33 @@ const MemberTable<Campaign>& terrain_keys() {
        {"columns", "", "names or numbers of the columns x, y, z of a cloud in text", texts(),
         kTerrain, &Options::columns},
        {"radius_m", "m", "Minkowski radius by which the ground surface is raised",
-        number(kGroundRadius), &Campaign::terrain_radius},
-       {"resolution_m", "m", "cell size of clouds and resampled rasters", number(kCellSize),
+        number(kGroundRadiusRange), &Campaign::terrain_radius},
+       {"resolution_m", "m", "cell size of clouds and resampled rasters", number(kCellSizeRange),
         kTerrain, &Options::resolution},
-       {"percentile", "", "height of a cloud's cell: percentile of its points", number(kPercentile),
-        kTerrain, &Options::percentile},
+       {"percentile", "", "height of a cloud's cell: percentile of its points",
+        number(kPercentileRange), kTerrain, &Options::percentile},
        {"outliers_m", "m",
         "points of a cloud at a larger distance from the surrounding ground are left out",
-        number(kOutlierDistance), kTerrain, &Options::outliers},
-       {"fill_m", "m", "holes up to this width are filled", number(kHoleWidth), kTerrain,
+        number(kOutlierDistanceRange), kTerrain, &Options::outliers},
+       {"fill_m", "m", "holes up to this width are filled", number(kHoleWidthRange), kTerrain,
         &Options::fill},
-       {"crack_m", "m", "cracks between tiles up to this width are closed", number(kCrackWidth),
-        kTerrain, &Options::crack},
+       {"crack_m", "m", "cracks between tiles up to this width are closed",
+        number(kCrackWidthRange), kTerrain, &Options::crack},
        {"spike_steepness", "",
         "single vertices are levelled if they protrude by more than this many times the distance "
         "to their neighbours",
-        number(kSpikeSteepness), kTerrain, &Options::spike_steepness},
+        number(kSpikeSteepnessRange), kTerrain, &Options::spike_steepness},
        {"smoothing", "", "number of smoothing rounds", count(0, kMaxSmoothing), kTerrain,
         &Options::smoothing},
        {"tolerance_m", "m",
         "vertices are removed if the surface moves up or down by no more than this",
-        number(kSurfaceTolerance), kTerrain, &Options::tolerance},
+        number(kSurfaceToleranceRange), kTerrain, &Options::tolerance},
        {"breaklines", "", "files with lines that become edges of the surface", texts(), kTerrain,
         &Options::breaklines},
        {"cut_zones", "", "cut the borders of zone polygons into the triangles", flag(), kTerrain,
         &Options::cut_zones},
        {"border_distance_m", "m", "release points nearer to the border give a warning",
-        number(kBorderDistance), &Campaign::border_distance}});
+        number(kBorderDistanceRange), &Campaign::border_distance}});
   return keys;
 }
 
@@ -107,7 +107,7 @@ const MemberTable<Campaign>& contact_keys() {
 }
 
 const MemberTable<Barrier>& barrier_keys() {
-  static const ValueFormat plan = list(number(kMapCoordinate), 2, 2);
+  static const ValueFormat plan = list(number(kMapCoordinateRange), 2, 2);
   static const MemberTable<Barrier> keys(
       {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
       {{"name", "", "name of the barrier", required("a text in quotes", text()), &Barrier::name},
@@ -180,13 +180,13 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
   std::vector<Vec2> points;
   for (const TomlNode& point : line->list) {
     const std::vector<double> xy =
-        table.numbers("through", point, 2, 2, "points [x, y]", kMapCoordinate);
+        table.read_numbers("through", point, 2, 2, "points [x, y]", kMapCoordinateRange);
     points.emplace_back(xy[0], xy[1]);
     if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
       table.refuse("through", point, "consecutive points must differ");
     }
   }
-  table.checked(
+  table.run_check(
       "through", [&] { check_barrier_line(points); }, "barrier " + name + ": ");
   return points;
 }
@@ -197,12 +197,12 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
     Barrier barrier;
     barrier_keys().read(table, barrier);
     barrier.through = read_barrier_line(table, barrier.name);
-    if (const std::optional<std::string> direction = table.text("direction")) {
+    if (const std::optional<std::string> direction = table.read_text("direction")) {
       if (is_ring(barrier.through)) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
       barrier.counted =
-          table.checked("direction", [&] { return parse_counted_direction(*direction); });
+          table.run_check("direction", [&] { return parse_counted_direction(*direction); });
     }
     check_new_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);

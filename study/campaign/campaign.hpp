@@ -55,7 +55,7 @@ struct BlockSelection {
   BlockScale scale;
   std::optional<BlockSampling> draw;
   /// Series of bodies that replaces the selected blocks. It uses `library` and the ids of `filter`.
-  std::optional<SeriesRequest> vary;
+  std::optional<VariationSeriesRequest> vary;
   bool any_size = false;  ///< true: blocks of unusual size, or large for the terrain, are accepted
 };
 

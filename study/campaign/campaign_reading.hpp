@@ -45,7 +45,7 @@ Campaign read_by_parts(const std::filesystem::path& file, const std::optional<st
 
 // Its tables, in the order of docs/formats.md.
 const MemberTable<BlockSelection>& blocks_keys();
-const MemberTable<SeriesRequest>& vary_keys();
+const MemberTable<VariationSeriesRequest>& vary_keys();
 const MemberTable<BlockGroup>& block_group_keys();
 const MemberTable<Campaign>& terrain_keys();
 const MemberTable<GroundDistributions>& ground_keys();
@@ -59,7 +59,7 @@ const MemberTable<Campaign>& run_keys();
 
 BlockSelection read_blocks(const TomlTable& top);
 /// Reads `vary` of [blocks]. Library and blocks of the result are empty.
-SeriesRequest read_vary(const DeclaredTable& blocks);
+VariationSeriesRequest read_vary(const DeclaredTable& blocks);
 std::map<std::string, GroundDistributions> read_ground(const TomlTable& top);
 /// Reads [[block_group]].
 /// @param campaign  campaign whose ground was read

@@ -114,12 +114,12 @@ template <class Value>
 std::optional<Value> DeclaredTable::value(const std::string& key) const {
   const ValueFormat& leaf = form(key).leaf();
   if constexpr (std::is_same_v<Value, bool>) {
-    return boolean(key);
+    return read_boolean(key);
   } else if constexpr (std::is_integral_v<Value>) {
-    const std::optional<std::uint64_t> number = count(key, leaf.least, leaf.most);
+    const std::optional<std::uint64_t> number = read_count(key, leaf.least, leaf.most);
     return number ? std::optional(static_cast<Value>(*number)) : std::nullopt;
   } else if constexpr (std::is_same_v<Value, double>) {
-    return number(key, leaf.range);
+    return read_number(key, leaf.range);
   } else if constexpr (std::is_same_v<Value, Distribution>) {
     return read_distribution(*this, key, leaf.range);
   } else if constexpr (std::is_same_v<Value, std::string>) {
@@ -137,10 +137,10 @@ std::optional<Value> DeclaredTable::value(const std::string& key) const {
   } else if constexpr (std::is_same_v<Value, std::vector<Vec2>>) {
     return places(key);
   } else if constexpr (std::is_same_v<Value, Vec2>) {
-    return vec2(key, leaf.range);
+    return read_vec2(key, leaf.range);
   } else {
     static_assert(std::is_same_v<Value, Vec3>);
-    return vec3(key, leaf.range);
+    return read_vec3(key, leaf.range);
   }
 }
 

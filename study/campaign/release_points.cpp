@@ -30,10 +30,10 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
     return found ? std::optional(std::vector<std::size_t>(found->axes.begin(), found->axes.end()))
                  : std::nullopt;
   };
-  const NumericTableSpec table{.names = {{"x"}, {"y"}, {"z"}},
-                               .range = kMapCoordinate,
-                               .meaning = "three numbers, x y z",
-                               .find = find};
+  const NumericTableSpec table{.column_names = {{"x"}, {"y"}, {"z"}},
+                               .range = kMapCoordinateRange,
+                               .expected_line = "three numbers, x y z",
+                               .find_columns = find};
   for (const NumericRow& row : read_numeric_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);
   }

@@ -6,7 +6,7 @@
 
 namespace clast::study_detail {
 
-ValueFormat point() { return list(number(kMapCoordinate), 2, 3); }
+ValueFormat point() { return list(number(kMapCoordinateRange), 2, 3); }
 
 ValueFormat with_unit(ValueFormat form, const char* unit) {
   ValueFormat* leaf = &form;

@@ -115,7 +115,7 @@ RealisationCurve passage_curve(const std::vector<const RealisationCrossings*>& r
       }
     }
     curve.time.push_back(time);
-    curve.mean.push_back(summarise(sums).mean);
+    curve.mean.push_back(summarise_sample(sums).mean);
     curve.least.push_back(*std::min_element(sums.begin(), sums.end()));
     curve.most.push_back(*std::max_element(sums.begin(), sums.end()));
   }

@@ -244,8 +244,8 @@ DepositStatistics deposits_of(const Group& group, const std::vector<RunRow>& row
         break;
     }
   }
-  deposit.runout = summarise(along);
-  deposit.lateral = summarise(lateral);
+  deposit.runout = summarise_sample(along);
+  deposit.lateral = summarise_sample(lateral);
   if (deposit.stops.rest > 0) {
     deposit.mean_stop =
         rows[group.rows.front()].stop + sum / static_cast<double>(deposit.stops.rest);

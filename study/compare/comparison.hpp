@@ -85,11 +85,11 @@ struct BarrierGroupStatistics {
   double probability = 0.0;
   /// 95 % interval of probability (`clustered_proportion_interval`); empty for one realisation.
   std::optional<Interval> interval;
-  Summary height, clearance, speed;  ///< m, m, m/s
-  Summary top;  ///< height of the centre plus largest radius of the block, m: an upper bound of the
-                ///< height of the block's surface above the ground
-  Summary translational, rotational, total;  ///< J
-  Summary rotation_rate;                     ///< rad/s
+  SampleSummary height, clearance, speed;  ///< m, m, m/s
+  SampleSummary top;  ///< height of the centre plus largest radius of the block, m: an upper bound
+                      ///< of the height of the block's surface above the ground
+  SampleSummary translational, rotational, total;  ///< J
+  SampleSummary rotation_rate;                     ///< rad/s
 };
 
 /// Number of runs by stop reason.
@@ -104,8 +104,8 @@ struct StopCounts {
 struct DepositStatistics {
   std::size_t started = 0;
   StopCounts stops;
-  Summary runout;                 ///< m
-  Summary lateral;                ///< rad
+  SampleSummary runout;           ///< m
+  SampleSummary lateral;          ///< rad
   Vec3 mean_stop = Vec3::Zero();  ///< map, m
 };
 

@@ -126,7 +126,7 @@ void warn_of_speeds(Comparison& comparison) {
     }
   }
   if (speeds.empty()) return;
-  const double p95 = summarise(speeds).p95;
+  const double p95 = summarise_sample(speeds).p95;
   if (!(p95 > kSeldomSpeed)) return;
   const std::string fast = "5 % of the runs exceed a speed of " + format_significant(p95, 3) +
                            " m/s; rockfall speeds rarely exceed " +

@@ -26,7 +26,7 @@ DepositQuantitySummary figure_of_file(const std::vector<DepositMeasures>& realis
     if (!(found.least <= value)) found.least = value;
     values.push_back(value);
   }
-  found.summary = summarise(values);
+  found.summary = summarise_sample(values);
   found.interval = mean_interval(found.summary, deposit_quantities()[figure].possible);
   return found;
 }

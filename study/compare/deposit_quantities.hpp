@@ -29,7 +29,7 @@ const std::vector<DepositQuantity>& deposit_quantities();
 struct DepositQuantitySummary {
   std::uint32_t file = 0;  ///< index into Comparison::results
   std::size_t figure = 0;  ///< index into `deposit_quantities`
-  Summary summary;         ///< over the realisations with a value
+  SampleSummary summary;   ///< over the realisations with a value
   double least = NAN;
   std::optional<Interval> interval;  ///< 95 % interval of the mean (`mean_interval`)
 };

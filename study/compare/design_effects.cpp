@@ -135,7 +135,7 @@ std::vector<OutcomeEffects> outcomes_with(const std::vector<RunOutcome>& outcome
   const std::vector<VarianceDecomposition> found = shares(values);
   std::vector<OutcomeEffects> effects;
   for (std::size_t i = 0; i < differing.size(); ++i) {
-    const Summary summary = summarise(values[i]);
+    const SampleSummary summary = summarise_sample(values[i]);
     effects.push_back(
         {differing[i]->name, differing[i]->unit, summary.mean, summary.std, found[i]});
   }

@@ -108,8 +108,8 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   found.first_runs = a.values.size();
   found.second_runs = b.values.size();
   found.points = clusters.count();
-  found.first_mean = summarise(a.values).mean;
-  found.second_mean = summarise(b.values).mean;
+  found.first_mean = summarise_sample(a.values).mean;
+  found.second_mean = summarise_sample(b.values).mean;
   found.estimate = found.first_mean - found.second_mean;
   found.cliffs_delta = *cliffs_delta(a.values, b.values);
   found.hedges_g = hedges_g(a.values, b.values);
@@ -124,8 +124,8 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   const auto draws = [&](std::size_t numbers, std::size_t most) {
     return std::clamp<std::size_t>(kMaxDifferenceDrawn / numbers, 200, most);
   };
-  found.interval = bootstrap_difference(a, b, drawn_from, kDifferenceSeed,
-                                        draws(by_runs ? runs : clusters.count(), 2000));
+  found.interval = bootstrap_difference_interval(a, b, drawn_from, kDifferenceSeed,
+                                                 draws(by_runs ? runs : clusters.count(), 2000));
   const TestResult test = *clustered_ks_test(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
@@ -173,8 +173,8 @@ std::optional<Difference> compute_runout_difference(const Comparison& comparison
   std::optional<Difference> found =
       difference_between(comparison, first, second, quantities(comparison).front());
   if (found && found->p_value) {
-    found->p_holm = found->p_value;
-    found->tests = 1;
+    found->holm_p_value = found->p_value;
+    found->family_size = 1;
   }
   return found;
 }

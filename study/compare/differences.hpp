@@ -38,7 +38,7 @@ inline constexpr std::size_t kMaxGroups = 12;
 /// barrier. Pairs with fewer than three values in a group are omitted.
 std::vector<Difference> compute_differences(const Comparison& comparison);
 
-/// Computes the runout difference of two groups as a single test (`p_holm` equals `p_value`).
+/// Computes the runout difference of two groups as a single test (`holm_p_value` equals `p_value`).
 /// @return empty if a group has fewer than three runs at rest
 std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
                                                     std::size_t second);

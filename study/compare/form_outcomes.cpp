@@ -39,7 +39,7 @@ std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparis
       if (of_form.size() < kMinForms) continue;
       OutcomeByShape outcome{file, of_runs.name, of_runs.unit, {}};
       for (const auto& [name, all] : of_form) {
-        const Summary summary = summarise(all);
+        const SampleSummary summary = summarise_sample(all);
         outcome.forms.push_back(
             {name, axes.at(name), is_stretched(name), summary.count, summary.mean, summary.std});
       }

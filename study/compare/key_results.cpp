@@ -68,7 +68,7 @@ std::optional<double> mean_at_rest(const Comparison& comparison,
     if (run.record->result.stop_reason == StopReason::kRest) runouts.push_back(run.runout);
   }
   if (runouts.empty()) return std::nullopt;
-  return summarise(runouts).mean;
+  return summarise_sample(runouts).mean;
 }
 
 std::optional<Interval> range_of_draws(std::vector<double> values) {
@@ -107,8 +107,9 @@ RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
   }
   if (values.values.size() < 2) return found;
   const std::size_t drawn = clusters.count() > 1 ? clusters.count() : values.values.size();
-  found.interval = bootstrap_mean(values, clusters.count(), kAnswerSeed,
-                                  std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
+  found.interval =
+      bootstrap_mean_interval(values, clusters.count(), kAnswerSeed,
+                              std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
   return found;
 }
 
@@ -142,11 +143,11 @@ RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a
   gap.of_few = (ahead ? a.median - b.median : b.median - a.median) < kGapOfFew * gap.gap;
   if (!a.is_representative() || !b.is_representative() || !difference) return gap;
   gap.verdict = difference->verdict();
-  if (gap.verdict == Verdict::kUntested) return gap;
+  if (gap.verdict == ContrastVerdict::kUntested) return gap;
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
     gap.interval = compute_draw_mean_range(by_draw);
     if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
-      gap.verdict = Verdict::kGroundDependent;
+      gap.verdict = ContrastVerdict::kGroundDependent;
     }
     return gap;
   }
@@ -167,7 +168,9 @@ std::optional<Difference> class_difference(const Comparison& comparison, std::si
 }
 
 /// Returns p95 of the passages, or the largest if they are few.
-double limit_of_passages(const Summary& of, bool largest) { return largest ? of.max : of.p95; }
+double limit_of_passages(const SampleSummary& of, bool largest) {
+  return largest ? of.max : of.p95;
+}
 
 /// Sets the ranges over the draws of the ground.
 void add_draw_ranges(const Comparison& comparison, std::size_t line,

@@ -30,7 +30,7 @@ struct RunoutContrast {
   std::size_t farther = 0;  ///< index into Comparison::groups of the group with the larger mean
   std::size_t nearer = 0;   ///< index of the other group
   /// Result of the test. `kTooFewValues` if one of the groups is not representative.
-  Verdict verdict = Verdict::kTooFewValues;
+  ContrastVerdict verdict = ContrastVerdict::kTooFewValues;
   double gap = 0.0;  ///< difference of the means, m
   std::optional<Interval>
       interval;  ///< interval of the difference, m; empty for a single realisation

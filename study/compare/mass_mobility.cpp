@@ -16,7 +16,9 @@ struct Runouts {
   std::vector<double> masses;
   std::vector<double> start_x, start_y;  ///< map
 
-  Vec2 mean_start() const { return {summarise(start_x).mean, summarise(start_y).mean}; }
+  Vec2 mean_start() const {
+    return {summarise_sample(start_x).mean, summarise_sample(start_y).mean};
+  }
 };
 
 std::set<std::string> library_blocks(const Comparison& comparison, std::uint32_t file) {
@@ -49,10 +51,10 @@ Runouts runouts_of(const Comparison& comparison, std::uint32_t file,
 
 /// Summarises a value of each cluster.
 template <class Value>
-Summary over_clusters(const Runouts& runouts, const Value& value) {
+SampleSummary over_clusters(const Runouts& runouts, const Value& value) {
   std::vector<double> values;
   for (const auto& [cluster, of_cluster] : runouts.by_cluster) values.push_back(value(of_cluster));
-  return summarise(values);
+  return summarise_sample(values);
 }
 
 std::vector<double> joined_values(const Runouts& runouts) {
@@ -73,7 +75,7 @@ std::optional<DepositMobility> mobility_of(const Comparison& comparison, std::ui
   const Runouts together = runouts_of(comparison, file, both, garcia);
   const Runouts single = runouts_of(comparison, alone, both, garcia);
   if (together.masses.empty() || single.masses.empty()) return std::nullopt;
-  const auto mean = [](const std::vector<double>& values) { return summarise(values).mean; };
+  const auto mean = [](const std::vector<double>& values) { return summarise_sample(values).mean; };
   const std::vector<double> runs = joined_values(single);
   DepositMobility found;
   found.file = file;
@@ -83,7 +85,7 @@ std::optional<DepositMobility> mobility_of(const Comparison& comparison, std::ui
   found.runs = runs.size();
   found.together_runout = over_clusters(together, mean);
   const bool one_point = single.by_cluster.size() == 1;
-  found.alone_runout = one_point ? summarise(runs) : over_clusters(single, mean);
+  found.alone_runout = one_point ? summarise_sample(runs) : over_clusters(single, mean);
   found.difference = welch_difference(found.together_runout, found.alone_runout);
   found.together_toe = over_clusters(together, [](const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end());
@@ -91,7 +93,7 @@ std::optional<DepositMobility> mobility_of(const Comparison& comparison, std::ui
   found.alone_toe = expected_largest(
       runs, static_cast<double>(found.blocks) / static_cast<double>(together.by_cluster.size()));
   found.starts_apart = (together.mean_start() - single.mean_start()).norm();
-  found.mass_ratio = summarise(together.masses).mean / summarise(single.masses).mean;
+  found.mass_ratio = summarise_sample(together.masses).mean / summarise_sample(single.masses).mean;
   return found;
 }
 

@@ -38,9 +38,9 @@ Columns columns_of(const Record& header, const std::string& file) {
       refuse("has two columns \"" + name + "\"; keep only one of them");
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
-    if (heading.length && heading.length->factor != 1.0) {
+    if (heading.length_unit && heading.length_unit->factor != 1.0) {
       refuse("\"" + escape_nonprintable(header.fields[column]) + "\" is in " +
-             heading.length->name + "; positions must be in m");
+             heading.length_unit->name + "; positions must be in m");
     }
   };
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
@@ -77,10 +77,10 @@ double coordinate(const Record& record, const Columns& columns, const std::strin
                   const DelimitedTextReader& table, const std::string& file) {
   const std::string_view text = field(record, columns, name);
   const std::optional<double> value = parse_number_field(text, table.separator());
-  if (value && kMapCoordinate.contains(*value)) return *value;
+  if (value && kMapCoordinateRange.contains(*value)) return *value;
   throw InputError(
       file + ":" + std::to_string(record.line) + ": " + name + " \"" + std::string(text) +
-      "\" is not a number " + kMapCoordinate.describe() +
+      "\" is not a number " + kMapCoordinateRange.describe() +
       (is_ambiguous_number(text, table.separator()) ? "; " + std::string(kDecimalCommaHint) : ""));
 }
 
@@ -182,7 +182,7 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
     ClusteredValues before{{}, stops.clusters};
     for (const double value : stops.values) before.values.push_back(value <= at ? 1.0 : 0.0);
     curve.runout.push_back(at);
-    curve.share.push_back(summarise(before.values).mean);
+    curve.share.push_back(summarise_sample(before.values).mean);
     if (!banded) continue;
     const Interval interval = clustered_proportion_interval(before, clusters);
     curve.low.push_back(interval.low);
@@ -193,15 +193,16 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 
 }  // namespace
 
-Verdict judge_agreement(const MeasuredGroup& group) {
-  if (group.measured < kMinMeasured) return Verdict::kTooFewValues;
-  const Verdict verdict = group.medians.verdict();
-  return verdict == Verdict::kInsignificantAfterCorrection ? Verdict::kSignificant : verdict;
+ContrastVerdict judge_agreement(const MeasuredGroup& group) {
+  if (group.measured < kMinMeasured) return ContrastVerdict::kTooFewValues;
+  const ContrastVerdict verdict = group.medians.verdict();
+  return verdict == ContrastVerdict::kInsignificantAfterCorrection ? ContrastVerdict::kSignificant
+                                                                   : verdict;
 }
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   const std::string file = path.string(), bytes = read_text_file(path);
-  const DecodedText content = decode_text(bytes, file);
+  const DecodedText content = decode_table_text(bytes, file);
   DelimitedTextReader table(content.text, file);
   Record record;
   MeasuredStops measured{path, sha256(bytes), {}, {}};
@@ -209,7 +210,7 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
     throw InputError(file + ": is empty; it must be a table of stops");
   const Columns columns = columns_of(record, file);
   while (table.read_record(record)) {
-    if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
+    if (detect_summary_row_label(record.fields.front()) == SummaryRowLabel::kCertain) {
       throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
                        "\" is a sum of other rows; remove that row");
@@ -264,10 +265,10 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     found.group = g;
     found.measured = seen.size();
     found.simulated = simulated.size();
-    found.runout = summarise(seen);
-    found.lateral = summarise(lateral);
+    found.runout = summarise_sample(seen);
+    found.lateral = summarise_sample(lateral);
     found.quartiles = quartiles_of(seen);
-    found.simulated_runout = summarise(simulated).mean;
+    found.simulated_runout = summarise_sample(simulated).mean;
     found.simulated_quartiles = quartiles_of(simulated);
     found.medians.estimate = found.quartiles.median - found.simulated_quartiles.median;
     found.cliffs_delta = *cliffs_delta(seen, simulated);

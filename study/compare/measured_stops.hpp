@@ -42,7 +42,7 @@ struct MeasuredGroup {
   std::size_t group = 0;          ///< index into Comparison::groups
   std::size_t measured = 0;       ///< number of observed stops
   std::size_t simulated = 0;      ///< number of simulated runs at rest
-  Summary runout, lateral;        ///< of the observed stops, m and rad
+  SampleSummary runout, lateral;  ///< of the observed stops, m and rad
   Quartiles quartiles;            ///< of the observed runouts, m
   double simulated_runout = 0.0;  ///< mean of the simulated runouts, m
   Quartiles simulated_quartiles;
@@ -61,7 +61,7 @@ inline constexpr std::size_t kMinMeasured = 5;
 
 /// Returns the verdict on the agreement of observed and simulated runouts. The difference is
 /// significant if the interval of `medians` excludes zero. The p-value of the test is not used.
-Verdict judge_agreement(const MeasuredGroup& group);
+ContrastVerdict judge_agreement(const MeasuredGroup& group);
 
 /// Observed stops of a file and their comparison by group.
 struct MeasuredStops {

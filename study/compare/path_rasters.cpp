@@ -33,7 +33,7 @@ double path_cell_size(const Comparison& comparison) {
     if (row.stop.allFinite()) box.include(row.stop);
   }
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(kNarrowestCell, longer > 0.0 ? round_up_to_nice(longer / kCells) : 0.0);
+  return std::max(kNarrowestCell, longer > 0.0 ? round_up_to_nice_number(longer / kCells) : 0.0);
 }
 
 /// Shares of the straight way between two places at which it enters another cell, ascending.
@@ -134,9 +134,9 @@ MapRasterSet compute_path_rasters(const Comparison& comparison) {
   const double started = static_cast<double>(comparison.rows.size());
   for (const auto& [cell, passed] : cells) {
     const std::size_t at = rasters.index(cell);
-    const Summary energy = summarise(passed.energy);
+    const SampleSummary energy = summarise_sample(passed.energy);
     const double count = static_cast<double>(passed.energy.size());
-    const double height = passed.height.empty() ? NAN : summarise(passed.height).p95;
+    const double height = passed.height.empty() ? NAN : summarise_sample(passed.height).p95;
     const double values[] = {count / started, count,  energy.mean, energy.p95,
                              energy.max,      height, passed.speed};
     for (std::size_t i = 0; i < rasters.layers.size(); ++i) {

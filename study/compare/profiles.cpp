@@ -27,7 +27,7 @@ double bin_width(const Comparison& comparison) {
   for (const RunRow& row : comparison.rows) {
     if (std::isfinite(row.runout)) longest = std::max(longest, std::abs(row.runout));
   }
-  return std::max(kNarrowestBin, longest > 0.0 ? round_up_to_nice(longest / kBins) : 0.0);
+  return std::max(kNarrowestBin, longest > 0.0 ? round_up_to_nice_number(longest / kBins) : 0.0);
 }
 
 /// The passage of every row; empty where a run has no trajectory.
@@ -77,8 +77,8 @@ std::vector<ProfileBin> compute_profiles(const Comparison& comparison) {
       // Map frames of all files are the same.
       const Vec2 place = comparison.results.front().frame.origin.head<2>() + values.places / runs;
       bins.push_back({g, bin * width, (bin + 1) * width, values.energy.size(),
-                      summarise(values.energy), summarise(values.speed), summarise(values.height),
-                      place});
+                      summarise_sample(values.energy), summarise_sample(values.speed),
+                      summarise_sample(values.height), place});
     }
   }
   return bins;

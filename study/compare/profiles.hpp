@@ -15,9 +15,9 @@ struct ProfileBin {
       0.0;          ///< start of the bin: distance from the release point in downslope direction, m
   double to = 0.0;  ///< end of the bin, m
   std::size_t runs = 0;
-  Summary energy;             ///< J
-  Summary speed;              ///< m/s
-  Summary height;             ///< height of the centre above the ground, m
+  SampleSummary energy;       ///< J
+  SampleSummary speed;        ///< m/s
+  SampleSummary height;       ///< height of the centre above the ground, m
   Vec2 place = Vec2::Zero();  ///< mean of the mean positions of the runs in the bin, map, m
 };
 

@@ -24,7 +24,8 @@ double deposit_cell_size(const std::vector<const RunRow*>& lying) {
   }
   const double wanted = kDepositCellFraction * sum / static_cast<double>(lying.size());
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(round_down_to_nice(wanted), round_up_to_nice(longer / kMaxDepositCells));
+  return std::max(round_down_to_nice_number(wanted),
+                  round_up_to_nice_number(longer / kMaxDepositCells));
 }
 
 /// The highest surface over the middle of each cell.

@@ -65,7 +65,7 @@ RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergie
     const double time = last * static_cast<double>(i) / static_cast<double>(kEnergyCurvePoints - 1);
     for (std::size_t k = 0; k < along.size(); ++k) values[k] = along[k].at(time);
     curve.time.push_back(time);
-    curve.mean.push_back(summarise(values).mean);
+    curve.mean.push_back(summarise_sample(values).mean);
     curve.least.push_back(*std::min_element(values.begin(), values.end()));
     curve.most.push_back(*std::max_element(values.begin(), values.end()));
   }

@@ -27,7 +27,7 @@ std::uint64_t ensemble_member(const Row& row) {
 /// Columns that are not in the results file: of block, comparison and map.
 TableColumns<Row> own_columns() {
   const auto block = [](const Row& row) -> const BlockSummary& { return *row->block; };
-  return concatenated<Row>(
+  return concatenated_columns<Row>(
       {{{"block", "", "id of the block", [=](const Row& r) { return block(r).id; }},
         {"class", "", "Sneed and Folk class", [=](const Row& r) { return block(r).sneed_folk; }},
         {"zingg", "", "Zingg class", [=](const Row& r) { return block(r).zingg; }},
@@ -83,7 +83,7 @@ TableColumns<Row> own_columns() {
 
 /// Own columns first: where the file has one of the same name, it holds an index, or is local.
 const TableColumns<Row>& all_columns() {
-  static const TableColumns<Row> columns = concatenated<Row>(
+  static const TableColumns<Row> columns = concatenated_columns<Row>(
       {own_columns(),
        blank_unknown_cells(
            adapt_columns<Row>(stored_run_columns(),

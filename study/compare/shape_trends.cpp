@@ -123,7 +123,7 @@ Grouping grouping_by(const ShapeProperty& property, const std::vector<const RunR
   grouping.trend.clusters = grouping.halves.strata;
   grouping.limit = limit_of(grouping.trend.property);
   for (const std::uint32_t unit : grouping.trend.units) {
-    grouping.halves.high.push_back(grouping.trend.property[unit] >= grouping.limit);
+    grouping.halves.in_second_group.push_back(grouping.trend.property[unit] >= grouping.limit);
   }
   return grouping;
 }

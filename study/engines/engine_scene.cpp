@@ -104,7 +104,7 @@ void EngineSceneOptions::check() const {
   throw InputError("`engine` \"" + engine + "\" is unknown; use rockable or exadem");
 }
 
-FolderKind scene_folder_kind() {
+OutputFolderKind scene_folder_kind() {
   return {"scenes", kSceneFile, kSceneMark, [](const std::filesystem::path& file) {
             const std::string first = file.begin()->string();
             return first.starts_with("run") || first.starts_with("realisation") ||

@@ -33,7 +33,7 @@ inline constexpr const char* kSceneFile = "SCENE.txt";
 inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
 inline constexpr const char* kSceneCampaign = "campaign.toml";
 
-FolderKind scene_folder_kind();
+OutputFolderKind scene_folder_kind();
 
 /// Writes one scene per run, or per realisation of multi-block releases. A scene contains starts,
 /// blocks as sphero-polyhedra with exact mass properties, the terrain as one surface per zone,

@@ -73,7 +73,7 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
                      "; check the units of scans and terrain");
   }
   blocks.count = sides.size();
-  blocks.shortest_side = summarise(sides).median;
+  blocks.shortest_side = summarise_sample(sides).median;
   if (blocks.left_out.empty()) blocks.selected.clear();
   return blocks;
 }
@@ -112,7 +112,7 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
     trial.passed += run.crossings.empty() ? 0 : 1;
     trial.longest = std::max(trial.longest, result.duration);
   }
-  trial.median_distance = summarise(distances).median;
+  trial.median_distance = summarise_sample(distances).median;
   // Full minutes.
   proposal.max_time = std::min(60.0 * std::ceil(2.0 * trial.longest / 60.0), kLongestTime);
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;

@@ -44,7 +44,7 @@ std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& ca
 /// The bodies that are made of the blocks, in place of them.
 void vary(const Campaign& campaign, const BlockLibrary& library,
           const BlockPreparationOptions& making, CampaignBlocks& choice) {
-  SeriesRequest request = *campaign.blocks.vary;
+  VariationSeriesRequest request = *campaign.blocks.vary;
   request.library = campaign.blocks.library;
   for (const Block& block : choice.library) request.ids.push_back(block.id);
   request.options.threads = making.threads;
@@ -52,12 +52,13 @@ void vary(const Campaign& campaign, const BlockLibrary& library,
   const auto of_campaign = [&](const std::string& message) {
     return campaign.file.string() + ": [blocks] vary: " + remove_backticks(message);
   };
-  SeriesResult made = with_rewritten_error(of_campaign, [&] {
-    SeriesResult series = make_series(request, library);
+  VariationSeriesResult made = with_rewritten_error(of_campaign, [&] {
+    VariationSeriesResult series = make_variation_series(request, library);
     const std::vector<std::string>& failed = series.series.failures;
     if (!failed.empty()) {
       throw GeometryError(
-          std::to_string(failed.size()) + " of " + format_count(series.wanted, "body", "bodies") +
+          std::to_string(failed.size()) + " of " +
+          format_count(series.requested_count, "body", "bodies") +
           " can't be made; leave out the keys that request them. First reason: " + failed.front());
     }
     return series;

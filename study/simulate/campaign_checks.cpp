@@ -270,7 +270,7 @@ std::vector<std::string> check_campaign_settings(const CampaignPlan& prepared) {
     smallest = std::min(smallest, block.axes.S);
     largest = std::max(largest, block.axes.S);
   }
-  warn(cell_size_warning(prepared.header.terrain, smallest, largest));
+  warn(edge_length_warning(prepared.header.terrain, smallest, largest));
   if (prepared.campaign.border_distance) {
     for (const ReleaseSet& release : prepared.campaign.releases) {
       warn(border_warning(prepared.header.terrain, release.points,

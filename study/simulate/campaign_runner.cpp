@@ -215,7 +215,7 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
 PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe) {
   if (prepared.header.stay) return {};
   return {prepared.runs.size(), prepared.bodies.size(), probe.runouts.size(),
-          summarise(probe.runouts).std, std::nullopt};
+          summarise_sample(probe.runouts).std, std::nullopt};
 }
 
 double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,

@@ -21,12 +21,13 @@ class UnscaledBlock : public SlopeCampaign {
     library.remove("bar");
     model.id = "model";
     model.source.unscaled = true;
-    model.volume_bracket = VolumeBracket{.lower_volume = 0.9 * model.mass.volume,
-                                         .estimated_volume = model.mass.volume,
-                                         .upper_volume = 1.1 * model.mass.volume,
-                                         .sides = SideBounds{model.box.lengths, model.box.lengths},
-                                         .filled_fraction = 0.2,
-                                         .assumption = "the flanks go on"};
+    model.volume_bracket =
+        VolumeBracket{.lower_volume = 0.9 * model.mass.volume,
+                      .estimated_volume = model.mass.volume,
+                      .upper_volume = 1.1 * model.mass.volume,
+                      .sides = BoxSideBounds{model.box.lengths, model.box.lengths},
+                      .filled_fraction = 0.2,
+                      .assumption = "the flanks go on"};
     library.add(model);
     library.write(folder / "blocks.h5");
   }

@@ -169,7 +169,7 @@ TEST(PopulationPage, TwoPopulationsAreComparedInWords) {
 TEST(PopulationPage, BlocksWithBoxesSayWhatTheConventionDecides) {
   Population population = blocks("scans", 5);
   for (MeasuredBlock& block : population.blocks) block.axes_by_box = {4, block.axes};
-  population.blocks[0].axes = population.blocks[0].axes_as_written = {1.2, 1.0, 0.9};
+  population.blocks[0].axes = population.blocks[0].axes_in_table_unit = {1.2, 1.0, 0.9};
   population.blocks[0].axes_by_box = {
       {1.2, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}};
   const std::string html = page_of(report_of({population}));
@@ -249,7 +249,7 @@ TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const PopulationReport report = report_of({blocks("a", 30), blocks("b", 20, false)});
   const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
   EXPECT_EQ(shares.rows.size(), 2u * (10 + 4 + 2));
-  const ClassFraction& first = report.populations[0].summary.schemes[0].shares[0];
+  const ClassFraction& first = report.populations[0].summary.schemes[0].fractions[0];
   EXPECT_EQ(shares.number(0, "blocks"), double(first.count));
   EXPECT_EQ(shares.number(0, "mass_share_high"), first.mass_high);
   EXPECT_EQ(shares.rows[16].at("population"), "b");

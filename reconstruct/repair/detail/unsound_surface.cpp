@@ -86,8 +86,8 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
                       " (inside and outside can't be distinguished)" + kRepairAdvice);
 }
 
-void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
-                const RepairLog& log) {
+void check_hole_size(const FilledHole& hole, double largest, const TriangleMesh& welded,
+                     const RepairLog& log) {
   if (hole.area_fraction <= largest || hole.is_fan) return;
   throw GeometryError(
       "the surface is an open sheet, not a block: " + open_edges(welded, log) +

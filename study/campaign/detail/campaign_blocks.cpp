@@ -36,7 +36,7 @@ BlockFilter read_filter(const DeclaredTable& table) {
     filter.shape_class = *choice(by_class, "class", class_names(filter.scheme));
     return filter;
   }
-  filter.ids = *table.text_list("select");
+  filter.ids = *table.read_text_list("select");
   for (std::size_t i = 0; i < filter.ids.size(); ++i) {
     const auto here = filter.ids.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(filter.ids.begin(), here, *here) != here) {
@@ -67,7 +67,7 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
   const TomlTable shares(node, table.file(), "[blocks] draw shares", class_names(draw.scheme));
   double sum = 0.0;
   for (const std::string& name : class_names(draw.scheme)) {
-    const std::optional<double> share = shares.number(name, kClassFraction);
+    const std::optional<double> share = shares.read_number(name, kClassFraction);
     if (!share || *share == 0.0) continue;
     draw.shares.emplace_back(name, *share);
     sum += *share;
@@ -91,7 +91,7 @@ const MemberTable<BlockSampling>& draw_keys() {
        {"shares", "", "fraction of each class; the sum must be 1", named(number(kClassFraction)),
         &read_shares},
        {"mass_kg", "kg", "mass of a drawn block; default: that of its library block",
-        uncertain(kBlockMass), &BlockSampling::mass}});
+        uncertain(kBlockMassRange), &BlockSampling::mass}});
   return keys;
 }
 
@@ -143,7 +143,7 @@ std::map<std::string, GroundDistributions> read_zones(
   if (names.empty()) all.refuse("empty; write one table [" + title + ".NAME] per zone");
   std::map<std::string, GroundDistributions> ground;
   for (const auto& [name, value] : node.table) {
-    all.checked(name, [&] { check_zone_name(name); });
+    all.run_check(name, [&] { check_zone_name(name); });
     if (value.kind != TomlNode::Kind::kTable) {
       all.refuse(name, value, "must be in the table of a zone, [" + title + ".NAME]");
     }
@@ -164,9 +164,9 @@ const MemberTable<BlockSelection>& blocks_keys() {
        {"scale", "", "size to which every block is scaled; shape and density stay the same",
         either({words({"equal-mass"}),
                 table({{"mass_kg", "kg", "mass of every block",
-                        required("a mass", number(kBlockMass))}}),
+                        required("a mass", number(kBlockMassRange))}}),
                 table({{"volume_m3", "m^3", "volume of every block",
-                        required("a volume", number(kBlockVolume))}})}),
+                        required("a volume", number(kBlockVolumeRange))}})}),
         &read_scale, &BlockSelection::scale},
        {"allow_any_size", "", "also accept blocks of unusual size", flag(),
         &BlockSelection::any_size},

@@ -56,7 +56,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
                  "has " + comma_separated(posterior.parameters) + " alone, and " + same_blocks +
                      "posterior out");
   }
-  const std::optional<std::vector<std::string>> take = table.text_list("take");
+  const std::optional<std::vector<std::string>> take = table.read_text_list("take");
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_ground_parameter(parameter)) continue;
@@ -111,7 +111,7 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
                          allowed.describe());
       }
     };
-    table.checked("posterior", check, parameter + " ");
+    table.run_check("posterior", check, parameter + " ");
   }
 }
 

@@ -27,7 +27,7 @@ void refuse_repeated(const std::vector<DeclaredTable>& tables) {
 
 void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
   const TomlNode& node = *table.find("polygon");
-  table.checked("polygon", [&] { check_has_area(mass.polygon); });
+  table.run_check("polygon", [&] { check_has_area(mass.polygon); });
   std::vector<Vec2> ring;
   for (const Vec2& corner : mass.polygon) {
     if (ring.empty() || corner != ring.back()) ring.push_back(corner);
@@ -180,7 +180,7 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
   release.fresh_orientations = true;
   for (const DeclaredTable& table : tables) {
     if (tables.size() > 1) table.require_key("name", "a text in quotes, since there are several");
-    release.name = table.text("name").value_or("");
+    release.name = table.read_text("name").value_or("");
     if (const TomlNode* name = table.find("name");
         name && release.name.find_first_not_of(" \t") == std::string::npos) {
       table.refuse("name", *name, "must not be blank");

@@ -23,11 +23,11 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   const TomlNode& node = *table.find("points");
   const bool plan_only = plan.drop_height.has_value();
   const auto point_of = [&](const TomlTable& from, const std::string& key, const TomlNode& row) {
-    const std::vector<double> values =
-        from.numbers(key, row, plan_only ? 2 : 3, 3,
-                     plan_only ? "points of finite numbers, [x, y] or [x, y, z]"
-                               : "points of three finite numbers, [x, y, z]; [x, y] needs height_m",
-                     kMapCoordinate);
+    const std::vector<double> values = from.read_numbers(
+        key, row, plan_only ? 2 : 3, 3,
+        plan_only ? "points of finite numbers, [x, y] or [x, y, z]"
+                  : "points of three finite numbers, [x, y, z]; [x, y] needs height_m",
+        kMapCoordinateRange);
     return Vec3(values[0], values[1], values.size() == 3 ? values[2] : 0.0);
   };
   const auto points_of = [&](const TomlTable& from, const std::string& key, const TomlNode& list,
@@ -70,7 +70,7 @@ std::vector<Vec3> read_release_points(const DeclaredTable& table, bool y_up, Rel
   }
   if (!plan_only) rule.refuse("a polygon gives plan positions and needs height_m");
   const std::vector<Vec2> corners = *rule.value<std::vector<Vec2>>("polygon");
-  return rule.checked("polygon", [&] {
+  return rule.run_check("polygon", [&] {
     return sample_points_in_polygon(corners, count,
                                     rule.value<std::uint64_t>("seed").value_or(plan.seed));
   });
@@ -93,7 +93,7 @@ void read_orientation_set(const DeclaredTable& table, bool y_up, ReleaseSet& pla
   }
   const std::string expected = std::string("must be ") + kOrientations;
   if (node.kind != TomlNode::Kind::kString) table.refuse("orientations", node, expected);
-  plan.orientation_source = *table.text("orientations");
+  plan.orientation_source = *table.read_text("orientations");
   if (plan.orientation_source == "grid-45") {
     if (frame == "source") {
       table.refuse("frame",

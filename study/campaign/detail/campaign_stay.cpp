@@ -20,7 +20,7 @@ std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Ca
   }
   const DeclaredTable rule = table.inner_table("remove");
   const TomlNode& zone = rule.require_key("zone");
-  const std::vector<std::string> names = *rule.text_list("zone");
+  const std::vector<std::string> names = *rule.read_text_list("zone");
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) {
       rule.refuse("zone", zone, "names \"" + name + "\" more than once");

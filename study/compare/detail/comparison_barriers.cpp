@@ -137,11 +137,11 @@ BarrierGroupStatistics measure_crossings(const std::vector<const Crossing*>& cro
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     tops.push_back(crossings[i]->height + farthest[i]);
   }
-  group.top = summarise(tops);
+  group.top = summarise_sample(tops);
   const auto over = [&](auto value) {
     std::vector<double> values;
     for (const Crossing* crossing : crossings) values.push_back(value(*crossing));
-    return summarise(values);
+    return summarise_sample(values);
   };
   group.height = over([](const Crossing& c) { return c.height; });
   group.clearance = over([](const Crossing& c) { return c.clearance; });

@@ -109,9 +109,9 @@ TEST(TomlTable, RefusesAKeyByTheMessageOfWhatItsValueIsUsedFor) {
                         {"unit",
                          "a\x1b"
                          "b"});
-  EXPECT_EQ(table.checked("unit", [] { return 3; }), 3);
+  EXPECT_EQ(table.run_check("unit", [] { return 3; }), 3);
   EXPECT_EQ(refusal([&] {
-              table.checked(
+              table.run_check(
                   "unit", []() -> int { throw InputError("`unit` is old"); }, "x: ");
             }),
             "a.toml:1: [t] unit = \"ell\": x: unit is old");

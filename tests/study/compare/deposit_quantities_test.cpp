@@ -86,12 +86,12 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_NEAR(length.interval->low, 10.0 - half_width, 1e-7);
   EXPECT_NEAR(length.interval->high, 10.0 + half_width, 1e-7);
   // p is 0.0194, and three figures are tested: length, H / L, travel angle.
-  EXPECT_EQ(length.tests, 3u);
-  EXPECT_GT(*length.p_holm, *length.p_value);
+  EXPECT_EQ(length.family_size, 3u);
+  EXPECT_GT(*length.holm_p_value, *length.p_value);
   // What never differs has neither interval nor verdict.
   const DepositQuantityDifference& area = named(figures, "area_m2");
   EXPECT_FALSE(area.interval);
-  EXPECT_EQ(area.verdict(), Verdict::kUntested);
+  EXPECT_EQ(area.verdict(), ContrastVerdict::kUntested);
   EXPECT_TRUE(contains(describe_effect(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
   EXPECT_TRUE(
       contains(describe_effect(area), "no interval, because the realisations do not differ"));
@@ -107,21 +107,21 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
   };
   const DepositQuantityDifference clear =
       compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
-  EXPECT_EQ(clear.verdict(), Verdict::kSignificant);
+  EXPECT_EQ(clear.verdict(), ContrastVerdict::kSignificant);
   EXPECT_EQ(describe_effect(clear),
             "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
                 describe_difference(clear) + ", from 4 and 3 realisations");
   EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
   const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
-  EXPECT_EQ(open.verdict(), Verdict::kInsignificantAfterCorrection) << *open.p_holm;
+  EXPECT_EQ(open.verdict(), ContrastVerdict::kInsignificantAfterCorrection) << *open.holm_p_value;
   EXPECT_TRUE(
       contains(describe_effect(open), "; one of 3 differences tested can be this large by chance"));
   const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
-  EXPECT_EQ(none.verdict(), Verdict::kInsignificant);
+  EXPECT_EQ(none.verdict(), ContrastVerdict::kInsignificant);
   EXPECT_TRUE(contains(describe_difference(none), "m less (")) << describe_difference(none);
   EXPECT_TRUE(describe_effect(none).ends_with("; not significant"));
   const DepositQuantityDifference single = compared_lengths({20.0, 22.0}, {10.0});
-  EXPECT_EQ(single.verdict(), Verdict::kUntested);
+  EXPECT_EQ(single.verdict(), ContrastVerdict::kUntested);
   EXPECT_TRUE(
       contains(describe_effect(single), "an interval requires two realisations of each file"));
 }

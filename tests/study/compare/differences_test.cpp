@@ -79,7 +79,7 @@ TEST(Differences, OneThatIsThereIsFoundWithItsSize) {
     const Difference& runout = between_classes(comparison, "runout_m");
     EXPECT_TRUE(runout.is_significant()) << seed;
     EXPECT_EQ(runout.points, 8u);
-    EXPECT_EQ(runout.tests, 4u);
+    EXPECT_EQ(runout.family_size, 4u);
     EXPECT_GT(runout.cliffs_delta, 0.0);
     // Clusters that both classes share leave the scatter only: 3 sqrt(2/96) = 0.43 m.
     ASSERT_TRUE(runout.interval);
@@ -107,10 +107,10 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   for (const Difference& difference : one.differences) {
     EXPECT_FALSE(difference.interval);
     EXPECT_FALSE(difference.p_value);
-    EXPECT_FALSE(difference.p_holm);
+    EXPECT_FALSE(difference.holm_p_value);
     EXPECT_FALSE(difference.is_significant());
-    EXPECT_EQ(difference.tests, 0u);
-    EXPECT_EQ(difference.verdict(), Verdict::kUntested);
+    EXPECT_EQ(difference.family_size, 0u);
+    EXPECT_EQ(difference.verdict(), ContrastVerdict::kUntested);
     EXPECT_NE(describe_effect(difference, one)
                   .find("with one realisation, significance cannot be tested"),
               std::string::npos);
@@ -124,7 +124,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   }
   const Comparison two = compared(in_realisations(synthetic_results(3, -30.0), 2));
   EXPECT_TRUE(between_classes(two, "runout_m").interval);
-  EXPECT_TRUE(between_classes(two, "runout_m").p_holm);
+  EXPECT_TRUE(between_classes(two, "runout_m").holm_p_value);
 }
 
 // A file of one realisation beside one of several: its own scatter is not known.
@@ -202,7 +202,7 @@ TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
   const Difference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
-  const int decimals = justified_decimals(interval, 4);
+  const int decimals = significant_decimals(interval, 4);
   EXPECT_EQ(describe_effect(runout, comparison),
             "runout: class compact " + format_significant(runout.first_mean, 3) +
                 " m on average, class elongated " + format_significant(runout.second_mean, 3) +

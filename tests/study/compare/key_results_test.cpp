@@ -22,7 +22,7 @@ TEST(KeyResults, ADifferenceThatIsThereIsToldWithItsInterval) {
     const KeyResults found = summarise_key_results(comparison);
     const RunoutContrast& gap = only(found).gap.value();
     EXPECT_EQ(comparison.groups[gap.farther].key, "compact");
-    EXPECT_EQ(gap.verdict, Verdict::kSignificant) << seed;
+    EXPECT_EQ(gap.verdict, ContrastVerdict::kSignificant) << seed;
     ASSERT_TRUE(gap.interval);
     inside += gap.interval->low <= 10.0 && 10.0 <= gap.interval->high ? 1 : 0;
     EXPECT_EQ(only(found).clusters, 8u);
@@ -46,7 +46,7 @@ TEST(KeyResults, WhatIsNotThereIsSeldomTold) {
     const Comparison comparison =
         compared(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = seed}));
     const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
-    found += gap.verdict == Verdict::kSignificant ? 1 : 0;
+    found += gap.verdict == ContrastVerdict::kSignificant ? 1 : 0;
   }
   EXPECT_LE(found, 5) << "of 40";
 }
@@ -59,7 +59,8 @@ TEST(KeyResults, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
     if (run.block == 1) run.result.final_state.position.x() += i++ % 2 == 0 ? 12.0 : -12.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_EQ(only(summarise_key_results(comparison)).gap->verdict, Verdict::kDistributionDiffers);
+  EXPECT_EQ(only(summarise_key_results(comparison)).gap->verdict,
+            ContrastVerdict::kDistributionDiffers);
 }
 
 TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
@@ -69,7 +70,7 @@ TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
   }
   const Comparison comparison = compared(std::move(results));
   const FileSummary statement = only(summarise_key_results(comparison));
-  EXPECT_EQ(statement.gap->verdict, Verdict::kTooFewValues)
+  EXPECT_EQ(statement.gap->verdict, ContrastVerdict::kTooFewValues)
       << "a third of the compact runs is left";
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_GT(statement.stops.left_terrain, 0u);
@@ -80,7 +81,7 @@ TEST(KeyResults, OneRealisationTellsNothingOfChance) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   const FileSummary statement = only(summarise_key_results(comparison));
-  EXPECT_EQ(statement.gap->verdict, Verdict::kUntested);
+  EXPECT_EQ(statement.gap->verdict, ContrastVerdict::kUntested);
   EXPECT_FALSE(statement.gap->interval);
   EXPECT_FALSE(statement.all.interval);
   EXPECT_TRUE(statement.of_realisations);
@@ -151,7 +152,7 @@ TEST(KeyResults, FilesOfOneClassEachAreComparedAsOneStudy) {
   const KeyResults found = summarise_key_results(comparison);
   ASSERT_EQ(found.statements.size(), 1u);
   EXPECT_FALSE(found.files);
-  EXPECT_EQ(only(found).gap->verdict, Verdict::kSignificant);
+  EXPECT_EQ(only(found).gap->verdict, ContrastVerdict::kSignificant);
   EXPECT_EQ(comparison.groups[only(found).gap->farther].key, "compact");
 }
 
@@ -166,13 +167,13 @@ TEST(KeyResults, SitesAreNotMixed) {
   ASSERT_EQ(found.statements.size(), 2u);
   for (const FileSummary& statement : found.statements) {
     EXPECT_EQ(comparison.groups[statement.gap->farther].key, "compact");
-    EXPECT_EQ(statement.gap->verdict, Verdict::kSignificant);
+    EXPECT_EQ(statement.gap->verdict, ContrastVerdict::kSignificant);
     EXPECT_NEAR(statement.gap->gap, 10.0, 3.0);
   }
   // The same release points: how far the two differ can be said.
   ASSERT_TRUE(found.files);
   EXPECT_EQ(comparison.groups[found.files->farther].file, 1u);
-  EXPECT_EQ(found.files->verdict, Verdict::kSignificant);
+  EXPECT_EQ(found.files->verdict, ContrastVerdict::kSignificant);
 }
 
 /// Mean runouts of the runs of a draw that are of a block, by counting.
@@ -245,7 +246,7 @@ TEST(KeyResults, WhichRunsFartherCanDependOnTheDraw) {
   }
   const Comparison comparison = compared(std::move(results));
   const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
-  EXPECT_EQ(gap.verdict, Verdict::kGroundDependent);
+  EXPECT_EQ(gap.verdict, ContrastVerdict::kGroundDependent);
   EXPECT_LT(gap.interval->low, 0.0);
   EXPECT_GT(gap.interval->high, 0.0);
 }

@@ -33,7 +33,7 @@ void expect_sensible(const ProposedLines& places, const Terrain& terrain,
                      const FacingSlope& slope) {
   const double side = slope.cells * slope.cell;
   const std::vector<Vec3> ends = {places.releases.from, places.releases.to};
-  EXPECT_NO_THROW(check_over_ground(terrain, ends, "releases"));
+  EXPECT_NO_THROW(check_positions_over_terrain(terrain, ends, "releases"));
   for (const Vec3& release : ends) {
     EXPECT_GE(border_distance(terrain, plan(release)), places.margin);
     // In the upper half of the descent, on the slope and not on its foot.
@@ -80,7 +80,7 @@ TEST(NewCampaign, ASlopeWithoutAFootHasTheBarrierOnTheGround) {
   const ProposedLines places =
       propose_release_and_barrier(terrain, make_terrain_surface(terrain), 0.8);
   const Vec3 centre = 0.5 * (places.barrier.from + places.barrier.to);
-  EXPECT_NO_THROW(check_over_ground(terrain, std::vector<Vec3>{centre}, "barrier"));
+  EXPECT_NO_THROW(check_positions_over_terrain(terrain, std::vector<Vec3>{centre}, "barrier"));
   EXPECT_GT(places.distance, 40.0);
   EXPECT_NEAR(places.descent, std::tan(slope.slope) * places.distance, 3.0);
 }
