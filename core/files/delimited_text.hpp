@@ -56,7 +56,7 @@ class DelimitedTextReader {
  public:
   /// Constructs a reader. Detects the separator by `detect_separator`, or from a first line "sep=;"
   /// as written by Excel.
-  /// @param text  text from `decode_text`; must outlive this object
+  /// @param text  text from `decode_table_text`; must outlive this object
   /// @param file  name of the file, for messages
   DelimitedTextReader(std::string_view text, std::string file, const TableDialect& rules = {});
 
