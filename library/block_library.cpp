@@ -269,11 +269,11 @@ void check_unseen(const Block& block) {
                      format_significant(unseen.estimated_volume, 4) +
                      " m^3, are impossible for a body; scan more of the block");
   };
-  check_stored_value(unseen.lower_volume > 0.0 && unseen.estimated_volume >= unseen.lower_volume);
-  check_stored_value(!unseen.upper_volume || *unseen.upper_volume >= unseen.estimated_volume);
+  require(unseen.lower_volume > 0.0 && unseen.estimated_volume >= unseen.lower_volume);
+  require(!unseen.upper_volume || *unseen.upper_volume >= unseen.estimated_volume);
   if (!unseen.sides) return;
-  check_stored_value(unseen.sides->lower.minCoeff() > 0.0);
-  check_stored_value((unseen.sides->lower.array() <= unseen.sides->upper.array()).all());
+  require(unseen.sides->lower.minCoeff() > 0.0);
+  require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ void expect_counts(const StaticEquilibriumCounts& e, std::size_t S, std::size_t 
 }
 
 // A regular polyhedron stands on each face, each vertex and each edge.
-TEST(StaticEquilibriumCounts, OfTheRegularPolyhedra) {
+TEST(Equilibria, OfTheRegularPolyhedra) {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   std::vector<Vec3> cube, icosahedron, dodecahedron;
   for (const double x : {-1.0, 1.0}) {
@@ -49,14 +49,14 @@ TEST(StaticEquilibriumCounts, OfTheRegularPolyhedra) {
   expect_counts(equilibria(icosahedron), 20, 12, 30);
 }
 
-TEST(StaticEquilibriumCounts, OfACuboidAreThoseOfACubeHoweverItsFacesAreCut) {
+TEST(Equilibria, OfACuboidAreThoseOfACubeHoweverItsFacesAreCut) {
   expect_counts(equilibria(box_mesh(Vec3(5, 2, 1)).vertices), 6, 8, 12);
   expect_counts(equilibria(box_mesh(Vec3(1, 1, 40), 4).vertices), 6, 8, 12);
 }
 
 // A prism over a regular pentagon stands on 5 sides and 2 ends; cut off obliquely enough it can't
 // stand on its ends any more.
-TEST(StaticEquilibriumCounts, ALeaningPrismDoesNotStandOnItsEnds) {
+TEST(Equilibria, ALeaningPrismDoesNotStandOnItsEnds) {
   std::vector<Vec3> upright, leaning;
   for (int i = 0; i < 5; ++i) {
     const Vec3 corner(std::cos(2 * kPi * i / 5), std::sin(2 * kPi * i / 5), 0);
@@ -73,7 +73,7 @@ TEST(StaticEquilibriumCounts, ALeaningPrismDoesNotStandOnItsEnds) {
 
 // A triaxial ellipsoid has two of each. On a mesh of it each becomes a flock, symmetric as the
 // ellipsoid is, with the same balance.
-TEST(StaticEquilibriumCounts, OfAMeshedEllipsoidComeInFlocks) {
+TEST(Equilibria, OfAMeshedEllipsoidComeInFlocks) {
   std::vector<Vec3> points = {{0, 0, 1.8}, {0, 0, -1.8}};
   for (int i = 1; i < 30; ++i) {
     for (int j = 0; j < 60; ++j) {
@@ -89,7 +89,7 @@ TEST(StaticEquilibriumCounts, OfAMeshedEllipsoidComeInFlocks) {
   EXPECT_TRUE(e.is_consistent());
 }
 
-TEST(StaticEquilibriumCounts, PoincareHopfHoldsForAnyCentreInside) {
+TEST(Equilibria, PoincareHopfHoldsForAnyCentreInside) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Random random(seed);
     std::vector<Vec3> points;
@@ -110,7 +110,7 @@ TEST(StaticEquilibriumCounts, PoincareHopfHoldsForAnyCentreInside) {
   }
 }
 
-TEST(StaticEquilibriumCounts, OfWhatEnclosesNoVolumeAreRefused) {
+TEST(Equilibria, OfWhatEnclosesNoVolumeAreRefused) {
   SpheroPolyhedron flat;
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   EXPECT_THROW(count_static_equilibria(flat, Vec3::Zero()), GeometryError);

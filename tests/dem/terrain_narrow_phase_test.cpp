@@ -355,7 +355,7 @@ TEST(Contacts, BeyondTheBorderAreThoseOfThePlane) {
 
 // All edges rise from the bottom of a pit, so the vertex there owns no direction, neither up into
 // the air nor down into the solid.
-TEST(NormalConeIntegrals, OfAPitIsEmpty) {
+TEST(NormalCone, OfAPitIsEmpty) {
   TriangleMesh pit;
   pit.vertices = {{-1, -1, 1}, {0, -1, 1.5}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {0, 0, 0}};
   pit.triangles = {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 0, 5}};

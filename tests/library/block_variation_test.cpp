@@ -213,7 +213,7 @@ TEST(BlockVariation, BallsAndUnknownNamesAreRefused) {
                        "block R 1%: S/L = nan"));
 }
 
-TEST(VariedBlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
+TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
   const Block parent = rock();
   const Block* const one = &parent;
   const std::vector<Variation> wanted = {StretchVariation{{0.9, 0.6}}, ConvexityVariation{0.2},
@@ -232,7 +232,7 @@ TEST(VariedBlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) 
   }
 }
 
-TEST(VariedBlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
+TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
   const Block parent = rock();
   const Block* const one = &parent;
   std::vector<BlockForm> population;

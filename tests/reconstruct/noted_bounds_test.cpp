@@ -43,7 +43,7 @@ void expect_holds(const VolumeBracket& bounds, const TriangleMesh& truth) {
   }
 }
 
-TEST(VolumeBracketWithNotes, OfASparseCloudHoldTheBody) {
+TEST(NotedBounds, OfASparseCloudHoldTheBody) {
   for (const TriangleMesh& body :
        {needle(0.6), rock_mesh(16, {0.5, 0.4, 0.06}, 3), unit_sphere(20)}) {
     const auto blocks = extract_field_blocks(sampled_cloud(body, {.points = 1500}, 3), "cloud");
@@ -53,7 +53,7 @@ TEST(VolumeBracketWithNotes, OfASparseCloudHoldTheBody) {
   }
 }
 
-TEST(VolumeBracketWithNotes, OfANoisyCloudHoldTheBody) {
+TEST(NotedBounds, OfANoisyCloudHoldTheBody) {
   const TriangleMesh plank = rock_mesh(16, {0.5, 0.2, 0.06}, 3);
   const auto blocks =
       extract_field_blocks(sampled_cloud(plank, {.points = 6000, .noise = 0.005}, 3), "cloud");
@@ -61,7 +61,7 @@ TEST(VolumeBracketWithNotes, OfANoisyCloudHoldTheBody) {
   expect_holds(*blocks[0].bounds, plank);
 }
 
-TEST(VolumeBracketWithNotes, NarrowWithTheNumberOfPoints) {
+TEST(NotedBounds, NarrowWithTheNumberOfPoints) {
   // Of a ball n points cut off a share of the volume proportional to 1/n.
   const auto width = [](std::size_t points) {
     const SurfaceUncertainty uncertainty =
@@ -71,7 +71,7 @@ TEST(VolumeBracketWithNotes, NarrowWithTheNumberOfPoints) {
   EXPECT_NEAR(width(2000) / width(8000), 4.0, 1.0);
 }
 
-TEST(VolumeBracketWithNotes, OfATipLostInASmallHoleReachToWhereItsFlanksMeet) {
+TEST(NotedBounds, OfATipLostInASmallHoleReachToWhereItsFlanksMeet) {
   const TriangleMesh whole = needle();
   TriangleMesh open = whole;
   std::erase_if(open.triangles, [&](const TriangleMesh::Triangle& t) {
@@ -85,7 +85,7 @@ TEST(VolumeBracketWithNotes, OfATipLostInASmallHoleReachToWhereItsFlanksMeet) {
 
 // The end of a needle that stands in the ground: so narrow that its rim has few points. Among the
 // fewest it looks like any other gap between points.
-TEST(VolumeBracketWithNotes, OfTheEndThatACloudHasNoPointsOfHoldTheBody) {
+TEST(NotedBounds, OfTheEndThatACloudHasNoPointsOfHoldTheBody) {
   const TriangleMesh whole = rock_mesh(16, {0.5, 0.08, 0.06}, 3);
   const double end = bounds(whole).low.x() + 0.08;
   for (const std::size_t count : {1500u, 4000u, 12000u}) {
@@ -98,18 +98,18 @@ TEST(VolumeBracketWithNotes, OfTheEndThatACloudHasNoPointsOfHoldTheBody) {
   }
 }
 
-TEST(VolumeBracketWithNotes, OfASoundMeshAreNone) {
+TEST(NotedBounds, OfASoundMeshAreNone) {
   EXPECT_FALSE(
       extract_field_blocks(rock_mesh(12, {0.5, 0.4, 0.3}, 3), "rock")[0].bounds.has_value());
 }
 
-TEST(VolumeBracketWithNotes, OfAHoleThatMattersToNobodyAreNone) {
+TEST(NotedBounds, OfAHoleThatMattersToNobodyAreNone) {
   TriangleMesh rock = rock_mesh(40, {0.5, 0.4, 0.3}, 3);
   rock.triangles.erase(rock.triangles.begin() + 100);
   EXPECT_FALSE(extract_field_blocks(rock, "rock")[0].bounds.has_value());
 }
 
-TEST(VolumeBracketWithNotes, ScaleWithTheUnitOfTheFile) {
+TEST(NotedBounds, ScaleWithTheUnitOfTheFile) {
   const std::vector<Vec3> points = sampled_cloud(needle(0.6), {.points = 1500}, 3);
   const VolumeBracket metres = *extract_field_blocks(points, "cloud")[0].bounds;
   FieldScanOptions options;

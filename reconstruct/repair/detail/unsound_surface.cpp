@@ -82,7 +82,7 @@ void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
                       const RepairLog& log) {
   if (facing.orientable) return;
   throw GeometryError("the surface is non-orientable near " +
-                      log.format_position(mesh.vertices[facing.conflict]) +
+                      log.format_position(mesh.vertices[facing.conflict_vertex]) +
                       " (inside and outside can't be distinguished)" + kRepairAdvice);
 }
 

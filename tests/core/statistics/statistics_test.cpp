@@ -11,7 +11,7 @@
 namespace clast {
 namespace {
 
-TEST(SampleSummary, OfFourNumbersIsAsComputedByHand) {
+TEST(Summary, OfFourNumbersIsAsComputedByHand) {
   const SampleSummary summary = summarise_sample(std::vector<double>{4.0, 1.0, 3.0, 2.0});
   EXPECT_EQ(summary.count, 4u);
   EXPECT_DOUBLE_EQ(summary.mean, 2.5);
@@ -21,14 +21,14 @@ TEST(SampleSummary, OfFourNumbersIsAsComputedByHand) {
   EXPECT_DOUBLE_EQ(summary.max, 4.0);
 }
 
-TEST(SampleSummary, OfNothingIsZero) {
+TEST(Summary, OfNothingIsZero) {
   const SampleSummary summary = summarise_sample({});
   EXPECT_EQ(summary.count, 0u);
   EXPECT_EQ(summary.mean, 0.0);
   EXPECT_EQ(summary.max, 0.0);
 }
 
-TEST(SampleSummary, OfOneValueHasNoSpread) {
+TEST(Summary, OfOneValueHasNoSpread) {
   const SampleSummary summary = summarise_sample(std::vector<double>{-7.0});
   EXPECT_EQ(summary.mean, -7.0);
   EXPECT_EQ(summary.std, 0.0);
@@ -37,7 +37,7 @@ TEST(SampleSummary, OfOneValueHasNoSpread) {
   EXPECT_EQ(summary.max, -7.0);
 }
 
-TEST(SampleSummary, SpreadKeepsItsDigitsAtMapCoordinates) {
+TEST(Summary, SpreadKeepsItsDigitsAtMapCoordinates) {
   const SampleSummary summary =
       summarise_sample(std::vector<double>{5e6 + 1, 5e6 + 2, 5e6 + 3, 5e6 + 4});
   EXPECT_NEAR(summary.std, std::sqrt(5.0 / 3.0), 1e-9);
