@@ -32,6 +32,6 @@ CommandEntry build_command_tree(const CLI::App& command);
 nlohmann::json to_json(const CommandEntry& command);
 /// Reads the JSON of `to_json`.
 /// @throws nlohmann::json::exception  if it was not written by `to_json`
-CommandEntry command_from_json(const nlohmann::json& json);
+CommandEntry parse_command_entry(const nlohmann::json& json);
 
 }  // namespace clast

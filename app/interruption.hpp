@@ -9,7 +9,7 @@ class InterruptionWatch {
  public:
   /// Installs the signal handlers.
   /// @param said  message written to stderr at the first signal; may be empty; must outlive it
-  explicit InterruptionWatch(const char* said = "");
+  explicit InterruptionWatch(const char* first_signal_message = "");
   ~InterruptionWatch();
   InterruptionWatch(const InterruptionWatch&) = delete;
   InterruptionWatch& operator=(const InterruptionWatch&) = delete;

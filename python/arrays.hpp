@@ -11,13 +11,13 @@
 namespace clast::python_detail {
 
 /// Returns a read-only view of shape (n, 3) that keeps `owner` alive.
-pybind11::array array_view(const std::vector<Vec3>& points, const pybind11::handle& owner);
+pybind11::array make_array_view(const std::vector<Vec3>& points, const pybind11::handle& owner);
 /// Returns a read-only view of shape (n, 3) that keeps `owner` alive.
-pybind11::array array_view(const std::vector<TriangleMesh::Triangle>& triangles,
-                           const pybind11::handle& owner);
+pybind11::array make_array_view(const std::vector<TriangleMesh::Triangle>& triangles,
+                                const pybind11::handle& owner);
 /// Returns a read-only view of shape (n,) that keeps `owner` alive.
-pybind11::array array_view(const std::vector<std::uint32_t>& indices,
-                           const pybind11::handle& owner);
+pybind11::array make_array_view(const std::vector<std::uint32_t>& indices,
+                                const pybind11::handle& owner);
 
 /// Returns an array that takes over the values without copying.
 template <class T>

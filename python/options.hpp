@@ -29,12 +29,12 @@ class Keywords {
     if (has(name)) field = cast<T>(name);
   }
   /// Returns the texts of an argument, which is a text, a path or a list of these.
-  std::vector<std::string> texts(const char* name);
+  std::vector<std::string> read_texts(const char* name);
   /// Checks that all given arguments were used.
   /// @throws TypeError  if an argument was not used; names it
   void check_all_used() const;
 
-  pybind11::object object(const char* name) const { return given_[name]; }
+  pybind11::object given_object(const char* name) const { return given_[name]; }
 
  private:
   template <class T>

@@ -33,7 +33,7 @@ auto run_with_progress(const pybind11::object& progress, const Job& job) {
 
 /// Runs a short job on this thread without the GIL, with exclusive file access.
 template <class Job>
-auto without_gil(const Job& job) {
+auto run_without_gil(const Job& job) {
   std::mutex& access = file_mutex();
   const pybind11::gil_scoped_release release;
   const std::lock_guard files(access);

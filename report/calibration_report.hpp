@@ -12,11 +12,12 @@ std::filesystem::path calibration_page_file(const std::filesystem::path& target)
 
 /// Checks that posterior and page can be written.
 /// @throws InputError  if they cannot be written, or if they exist and must be kept
-void check_calibration_output(const std::filesystem::path& target, const CalibrateOptions& options);
+void check_calibration_output(const std::filesystem::path& target,
+                              const CalibrationOptions& options);
 
 /// Runs `calibrate` and writes the page. The output paths are checked before.
 /// @throws InputError  if `calibrate` or `check_calibration_output` throws
 Calibration calibrate_and_report(const CalibrationStudy& study, const std::filesystem::path& target,
-                                 const CalibrateOptions& options);
+                                 const CalibrationOptions& options);
 
 }  // namespace clast

@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
 
 /// Optional contents of a report folder.
 struct ComparisonReportOptions {
-  std::size_t animated =
+  std::size_t animated_runs =
       0;  ///< number of runs in animation/animation.pvd; 0: no animation is written
   std::filesystem::path browser =
       {};  ///< browser that prints report.pdf; if empty, no PDF is written
@@ -29,14 +29,14 @@ struct ComparisonReportOptions {
 
 struct WrittenReport {
   std::vector<std::filesystem::path>
-      files;                          ///< written files, relative to the folder, the report last
-  std::optional<std::string> no_pdf;  ///< reason why the PDF could not be printed
+      files;  ///< written files, relative to the folder, the report last
+  std::optional<std::string> pdf_failure;  ///< reason why the PDF could not be printed
 };
 
 /// Writes the report with its optional contents, and commits the folder.
 /// @throws InputError  if `write_comparison` or `OutputFolder::commit` throws, or if there is no
 ///                     trajectory to animate
-WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
-                          const ComparisonReportOptions& extras = {});
+WrittenReport write_report_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
+                                  const ComparisonReportOptions& extras = {});
 
 }  // namespace clast

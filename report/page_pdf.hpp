@@ -13,7 +13,7 @@ std::filesystem::path find_browser();
 /// @param pdf  output file, overwritten
 /// @param seconds  time limit
 /// @throws InputError  if the browser cannot be started, exceeds the time limit, or writes no PDF
-void print_page(const std::filesystem::path& page, const std::filesystem::path& pdf,
-                const std::filesystem::path& browser, double seconds = 180.0);
+void print_page_to_pdf(const std::filesystem::path& page, const std::filesystem::path& pdf,
+                       const std::filesystem::path& browser, double seconds = 180.0);
 
 }  // namespace clast

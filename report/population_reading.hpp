@@ -29,7 +29,7 @@ struct BlockMeasuringOptions {
 };
 
 /// Request for one population, or two to compare.
-struct PopulationRequest {
+struct PopulationReportRequest {
   PopulationFiles first = {{}, "L=L,I=I,S=S", ""};
   /// Second population; absent without inputs. Empty columns or units are those of the first.
   PopulationFiles against = {};
@@ -43,15 +43,16 @@ struct PopulationRequest {
 };
 
 /// True if a file is a block library: it is an HDF5 file, or its name ends in .h5 or .hdf5.
-bool is_library(const std::string& path);
+bool is_block_library(const std::string& path);
 
 /// Parses columns such as "L=5,I=6,S=7,mass=4,name=2", and the unit of lengths, which may be empty.
 /// @throws InputError  if they are invalid; names `columns` or `units`
 DimensionColumns parse_dimension_columns(const std::string& columns, const std::string& units);
 
 /// Reads, summarises and compares the requested populations.
-/// @throws InputError  if `PopulationRequest::check` throws, or if a file cannot be read or has no
+/// @throws InputError  if `PopulationReportRequest::check` throws, or if a file cannot be read or
+/// has no
 ///                     block
-PopulationReport read_populations(const PopulationRequest& request);
+PopulationReport read_populations(const PopulationReportRequest& request);
 
 }  // namespace clast

@@ -17,7 +17,7 @@ struct InputFile {
 };
 
 /// Options used to measure the axes of blocks. Empty if they were not given or do not apply.
-struct MeasuringOptions {
+struct AppliedMeasuringOptions {
   std::optional<std::string> box = {};      ///< box whose sides are the axes, for library blocks
   std::optional<std::string> columns = {};  ///< columns of tables
   std::optional<std::string> units = {};    ///< unit of lengths in tables
@@ -37,7 +37,7 @@ struct ReportedPopulation {
   PopulationSummary summary;
   std::string
       measured;  ///< origin of L, I, S, such as "sides of the smallest box" or "as in the table"
-  MeasuringOptions reading;
+  AppliedMeasuringOptions reading;
   std::vector<InputFile> inputs;
   std::size_t skipped = 0;         ///< number of skipped table rows
   std::vector<std::string> notes;  ///< problems of the inputs

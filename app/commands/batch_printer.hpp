@@ -42,7 +42,7 @@ class BatchPrinter : public BatchObserver {
  private:
   using Json = nlohmann::ordered_json;
 
-  void print_end(const BatchResult& result) const;
+  void print_summary(const BatchResult& result) const;
 
   const BatchOptions& options_;
   std::size_t scans_;

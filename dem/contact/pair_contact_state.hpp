@@ -26,7 +26,8 @@ class PairContactState {
                    const ContactModel& model);
 
   /// Computes the loads after a step of `duration`. Energies are added to `energy_balance()`.
-  const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
+  const ContactLoad& update_loads(const BodyMotion& reference, const BodyMotion& block,
+                                  double duration);
   /// Adds a time without contact in which `update` was not called, s.
   void advance_time(double duration) {
     if (near_ && near_->forces.empty()) near_->forces.advance_time(duration);
@@ -36,13 +37,13 @@ class PairContactState {
 
   /// Moves the residual indentations of the pair to `soil` if the bodies have separated, or if
   /// `over` is true. Until then they do not affect the contacts of other bodies.
-  void store_indentations(bool over, SoilMemory& soil) {
-    if (indentations_ && (over || !is_touching()) && !indentations_->empty())
+  void store_indentations(bool is_final, SoilMemory& soil) {
+    if (indentations_ && (is_final || !is_touching()) && !indentations_->empty())
       soil.merge(*indentations_);
   }
 
   /// Clears the applied event impulse. The other loads stay valid while neither body moves.
-  void clear_event_impulse() { load_.event.reset(); }
+  void clear_correction_impulse() { load_.correction.reset(); }
 
   /// Returns the relative displacement before the bodies can touch, m; 0 if unknown.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;

@@ -22,17 +22,19 @@ struct SpringDashpotLaw {
   double stored_energy(double overlap, double /*dent*/) const {
     return 0.5 * stiffness * overlap * overlap;
   }
-  NormalState initial_state(double overlap, double rate, double effective_mass,
-                            double /*patch_force*/) const {
+  NormalForceState initial_state(double overlap, double rate, double effective_mass,
+                                 double /*patch_force*/) const {
     return {std::max(0.0, stiffness * overlap + damping_coefficient(effective_mass) * rate), 0.0};
   }
   /// Returns the fastest rate, rad/s, of a contact whose spring alone has the given frequency.
   double highest_frequency(double frequency) const;
   double force_drop(double overlap, double force) const { return force - stiffness * overlap; }
-  double unloading_ratio(double of) const { return stiffness / of; }
+  double unloading_ratio(double reference_stiffness) const {
+    return stiffness / reference_stiffness;
+  }
 
-  NormalResponse integrate(const OverlapPath& path, const NormalState& state,
-                           double effective_mass) const;
+  NormalForceResponse integrate(const OverlapPath& path, const NormalForceState& state,
+                                double effective_mass) const;
 
   double damping_coefficient(double effective_mass) const {
     return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);
@@ -42,6 +44,6 @@ struct SpringDashpotLaw {
 /// Returns the damping ratio for an energy restitution e_n^2, if the contact ends when its force
 /// vanishes. It solves e_n = exp(-2 theta / tan theta) with theta = acos(ratio). For ratios above
 /// 1, it solves e_n = exp(-2 eta / tanh eta) with eta = acosh(ratio).
-double damping_ratio(double energy_restitution);
+double damping_ratio_for_restitution(double energy_restitution);
 
 }  // namespace clast

@@ -31,16 +31,16 @@ class FreeRotation {
   Vec3 moments_;
   Quat orientation_;
   Vec3 momentum_;
-  bool stepped_ = false;            ///< too close to the unstable axis for the closed form
+  bool uses_time_steps_ = false;    ///< too close to the unstable axis for the closed form
   Vec3 direction_ = Vec3::UnitZ();  ///< direction of the momentum, world axes
   double steady_rate_ = 0.0;        ///< angular speed for equal moments, rad/s
-  bool steady_ = false;
+  bool is_steady_ = false;
 
   // Indices of the body axes. The pole is the axis about which the momentum precesses in the body
   // frame; `middle_` has the middle moment.
   int pole_ = 0, middle_ = 1, other_ = 2;
-  double sense_ = 1.0;  ///< +1 if the axes pole, middle, other are right-handed, otherwise -1
-  double side_ = 1.0;   ///< sign of the momentum along the pole
+  double handedness_ = 1.0;  ///< +1 if the axes pole, middle, other are right-handed, otherwise -1
+  double pole_sign_ = 1.0;   ///< sign of the momentum along the pole
   double argument_rate_ = 0.0;   ///< d(argument of the elliptic functions)/dt, rad/s
   double modulus_ = 0.0;         ///< k^2
   double complement_ = 1.0;      ///< 1 - k^2

@@ -43,7 +43,7 @@ double translational_energy(const RigidBody& body, const RigidState& state);
 double rotational_energy(const RigidBody& body, const RigidState& state);
 
 /// Returns the lowest z of the rounded body.
-double lowest_point(const RigidBody& body, const RigidState& state);
+double lowest_height(const RigidBody& body, const RigidState& state);
 
 /// Returns the state after a free flight, in closed form: ballistic centre of mass, torque-free
 /// rotation. Angular momentum is conserved to rounding.

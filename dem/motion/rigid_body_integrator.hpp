@@ -21,10 +21,11 @@ class RigidBodyIntegrator {
   /// Applies the second half of the velocity update, with the loads at the new pose.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
-  /// Applies the correction impulse for events inside the last step (`EventImpulse`).
+  /// Applies the correction impulse for events inside the last step (`CorrectionImpulse`).
   /// @returns the added kinetic and potential energy, J
-  double apply_event_impulse(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
-                             const Vec3& angular_moment, const Vec3& gravity);
+  double apply_correction_impulse(const Vec3& impulse, const Vec3& angular_impulse,
+                                  const Vec3& moment, const Vec3& angular_moment,
+                                  const Vec3& gravity);
 
   /// Returns the energy that Verlet steps lose because their first load was not the result of a
   /// step, J. Example: a dashpot acts from the first contact on (docs/theory.md).
@@ -38,7 +39,7 @@ class RigidBodyIntegrator {
   double max_angular_speed() const;
   /// Returns an upper bound of the speed of any body point in the last step, m/s.
   double max_point_speed() const { return max_point_speed_; }
-  /// Returns an upper bound of how far the last `apply_event_impulse` moved any body point, m.
+  /// Returns an upper bound of how far the last `apply_correction_impulse` moved any body point, m.
   double correction_displacement() const { return correction_displacement_; }
   bool is_finite() const;
   template <class Bytes>

@@ -30,7 +30,7 @@ class SleepDetector {
   }
 
  private:
-  struct MeanPose {
+  struct PoseSum {
     Vec3 position = Vec3::Zero();
     Eigen::Vector4d rotation = Eigen::Vector4d::Zero();  ///< quaternion sum in one hemisphere
 
@@ -39,9 +39,9 @@ class SleepDetector {
       bytes(position, rotation);
     }
   };
-  MeanPose sum_;  ///< time integral over the current window
+  PoseSum sum_;  ///< time integral over the current window
   double duration_ = 0.0;
-  std::optional<MeanPose> last_;
+  std::optional<PoseSum> last_;
   bool is_stationary_ = false;
 };
 

@@ -33,13 +33,13 @@ class BlockNarrowPhase {
 
   /// Returns the displacement before which contact is impossible, m. Valid only after a call of
   /// `find_contacts` that found no contacts.
-  double safe_displacement() const { return safe_displacement_; }
+  double contact_free_displacement() const { return contact_free_displacement_; }
 
   /// Serialises the state that determines future contacts and their order.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(tests_, direction_, vertices_, faces_, pairs_, near_face_, low_, high_, list_valid_until_,
-          displacement_, list_touching_, safe_displacement_, deepest_, allowed_);
+          displacement_, max_listed_depth_, contact_free_displacement_, deepest_, depth_limit_);
   }
 
  private:
@@ -71,17 +71,17 @@ class BlockNarrowPhase {
   };
 
   /// Returns the distance up to which features are listed, m.
-  double listing_distance() const { return list_touching_ + margin_; }
+  double listing_distance() const { return max_listed_depth_ + margin_; }
   /// Returns the distance up to which an edge or face and a ground feature may touch, m.
   double contact_distance() const {
-    return std::max(tests_.reach(), allowed_.depth() - tests_.reach());
+    return std::max(tests_.reach(), depth_limit_.depth() - tests_.reach());
   }
 
   /// Returns the displacement before which an edge or face cannot touch a ground feature, m.
   double separated_until(const FeatureSeparation& separation, bool touches) const {
     return touches ? displacement_
-                   : displacement_ + std::max(separation.separation.norm() - list_touching_,
-                                              separation.safe_displacement);
+                   : displacement_ + std::max(separation.separation.norm() - max_listed_depth_,
+                                              separation.contact_free_displacement);
   }
 
   void build_candidate_list();
@@ -120,9 +120,9 @@ class BlockNarrowPhase {
   /// @param arc  normal arc of the block's edge, reversed to point out of the ground; its slack
   ///             allows for the rotation until the list expires
   /// @param direction  direction of the block's edge, unit
-  bool arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
-                       const EdgeNormalArc& arc, const Vec3& direction) const;
-  bool vertex_may_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
+  bool can_edge_normals_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
+                               const EdgeNormalArc& arc, const Vec3& direction) const;
+  bool can_vertex_normal_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
 
   /// Contact whose normal would push the vertex out through its own block.
   struct InvertedContact {
@@ -165,11 +165,11 @@ class BlockNarrowPhase {
          high_ = 0.0;  ///< along `direction_`, m: lowest point of the block, highest of the ground
   double list_valid_until_ = -1.0;  ///< displacement at which the list expires
   double displacement_ = 0.0;       ///< as passed by the caller, m
-  double list_touching_ = 0.0;      ///< depth up to which contacts of edges and faces are listed, m
+  double max_listed_depth_ = 0.0;   ///< depth up to which contacts of edges and faces are listed, m
 
-  double safe_displacement_ = 0.0;  ///< displacement before which contact is impossible, m
-  double deepest_ = 0.0;            ///< largest overlap of the last call, m
-  ContactDepthLimit allowed_;
+  double contact_free_displacement_ = 0.0;  ///< displacement before which contact is impossible, m
+  double deepest_ = 0.0;                    ///< largest overlap of the last call, m
+  ContactDepthLimit depth_limit_;
 };
 
 }  // namespace clast::dem_detail

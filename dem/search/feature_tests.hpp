@@ -25,7 +25,7 @@ struct FeatureSeparation {
   Vec3 separation = Vec3::Zero();  ///< from the nearest ground point to the nearest block point, m
   /// Displacement of the block before any contact, m; 0 if unknown. It is the translation of the
   /// block's centre plus 2 sin(angle/2) times its bounding radius for a rotation by `angle`.
-  double safe_displacement = 0.0;
+  double contact_free_displacement = 0.0;
 };
 
 /// Contact point of a rounded block and the rounded ground surface.
@@ -48,7 +48,7 @@ struct ContactPoint {
 
 /// Adds a contact unless it is in the list. A point on the line between two coplanar faces, or
 /// between two collinear edges, is found twice.
-void add_unique(std::vector<ContactPoint>& contacts, const ContactPoint& contact);
+void add_unique_contact(std::vector<ContactPoint>& contacts, const ContactPoint& contact);
 
 /// Depth limit for edge and face contacts. It exceeds the depth of the present contacts, because
 /// others can become deeper when the block rotates.
@@ -111,18 +111,19 @@ class FeatureTests {
   /// True if pushing the vertex out of the ground would move it through its own block. This can
   /// happen at an edge of the ground, where the nearest surface may be its side wall.
   /// @param nearest  ground point nearest to the vertex, which is inside the ground
-  bool is_inverted(std::uint32_t vertex, const Vec3& centre, const NearestPoint& nearest) const {
+  bool is_inverted_push(std::uint32_t vertex, const Vec3& centre,
+                        const NearestPoint& nearest) const {
     return pushes_through_block(vertex, push_direction(nearest, centre));
   }
   bool pushes_through_block(std::uint32_t vertex, const Vec3& push) const;
   /// Returns the nearest point of those faces above the vertex whose push is not inverted;
   /// `nearest` if there is none.
-  NearestPoint nearest_uninverted(std::uint32_t vertex, const Vec3& centre,
-                                  const NearestPoint& nearest,
-                                  std::span<const LocalFaces::Face> faces) const;
+  NearestPoint nearest_valid_push_point(std::uint32_t vertex, const Vec3& centre,
+                                        const NearestPoint& nearest,
+                                        std::span<const LocalFaces::Face> faces) const;
   /// Makes the contact of a vertex inside the ground.
-  ContactPoint inside_contact(std::uint32_t vertex, const Vec3& centre,
-                              const NearestPoint& nearest) const;
+  ContactPoint make_inside_contact(std::uint32_t vertex, const Vec3& centre,
+                                   const NearestPoint& nearest) const;
   /// Adds the contacts of a vertex outside the ground but within reach.
   /// @param faces  all faces within reach, in index order
   void add_outside_contacts(std::uint32_t vertex, const Vec3& centre,
@@ -135,9 +136,9 @@ class FeatureTests {
   double relative_motion_factor(const Vec3& point) const {
     return std::max(1.0, (point - position_).norm() / bounding_radius_);
   }
-  ContactPoint vertex_contact(ContactKind kind, std::uint32_t block_feature,
-                              std::uint32_t ground_vertex, const Vec3& normal,
-                              double distance) const;
+  ContactPoint make_vertex_contact(ContactKind kind, std::uint32_t block_feature,
+                                   std::uint32_t ground_vertex, const Vec3& normal,
+                                   double distance) const;
   /// Returns the direction in which a vertex inside the ground is pushed out: towards the nearest
   /// point. At a border of the surface, it is the normal there.
   Vec3 push_direction(const NearestPoint& nearest, const Vec3& centre) const;

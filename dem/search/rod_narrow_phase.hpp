@@ -34,7 +34,7 @@ class RodNarrowPhase {
   double reach_;  ///< sum of both radii, m
   double clearance_ = 0.0;
   Mat3 rotation_ = Mat3::Identity();
-  std::vector<Vec3> placed_;  ///< block vertices in the frame of the ground
+  std::vector<Vec3> block_vertices_in_ground_;  ///< block vertices in the frame of the ground
   std::vector<ContactPoint> contacts_;
 };
 

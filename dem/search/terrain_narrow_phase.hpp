@@ -3,10 +3,10 @@
 /// block. The reference body is called the ground here; all data are in its frame.
 ///
 /// The block is divided into parts. A part far from the ground is skipped until the accumulated
-/// displacement `moved_` has grown by its distance from the ground. A part near the ground keeps a
-/// list of nearby ground features. Its vertices and sides (edges and faces) are tested against
-/// them. Each test gives a separation bound; it is not repeated before the bound expires
-/// (docs/theory.md, Contact search).
+/// displacement `accumulated_displacement_` has grown by its distance from the ground. A part near
+/// the ground keeps a list of nearby ground features. Its vertices and sides (edges and faces) are
+/// tested against them. Each test gives a separation bound; it is not repeated before the bound
+/// expires (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,8 @@ namespace clast::dem_detail {
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< present velocity of the centre, m/s
   Vec3 spin = Vec3::Zero();      ///< present angular velocity, rad/s
-  double turning = 0.0;          ///< bound of rotational acceleration over the radius, 1/s^2
+  double rotational_acceleration =
+      0.0;                       ///< bound of rotational acceleration over the radius, 1/s^2
   double acceleration = 0.0;     ///< bound of the acceleration of any point, m/s^2
   double max_point_speed = 0.0;  ///< bound of the speed of any point if there were no gravity, m/s
   double gravity = 0.0;          ///< along -z, m/s^2
@@ -43,19 +44,19 @@ class TerrainNarrowPhase {
 
   /// Displacement before which contact is impossible, m. Valid after `find_contacts`. If it is
   /// small, the search is suspended for a while, and the present displacement is returned.
-  double safe_displacement();
+  double contact_free_displacement();
   /// Returns a time of flight without contact, s. Valid after `find_contacts`. Far from the ground,
   /// it follows from the bounding sphere. Otherwise it needs a search that costs as much as several
   /// steps. If the result is too small, the search is suspended for a while; calls then return 0.
   /// @param worthwhile  shortest time that is useful to the caller, s
-  double safe_time(const FlightBounds& flight, double worthwhile);
+  double find_contact_free_flight_time(const FlightBounds& flight, double worthwhile);
 
   /// Serialises the state that determines future contacts and their order.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(tests_, started_, displacement_, moved_, turned_, last_move_, local_, ground_complete_,
-          ground_gathered_at_, part_states_, part_expiry_, search_at_, deepest_, allowed_,
-          lowest_face_, touches_);
+    bytes(tests_, started_, displacement_, accumulated_displacement_, accumulated_rotation_,
+          last_move_, local_, ground_complete_, ground_gathered_at_, part_states_, part_expiry_,
+          search_at_, deepest_, depth_limit_, lowest_face_, touches_);
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
       bool near = part_states_[p].near != nullptr;  ///< null if the part is far from the ground
       bytes(near);
@@ -91,7 +92,7 @@ class TerrainNarrowPhase {
     }
   };
   /// Components |n.axis| and |n x axis| of the normal n of a ground face.
-  struct FaceTilt {
+  struct FaceNormalComponents {
     double axial, transverse;
     /// Displacement allowed per height above the plane of the face. 0 for a face at a border, whose
     /// plane extends beyond the ground.
@@ -107,7 +108,7 @@ class TerrainNarrowPhase {
     bool outside = false;  ///< true if it is known to be out of reach of the ground
     // If `outside`: the listed face whose plane it may reach first, and the bound for all others.
     std::uint32_t closest_plane = kNoFeature;
-    SeparationBound others;
+    SeparationBound other_features_bound;
     std::uint32_t near_face = 0;  ///< entry of the nearest face in the part's list
     // While the vertex's foot stays on `nearest_face`, no other face needs a test. This holds up to
     // a `displacement.total` of `inside_until` if the vertex is inside the ground, and of
@@ -119,8 +120,8 @@ class TerrainNarrowPhase {
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(outside, closest_plane, others, near_face, nearest_face, foot_on_face_until,
-            inside_until, outside_until);
+      bytes(outside, closest_plane, other_features_bound, near_face, nearest_face,
+            foot_on_face_until, inside_until, outside_until);
     }
   };
   struct NearPart {
@@ -130,14 +131,15 @@ class TerrainNarrowPhase {
           vertex_bounds(vertices.size()) {}
 
     LocalFaces ground;
-    double complete = 0.0;     ///< distance from all points of the part up to which the list was
-                               ///< complete when made, m
-    double gathered_at = 0.0;  ///< `displacement.total` at that time
+    double complete_distance = 0.0;  ///< distance from all points of the part up to which the list
+                                     ///< was complete when made, m
+    double collected_at = 0.0;       ///< `displacement.total` at that time
     Vec3 axis = Vec3::UnitZ();
-    Displacement displacement;
-    Vec3 centre = Vec3::Zero();  ///< centre and `turned_` at the last update of `displacement`
+    AccumulatedDisplacement displacement;
+    Vec3 centre =
+        Vec3::Zero();  ///< centre and `accumulated_rotation_` at the last update of `displacement`
     double turned = 0.0;
-    std::vector<FaceTilt> tilts;  ///< tilt of each face of `ground`
+    std::vector<FaceNormalComponents> tilts;  ///< tilt of each face of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
     std::uint32_t first_vertex;  ///< index into BlockParts::vertices
@@ -150,14 +152,15 @@ class TerrainNarrowPhase {
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(ground, complete, gathered_at, axis, displacement, centre, turned, tilts, features,
-            pairs, vertices, vertex_bounds, expired_vertices, other_vertices, all_features,
-            all_pairs);
+      bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
+            features, pairs, vertices, vertex_bounds, expired_vertices, other_vertices,
+            all_features, all_pairs);
     }
   };
   struct PartState {
     std::unique_ptr<NearPart> near;  ///< null if the part is far from the ground
-    // Last measurement while the part was far: its clearance, its centre and `turned_`.
+    // Last measurement while the part was far: its clearance, its centre and
+    // `accumulated_rotation_`.
     double clearance = 0.0;
     Vec3 measured_centre = Vec3::Zero();
     double measured_rotation = 0.0;
@@ -175,11 +178,11 @@ class TerrainNarrowPhase {
   };
   struct FoundContacts {
     std::vector<ContactPoint> contacts;
-    std::vector<SideContact> of_sides;
+    std::vector<SideContact> side_contacts;
 
     void clear() {
       contacts.clear();
-      of_sides.clear();
+      side_contacts.clear();
     }
   };
   /// Temporary data of one call, shared by all searches of a thread.
@@ -215,10 +218,10 @@ class TerrainNarrowPhase {
   /// Renews the ground list of a part if it is about to expire. A part that has left the ground
   /// loses its lists and is skipped as a whole again.
   void refresh_ground_list(std::uint32_t p, double ahead);
-  /// Returns the value of `moved_` at which a part must be updated.
+  /// Returns the value of `accumulated_displacement_` at which a part must be updated.
   double next_update(std::uint32_t p) const;
   /// Returns the `displacement.total` at which the ground list expires.
-  double list_expiry(const NearPart& part) const { return part.gathered_at + list_holds_; }
+  double list_expiry(const NearPart& part) const { return part.collected_at + list_lifetime_; }
   /// Returns the contact-free time of a part, s, at most `wanted`.
   double part_contact_free_time(std::uint32_t p, const FlightBounds& flight, double wanted);
   /// Returns the contact-free time of a flight, s, from planes that separate block and ground.
@@ -235,13 +238,13 @@ class TerrainNarrowPhase {
   struct PartSphere {
     Vec3 centre;
     double radius;
-    double turning;  ///< bound of the acceleration of its centre by rotation, m/s^2
+    double centre_acceleration;  ///< bound of the acceleration of its centre by rotation, m/s^2
   };
   /// Returns the contact-free time of a part sphere over a face, s; 0 if contact is possible.
   double sphere_contact_free_time(const LocalFaces::Face& face, const PartSphere& part,
                                   const FlightBounds& flight, double horizon) const;
-  double completeness(const NearPart& part) const {
-    return part.complete - (part.displacement.total - part.gathered_at);
+  double remaining_complete_distance(const NearPart& part) const {
+    return part.complete_distance - (part.displacement.total - part.collected_at);
   }
   /// Makes the separation bound from one feature and all others. The feature is at `distance` along
   /// the unit vector `away`; `others` is a lower bound of all other distances. The bound is expired
@@ -257,8 +260,8 @@ class TerrainNarrowPhase {
 
   /// Updates all expired vertices of a part.
   /// @param ahead  further displacement for which contacts must be known
-  void update_vertices(std::uint32_t p, const Displacement& ahead, FoundContacts& found);
-  void update_vertex(NearPart& part, std::uint32_t vertex, const Displacement& ahead,
+  void update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
+  void update_vertex(NearPart& part, std::uint32_t vertex, const AccumulatedDisplacement& ahead,
                      FoundContacts& found);
   /// Returns the separation bound of a vertex outside the ground; expired if contact is possible.
   SeparationBound ground_separation_bound(NearPart& part, std::uint32_t vertex, const Vec3& centre);
@@ -271,12 +274,12 @@ class TerrainNarrowPhase {
   void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre,
                       FoundContacts& found);
   /// Updates all expired sides of a part.
-  void update_sides(std::uint32_t p, const Displacement& ahead, FoundContacts& found);
+  void update_sides(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
   /// Lists the sides of a part that are near a ground feature.
   void update_feature(std::uint32_t p, GroundFeature& feature);
   void update_pair(const NearPart& part, FeaturePair& pair, FoundContacts& found);
   /// Returns the distance up to which a side and a ground feature may touch, m.
-  double contact_distance() const { return std::max(reach_, allowed_.depth()); }
+  double contact_distance() const { return std::max(reach_, depth_limit_.depth()); }
   void add_side_contacts(FoundContacts& found);
   Vec3 in_ground_frame(const Vec3& in_body) const { return tests_.in_ground_frame(in_body); }
 
@@ -289,25 +292,29 @@ class TerrainNarrowPhase {
   double farthest_ = 0.0;          ///< largest distance of part spheres from the centre, m
   double size_;                    ///< smallest side of the block, m
   double margin_;                  ///< list margin, m
-  double list_holds_;              ///< displacement of a part for which its ground list is valid, m
+  double list_lifetime_;           ///< displacement of a part for which its ground list is valid, m
   FeatureTests tests_;             ///< at the present pose
 
   bool started_ = false;
-  double displacement_ = 0.0;  ///< as passed by the caller, m
-  double moved_ = 0.0;         ///< accumulated displacement since the start, m
-  double turned_ = 0.0;     ///< accumulated rotation: displacement of a point at an arm of 1 m, m
-  double last_move_ = 0.0;  ///< increase of `moved_` in the last call, m
+  double displacement_ = 0.0;              ///< as passed by the caller, m
+  double accumulated_displacement_ = 0.0;  ///< accumulated displacement since the start, m
+  double accumulated_rotation_ =
+      0.0;                  ///< accumulated rotation: displacement of a point at an arm of 1 m, m
+  double last_move_ = 0.0;  ///< increase of `accumulated_displacement_` in the last call, m
   LocalGround local_;       ///< ground around the whole block
-  // Distance from the block to which `local_` was complete when collected, m; `moved_` then.
+  // Distance from the block to which `local_` was complete when collected, m;
+  // `accumulated_displacement_` then.
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
-  std::vector<double> part_expiry_;  ///< `moved_` at which each part must be updated
-  double search_at_ = -1.0;          ///< `moved_` before which the search for flights is suspended
-  double deepest_ = 0.0;             ///< largest overlap of the last call, m
-  ContactDepthLimit allowed_;        ///< depth limit that all separation bounds take into account
-  std::uint32_t lowest_face_ = 0;    ///< entry of `local_` that limited the last flight
-  bool touches_ = false;             ///< true if the last call found contacts
+  std::vector<double>
+      part_expiry_;  ///< `accumulated_displacement_` at which each part must be updated
+  double search_at_ =
+      -1.0;  ///< `accumulated_displacement_` before which the search for flights is suspended
+  double deepest_ = 0.0;           ///< largest overlap of the last call, m
+  ContactDepthLimit depth_limit_;  ///< depth limit that all separation bounds take into account
+  std::uint32_t lowest_face_ = 0;  ///< entry of `local_` that limited the last flight
+  bool touches_ = false;           ///< true if the last call found contacts
 };
 
 }  // namespace clast::dem_detail

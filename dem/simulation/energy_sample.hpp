@@ -5,13 +5,13 @@
 namespace clast {
 
 /// Energy dissipated by contacts, J.
-struct Dissipation {
+struct DissipatedEnergy {
   double normal = 0.0;    ///< by the normal law
   double friction = 0.0;  ///< by sliding and by scar drag
   double rolling = 0.0;   ///< by rolling resistance
 
   double sum() const { return normal + friction + rolling; }
-  Dissipation& operator-=(const Dissipation& part) {
+  DissipatedEnergy& operator-=(const DissipatedEnergy& part) {
     normal -= part.normal;
     friction -= part.friction;
     rolling -= part.rolling;
@@ -33,9 +33,9 @@ struct EnergySample {
   double potential = 0.0;      ///< m g z, without removed bodies
   double stored = 0.0;         ///< elastic energy of the contacts
   double departed = 0.0;  ///< kinetic and potential energy of removed bodies when they were removed
-  Dissipation on_ground;  ///< since the first body was added
-  Dissipation between_bodies;  ///< likewise
-  double reassigned = 0.0;     ///< lost by changes of contacts until now; negative if gained
+  DissipatedEnergy on_ground;       ///< since the first body was added
+  DissipatedEnergy between_bodies;  ///< likewise
+  double reassigned = 0.0;          ///< lost by changes of contacts until now; negative if gained
 
   /// Returns this sample with time, dissipation and reassigned energy relative to `begin`.
   EnergySample change_since(const EnergySample& begin) const {

@@ -12,7 +12,7 @@ namespace clast {
 struct MotionSettings {
   ContactStiffness stiffness;  ///< of all contacts
   ContactLaw law;              ///< of all contacts; default: energy-restitution
-  ContactWeighting weights = ContactWeighting::kPatch;
+  ContactWeighting weighting = ContactWeighting::kPatch;
   double gravity = 9.81;        ///< m/s^2, along -z
   double rest_energy = 2e-4;    ///< largest kinetic energy per mass of a body at rest, J/kg
   double rest_duration = 0.5;   ///< time for which a resting body must be slow and in contact, s
@@ -23,11 +23,12 @@ struct MotionSettings {
 
 /// Checks that all ground zones have parameters.
 /// @throws SimulationError  if a zone has no parameters
-void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters> zones);
+void check_zone_parameters(const TerrainSurface& terrain, std::span<const GroundParameters> zones);
 
 /// Checks a start position.
 /// @param name  of the starting body, for messages
 /// @throws SimulationError  if the position is neither above nor on the terrain
-void check_start(const TerrainSurface& terrain, const Vec3& position, const std::string& name);
+void check_start_position(const TerrainSurface& terrain, const Vec3& position,
+                          const std::string& name);
 
 }  // namespace clast

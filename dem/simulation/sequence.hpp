@@ -74,14 +74,16 @@ struct SequenceResult {
   /// Height by which the start was raised, m, so that the bounding sphere is clear of those of all
   /// lying blocks. Always 0 in multi-block releases.
   double raise_height = 0.0;
-  std::optional<RigidState> settled;  ///< state after settling; empty if it did not settle
-  double later_displacement = 0.0;    ///< from the end of its own release to its final position, m
-  std::optional<double> removed_at;   ///< since the first release, s; empty if not removed
+  std::optional<RigidState>
+      state_after_settling;          ///< state after settling; empty if it did not settle
+  double later_displacement = 0.0;   ///< from the end of its own release to its final position, m
+  std::optional<double> removed_at;  ///< since the first release, s; empty if not removed
   std::uint32_t blocks_hit = 0;  ///< number of other blocks that it touched during its own release
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(release, released_at, raise_height, settled, later_displacement, removed_at, blocks_hit);
+    bytes(release, released_at, raise_height, state_after_settling, later_displacement, removed_at,
+          blocks_hit);
   }
 };
 
@@ -97,9 +99,9 @@ struct SequenceProgress {
   // Both functions may be called only while the observer runs. They are empty for single releases.
 
   /// Counts released blocks that are at rest or removed.
-  std::function<std::size_t()> resting = {};
+  std::function<std::size_t()> count_resting = {};
   /// Saves the complete state, from which `simulate_sequence` can continue.
-  std::function<void(ByteWriter& to)> save = {};
+  std::function<void(ByteWriter& to)> save_state = {};
 };
 /// Called after each step; its exceptions end the sequence.
 using SequenceProgressObserver = std::function<void(const SequenceProgress&)>;

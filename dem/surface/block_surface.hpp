@@ -23,7 +23,7 @@ struct BlockSurface : IndexedSurface {
   FeatureGroups groups;
   // All of them, by number.
   std::vector<LocalFaces::Face> local_faces;
-  std::vector<EdgeNormalArc> arcs;  ///< normal arc of each edge
+  std::vector<EdgeNormalArc> edge_normal_arcs;  ///< normal arc of each edge
   std::vector<double> cone_slacks;  ///< slack of the normal cone of each vertex, as a sine
   double bounding_radius = 0.0;     ///< of the rounded block about its origin, m
 };

@@ -22,6 +22,6 @@ struct FeatureGroups {
   }
 };
 
-FeatureGroups group_features(const SurfaceFeatures& block);
+FeatureGroups find_feature_groups(const SurfaceFeatures& block);
 
 }  // namespace clast::dem_detail

@@ -26,12 +26,13 @@ bool is_on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
 /// Returns the nearest point of a face. The normal of the nearest feature (face, edge or vertex)
 /// decides the sign of `distance`.
-NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
+NearestPoint nearest_point_on_face(const SurfaceFeatures& surface, std::uint32_t face,
+                                   const Vec3& query);
 /// Returns the nearest point of a face without the sign of `distance`, which is set only if the
-/// foot is inside the face. First step of `nearest_on_face`, for testing many faces.
+/// foot is inside the face. First step of `nearest_point_on_face`, for testing many faces.
 NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face,
                                const Vec3& query);
-void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
+void determine_query_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
 
 /// Plan grid: each cell lists the faces whose bounds overlap it, with their height range.
 class PlanGrid {
@@ -96,9 +97,9 @@ struct IndexedSurface {
 /// Builds the surface of a mesh.
 /// @param wires  edges without triangles (capsules), as vertex pairs
 /// @throws GeometryError  if a triangle is degenerate or an edge non-manifold
-IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
-                             std::span<const std::array<std::uint32_t, 2>> wires = {});
+IndexedSurface build_indexed_surface(const TriangleMesh& mesh, double radius,
+                                     std::span<const std::array<std::uint32_t, 2>> wires = {});
 /// Builds the surface of a block, in the frame of its core.
-IndexedSurface index_surface(const SpheroPolyhedron& body);
+IndexedSurface build_indexed_surface(const SpheroPolyhedron& body);
 
 }  // namespace clast::dem_detail

@@ -10,7 +10,7 @@
 namespace clast::report_detail {
 
 /// Default colour of blocks.
-inline constexpr Rgb kRock{214, 205, 190};
+inline constexpr Rgb kBlockColour{214, 205, 190};
 
 /// Returns the direction from a block towards the viewer, who is in front of it (-y) and above.
 inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }

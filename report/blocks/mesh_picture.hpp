@@ -22,7 +22,7 @@ struct Camera {
 
   /// Projects a point. The result is its position in pixels to the right and down from the top left
   /// corner, and its depth towards the viewer, m.
-  Vec3 seen(const Vec3& point) const;
+  Vec3 projected(const Vec3& point) const;
 };
 
 /// Makes a camera that looks at its target from the direction `toward`, z as upright as possible.

@@ -17,7 +17,7 @@ class ThinPlateSpline {
   /// @param values  one per point
   ThinPlateSpline(std::span<const Vec2> places, std::span<const double> values);
 
-  double at(const Vec2& place) const;
+  double value_at(const Vec2& place) const;
 
  private:
   std::vector<Vec2> places_;
@@ -28,7 +28,7 @@ class ThinPlateSpline {
 
 /// Returns the vertices of the convex hull, counter-clockwise. There are fewer than three if all
 /// points are collinear.
-std::vector<Vec2> convex_hull_of(std::span<const Vec2> places);
+std::vector<Vec2> plan_convex_hull(std::span<const Vec2> places);
 /// True if a point is inside the hull, within a tolerance.
 bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 

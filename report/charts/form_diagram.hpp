@@ -12,7 +12,7 @@ namespace clast::report_detail {
 inline constexpr std::size_t kMaxSingleBlocks = 2000;
 
 /// Formats the tooltip of a block: name, axes, classes, and classes close to a limit.
-std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options);
+std::string format_block_tooltip(const MeasuredBlock& block, const PopulationOptions& options);
 
 /// Draws the Sneed-Folk triangle. Its barycentric coordinates are q (top, compact), (1 - q)(1 - d)
 /// (left, platy) and (1 - q) d (right, elongate), with q = S/L and d = (L - I)/(L - S).
@@ -25,6 +25,6 @@ std::string draw_zingg_diagram(const Population& population, std::size_t number,
                                const PopulationOptions& options = {});
 
 /// Returns the data-block attribute of a block (see `make_report_page`).
-std::string block_element_id(std::size_t number, std::size_t block);
+std::string block_highlight_attribute(std::size_t number, std::size_t block);
 
 }  // namespace clast::report_detail

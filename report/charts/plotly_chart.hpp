@@ -10,11 +10,11 @@ namespace clast::report_detail {
 
 /// Returns the path of plotly.js (Debian package python3-plotly). It is in the folder named by
 /// CLAST_PLOTLY, or in the one found at configuration.
-std::filesystem::path plotly_file();
+std::filesystem::path find_plotly_file();
 bool plotly_is_installed();
 
 /// One data series of a chart, with its legend entry.
-struct Trace {
+struct ChartTrace {
   enum class Kind { kLine, kSteps, kBars, kPoints };
   std::string name;  ///< plain text
   std::string colour;
@@ -44,43 +44,43 @@ struct ChartAxes {
 };
 
 /// Value with its interval, drawn as one row of `draw_interval_chart`.
-struct IntervalMark {
+struct IntervalRow {
   std::string name;  ///< plain text
   double value = 0.0;
   double low = 0.0, high = 0.0;
-  bool clear =
+  bool is_significant =
       false;  ///< true for significant values, which have a filled mark; otherwise, it is open
   std::string note;  ///< tooltip, plain text
 };
 
 /// Formats a chart. Empty without points, or if plotly.js is not installed (see `charts_script`).
-std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces);
+std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<ChartTrace>& traces);
 
 /// Formats a chart of horizontal intervals, the first on top, with a vertical line at zero. Empty
 /// if there are none, or if plotly.js is not installed.
 std::string draw_interval_chart(const std::string& title, const std::string& label,
-                                const std::vector<IntervalMark>& marks);
+                                const std::vector<IntervalRow>& marks);
 
 /// Formats a custom chart.
 /// @param json  JSON with `data`, `layout` and optionally `config` of plotly.js
 /// @param style  additional CSS class
 /// @param title  plain text above the chart, which is wrapped if necessary
-std::string plotly_figure(const std::string& label, const std::string& style, std::string json,
-                          const std::string& title = {});
+std::string format_plotly_figure(const std::string& label, const std::string& style,
+                                 std::string json, const std::string& title = {});
 
 /// Returns plotly.js and the script that draws charts when they become visible. Must be inserted
 /// once, after the charts. Without plotly.js, returns a note on how to install it.
 std::string charts_script();
 
 /// Minimum number of values that are drawn as a curve. Fewer values are drawn as points.
-inline constexpr std::size_t kMinForCurve = 4;
+inline constexpr std::size_t kMinCurveValues = 4;
 
 /// Makes the cumulative distribution of each sample, or its exceedance curve if `exceeding`. Empty
 /// samples are omitted, large ones reduced to about 1,500 steps, small ones drawn as points.
-std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples,
-                                          bool exceeding = false);
+std::vector<ChartTrace> make_cumulative_traces(const std::vector<ChartSeries>& samples,
+                                               bool exceeding = false);
 
 /// Makes the relative histogram of each sample. All samples have the same bins.
-std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples);
+std::vector<ChartTrace> make_histogram_traces(const std::vector<ChartSeries>& samples);
 
 }  // namespace clast::report_detail

@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-struct Series {
+struct ChartSeries {
   std::string name;
   std::string colour;  ///< "#rrggbb"
   std::string dash;    ///< SVG dash pattern; empty for a solid line

@@ -13,7 +13,7 @@ namespace clast::report_detail {
 std::string escape_html(std::string_view text);
 
 /// Shortens a UTF-8 text to at most `most` characters. A shortened text ends with ….
-std::string shorten_text(std::string_view text, std::size_t most);
+std::string shorten_text(std::string_view text, std::size_t maximum);
 
 /// Formats a relative path for href. All characters except letters, digits and /._- become %XX.
 std::string format_link_target(std::string_view path);
@@ -29,10 +29,10 @@ class HtmlTable {
   HtmlTable(std::vector<std::string> heads, std::size_t text_columns);
 
   HtmlTable& row(std::vector<std::string> cells);  ///< adds a row of plain text, which is escaped
-  HtmlTable& html_row(const std::vector<std::string>& cells);  ///< adds a row of HTML
+  HtmlTable& add_html_row(const std::vector<std::string>& cells);  ///< adds a row of HTML
   /// Stores the column heads in the cells, which lets scans.css show rows as cards on narrow pages.
   /// Must be called before the first row.
-  HtmlTable& as_cards();
+  HtmlTable& show_as_cards();
   std::string html() const;
 
  private:

@@ -17,6 +17,6 @@ std::string format_packed_element(const std::string& id, std::string_view text);
 
 /// Returns the folder of an installed JavaScript library. It is given by the environment variable
 /// `variable`, or was found at configuration.
-std::string installed_folder(const char* variable, const char* configured);
+std::string find_javascript_folder(const char* variable, const char* configured);
 
 }  // namespace clast::report_detail

@@ -12,6 +12,6 @@ struct MapLegend {
 };
 
 /// Draws the legend of marks and ground zones.
-MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet);
+MapLegend draw_map_legend(const SiteMap& site, const MapToPixels& sheet);
 
 }  // namespace clast::report_detail

@@ -9,10 +9,10 @@ namespace clast::report_detail {
 
 inline constexpr double kMapLeft = 88.0;  ///< left edge of the map in the image, px
 inline constexpr double kMapTop = 12.0;
-inline constexpr const char* kMapText = "font-size=\"12\" fill=\"#33404d\"";
+inline constexpr const char* kMapTextStyle = "font-size=\"12\" fill=\"#33404d\"";
 
 /// Transformation from a plan window (map coordinates) to image pixels.
-struct Sheet {
+struct MapToPixels {
   PlanWindow window;
   double scale = 1.0;  ///< px/m
 
@@ -30,13 +30,13 @@ std::string draw_release_mark(double x, double y, const std::string& title);
 std::string draw_release_outline(const std::string& path, const std::string& title);
 
 /// Arrow at a barrier in the counted direction: position and unit vector in map coordinates.
-struct CountArrow {
+struct CountedDirectionArrow {
   Vec2 root = Vec2::Zero();
   Vec2 way = Vec2::UnitX();
-  bool both_ways = false;
+  bool both_directions = false;
 };
 /// Places the arrow on the midpoint of the line's middle segment.
-CountArrow make_count_arrow(const BarrierLine& line);
+CountedDirectionArrow make_counted_direction_arrow(const BarrierLine& line);
 
 /// Draws the relief of the site with contours and zone colours. Returns a PNG as
 /// "data:image/png;base64,...".

@@ -11,7 +11,7 @@
 namespace clast::report_detail {
 
 /// Classified colour scale of a raster.
-struct ValueStyle {
+struct ColourScale {
   std::string title;                 ///< such as "Kinetic energy, 95 %"
   std::string unit;                  ///< displayed unit, such as "kJ"
   double unit_size = 1.0;            ///< displayed unit in stored units, such as 1000 for kJ
@@ -32,7 +32,7 @@ inline constexpr double kPathOpacity = 0.6;
 /// have limits at 1, 2, 5, 10, ..., heights and speeds at equal steps. Layers of one quantity, such
 /// as E_mean and E_max, have the same limits.
 /// @cite jaboyedoff2005
-std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters);
+std::vector<ColourScale> choose_colour_scales(const MapRasterSet& rasters);
 
 /// Names of a mark in plotly.js and in QGIS.
 struct MarkShape {
@@ -41,8 +41,8 @@ struct MarkShape {
   int qgis_angle = 0;  ///< clockwise rotation, degrees
 };
 
-inline constexpr MarkShape kMeasuredShape = {"cross-thin-open", "cross"};
-inline constexpr const char* kMeasuredColour = "#c0104a";
+inline constexpr MarkShape kMeasuredStopShape = {"cross-thin-open", "cross"};
+inline constexpr const char* kMeasuredStopColour = "#c0104a";
 inline constexpr const char* kBarrierColour = "#111111";
 
 /// Maximum number of stops that are drawn as single marks. More stops are drawn as a density.

@@ -9,7 +9,7 @@
 namespace clast::report_detail {
 
 /// Formats the .qml file of a raster. QGIS applies NAME.qml to NAME.tif.
-std::string format_raster_qml(const ValueStyle& style);
+std::string format_raster_qml(const ColourScale& style);
 
 struct LayerStyle {
   std::string layer;

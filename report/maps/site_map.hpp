@@ -12,8 +12,8 @@
 namespace clast {
 
 struct ReleasePosition {
-  Vec2 place = Vec2::Zero();  ///< map coordinates, m
-  std::uint32_t point = 0;    ///< index of the release point
+  Vec2 position = Vec2::Zero();  ///< map coordinates, m
+  std::uint32_t point = 0;       ///< index of the release point
 };
 
 /// Plan outline of a multi-block release.
@@ -29,8 +29,8 @@ struct SiteMap {
   /// Height range of the contours, m.
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
-  std::vector<ReleasePosition> places;   ///< positions, each once
-  std::vector<ReleaseOutline> outlines;  ///< ordered by file, then release
+  std::vector<ReleasePosition> release_positions;  ///< positions, each once
+  std::vector<ReleaseOutline> release_outlines;    ///< ordered by file, then release
   std::vector<BarrierLine> barriers;
   bool counts_crossings = true;  ///< false: `barriers` are drawn as lines without names and arrows
 

@@ -8,6 +8,7 @@ namespace clast::report_detail {
 
 /// Makes the page.
 /// @param diagrams  result of `draw_population_diagrams`
-std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams);
+std::string make_population_page(const PopulationReport& report,
+                                 const PopulationDiagrams& diagrams);
 
 }  // namespace clast::report_detail

@@ -13,7 +13,7 @@ namespace clast::report_detail {
 /// Label at a position of the scan, in file coordinates.
 struct PositionMark {
   std::string label;
-  Vec3 place = Vec3::Zero();
+  Vec3 position = Vec3::Zero();
 };
 
 /// Draws the scan as read and the closed scan side by side from three directions. Shows borders of

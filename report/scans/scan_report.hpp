@@ -19,7 +19,7 @@ class ScanReport {
   ~ScanReport();
 
   /// Makes the page of a block while its scan is in memory. Thread-safe.
-  void prepare(const Block& block, const ScanOfBlock& scan);
+  void prepare(const Block& block, const BlockPageContents& scan);
   /// Writes the prepared page of a block and adds the block to the summary.
   /// @throws InputError  if the page cannot be written
   void add(const Block& block);

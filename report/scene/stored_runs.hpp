@@ -9,7 +9,7 @@
 namespace clast::report_detail {
 
 /// Runs with stored trajectories. Their files are kept open.
-struct DrawnRuns {
+struct RunsWithTrajectories {
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
   std::size_t frames = 0;         ///< total number of stored states
   std::vector<std::optional<TrajectoryFile>>
@@ -20,6 +20,6 @@ struct DrawnRuns {
 
 /// Finds all runs with stored trajectories.
 /// @throws InputError  if a results file can no longer be read
-DrawnRuns select_drawn_runs(const Comparison& comparison);
+RunsWithTrajectories find_runs_with_trajectories(const Comparison& comparison);
 
 }  // namespace clast::report_detail

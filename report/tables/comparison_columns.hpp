@@ -25,7 +25,7 @@ std::vector<ComparisonTable> make_deposit_tables();
 std::vector<ComparisonTable> make_energy_tables();
 
 /// Returns both ends of an interval. They are NaN if it is empty.
-inline Vec2 bounds_of(const std::optional<Interval>& interval) {
+inline Vec2 interval_bounds(const std::optional<Interval>& interval) {
   return interval ? Vec2(interval->low, interval->high) : Vec2(Vec2::Constant(NAN));
 }
 
@@ -54,8 +54,8 @@ std::vector<ComparisonRow<Item>> select_rows(const TableColumns<ComparisonRow<It
 /// @param columns  must outlive the table
 /// @param items  function or member of the analyses or comparison that gives one item per row
 template <class Row, class Items>
-ComparisonTable make_table(const std::string& name, const TableColumns<Row>& columns,
-                           const Items& items) {
+ComparisonTable make_comparison_table(const std::string& name, const TableColumns<Row>& columns,
+                                      const Items& items) {
   const auto filled = [&columns, items](const auto& fill) {
     return [&columns, items, fill](const ComparisonAnalyses& of) {
       if constexpr (std::is_invocable_v<const Items&, const ComparisonAnalyses&>) {

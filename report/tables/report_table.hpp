@@ -27,8 +27,8 @@ std::vector<std::string> table_names(const std::vector<ReportTable<Source>>& tab
 /// Finds a table by name.
 /// @throws InputError  if there is none; the message lists all tables
 template <class Source>
-const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& tables,
-                                      const std::string& name) {
+const ReportTable<Source>& find_report_table(const std::vector<ReportTable<Source>>& tables,
+                                             const std::string& name) {
   for (const ReportTable<Source>& table : tables) {
     if (table.name == name) return table;
   }

@@ -14,9 +14,9 @@ namespace clast {
 std::string format_block_line(const Block& block);
 
 /// Makes a table with one row per block. Lengths of unscaled blocks are marked "u".
-TextTable block_table(std::span<const Block* const> blocks);
+TextTable make_block_table(std::span<const Block* const> blocks);
 /// Lists the unscaled blocks and the reasons. Empty if all blocks are scaled.
-std::string describe_unscaled(std::span<const Block* const> blocks);
+std::string describe_unscaled_blocks(std::span<const Block* const> blocks);
 
 using NamedValues = std::vector<std::array<std::string, 2>>;
 

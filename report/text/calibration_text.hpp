@@ -24,6 +24,6 @@ std::string format_unknowns_table(const Calibration& calibration);
 std::string format_statistics_table(const Calibration& calibration);
 
 /// Formats tables [ground.NAME] with the posterior medians, for use in campaign files.
-std::string format_ground_block(const Calibration& calibration);
+std::string format_ground_tables(const Calibration& calibration);
 
 }  // namespace clast

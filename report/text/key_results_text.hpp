@@ -18,10 +18,10 @@ std::string describe_runs(const Comparison& comparison);
 std::string describe_intervals(const KeyResults& answer);
 
 /// Describes the limits of validity, such as "Not run: blocks above 580 kg, other ground."
-std::string describe_limits(const Comparison& comparison, const KeyResults& answer);
+std::string describe_validity_limits(const Comparison& comparison, const KeyResults& answer);
 
 /// Returns key results and warnings as lines of plain text.
-std::vector<std::string> describe_first_screen(const Comparison& comparison,
-                                               const KeyResults& answer);
+std::vector<std::string> describe_results_and_warnings(const Comparison& comparison,
+                                                       const KeyResults& answer);
 
 }  // namespace clast

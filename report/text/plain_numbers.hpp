@@ -33,7 +33,7 @@ std::string format_mass(double kilograms);
 std::string format_height(double metres);
 
 /// Text appended to ranges over ground draws.
-inline constexpr const char* kByDraw = " over draws of the ground parameters";
+inline constexpr const char* kOverDrawsText = " over draws of the ground parameters";
 /// True if a range over `draws` ground draws is a 90 % interval rather than minimum and maximum.
 bool is_ninety_percent_interval(std::size_t draws);
 /// Formats a range over ground draws, such as "86 kJ to 153 kJ over draws of the ground

@@ -10,7 +10,7 @@
 
 namespace clast {
 
-struct CalibrateOptions {
+struct CalibrationOptions {
   unsigned threads = 0;  ///< number of threads; 0: one per core; does not affect the result
   /// If true, members of an interrupted or finished calibration of the same design are reused. Its
   /// observations may differ. If there are none, the calibration starts from the beginning.
@@ -45,12 +45,12 @@ std::filesystem::path calibration_journal_path(const std::filesystem::path& targ
 ///                     members have another design, if a member is in none of the parts, or if
 ///                     inputs are inconsistent
 /// @throws SimulationError  if a member's runs fail
-Calibration calibrate(const CalibrationStudy& study, const std::filesystem::path& target,
-                      const CalibrateOptions& options = {});
+Calibration run_calibration(const CalibrationStudy& study, const std::filesystem::path& target,
+                            const CalibrationOptions& options = {});
 
 /// Simulates members for the leader of `options.team`. Called by all other processes of the team.
 /// @throws Error  if a member fails in this process or in another one
-void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
+void simulate_members_for_leader(const CalibrationStudy& study, const CalibrationOptions& options);
 
 /// Simulator of a calibration with its sites and inputs.
 struct CalibrationBackend {
@@ -60,8 +60,8 @@ struct CalibrationBackend {
   std::string physics_digest = {};  ///< digest of all that determines the results of the simulator
 };
 /// Runs a calibration with any simulator; see `calibrate`.
-Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
-                           const std::filesystem::path& target,
-                           const CalibrateOptions& options = {});
+Calibration run_calibration_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
+                                 const std::filesystem::path& target,
+                                 const CalibrationOptions& options = {});
 
 }  // namespace clast

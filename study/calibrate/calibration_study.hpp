@@ -20,14 +20,14 @@ struct CalibrationSite {
 };
 
 struct CalibrationDesign {
-  std::uint32_t members = 64;   ///< number of simulated parameter sets
-  std::uint32_t releases = 64;  ///< number of simulated releases per member and site
-  std::uint64_t seed = 1;       ///< seed of all random numbers
-  std::size_t draws = 2000;     ///< number of posterior draws
+  std::uint32_t member_count = 64;         ///< number of simulated parameter sets
+  std::uint32_t releases_per_member = 64;  ///< number of simulated releases per member and site
+  std::uint64_t seed = 1;                  ///< seed of all random numbers
+  std::size_t draw_count = 2000;           ///< number of posterior draws
   Kernel kernel = Kernel::kMatern52;
 
   /// Unknowns of each member as prior probabilities, in [0, 1]. They form a Sobol sequence.
-  std::vector<std::vector<double>> places(std::size_t unknowns) const;
+  std::vector<std::vector<double>> sobol_points(std::size_t unknown_count) const;
 };
 
 /// Calibration study: sites, unknowns, observations and design.
@@ -36,7 +36,7 @@ struct CalibrationStudy {
   std::string text;  ///< contents of the file, byte for byte
   std::string sha256;
   std::vector<CalibrationSite> sites;
-  std::vector<Unknown> unknowns;
+  std::vector<UnknownParameter> unknowns;
   std::vector<Observation> observations;
   CalibrationDesign design;
 
@@ -45,7 +45,7 @@ struct CalibrationStudy {
   /// Returns the number of statistics of all observations.
   std::size_t statistic_count() const;
   /// Returns the number of runs of all members at all sites.
-  std::uint64_t runs() const;
+  std::uint64_t run_count() const;
 };
 
 /// Reads and checks a study file. Paths are resolved as in campaigns, against the file's folder.

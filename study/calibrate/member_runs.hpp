@@ -12,8 +12,8 @@ namespace clast::study_detail {
 /// @param stored  stored members; receives the new ones
 /// @throws SimulationError  if a member's runs fail, here or in another process
 void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                              const std::filesystem::path& target, const CalibrateOptions& options,
-                              StoredCalibration& stored);
+                              const std::filesystem::path& target,
+                              const CalibrationOptions& options, StoredCalibration& stored);
 
 void simulate_received_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
                                ProcessTeam& team);

@@ -11,7 +11,7 @@ namespace clast::study_detail {
 /// State of an observed block at one time.
 struct TrajectoryPoint {
   double time = 0.0;  ///< since the release, s
-  Vec2 place = Vec2::Zero();
+  Vec2 position = Vec2::Zero();
   double speed = 0.0;  ///< of the centre of mass, m/s
   double spin = 0.0;   ///< rad/s
 };
@@ -33,6 +33,6 @@ ObservedTrajectorySet read_trajectories(const std::filesystem::path& file);
 
 /// Interpolates a trajectory linearly. After the last row, the state is constant.
 /// @param time  since the release, s
-TrajectoryPoint point_at(const ObservedTrajectory& trajectory, double time);
+TrajectoryPoint interpolate_trajectory(const ObservedTrajectory& trajectory, double time);
 
 }  // namespace clast::study_detail

@@ -17,19 +17,20 @@ struct CalibrationRuns {
 };
 
 /// Marginal posterior of an unknown, in its own unit.
-struct Marginal {
+struct MarginalPosterior {
   double median = 0.0;
   double low = 0.0, high = 0.0;  ///< 95 % interval
   /// Width of the 95 % interval divided by that of the prior. Both in prior probability.
   double width = 1.0;
-  double at_low = 0.0,
-         at_high = 0.0;  ///< fractions of the draws in the lowest and highest 5 % of the prior
+  double fraction_at_low = 0.0,
+         fraction_at_high =
+             0.0;  ///< fractions of the draws in the lowest and highest 5 % of the prior
 
   /// True if the data hardly constrain the unknown.
   bool is_undetermined() const { return width > 0.8; }
   /// True if many draws are near a limit of the prior, so that it truncates the posterior.
   bool is_cut_off_by_range() const {
-    return !is_undetermined() && (at_low > 0.25 || at_high > 0.25);
+    return !is_undetermined() && (fraction_at_low > 0.25 || fraction_at_high > 0.25);
   }
 };
 
@@ -42,7 +43,7 @@ struct PredictedInterval {
 /// Posterior prediction of a statistic, compared with the prior prediction.
 struct PredictedStatistic {
   std::size_t observation = 0;  ///< index into CalibrationStudy::observations
-  std::size_t figure = 0;       ///< index into its statistics
+  std::size_t statistic = 0;    ///< index into its statistics
   double median = 0.0;
   double low = 0.0, high = 0.0;  ///< 95 % interval of the value that the field sample would have
   PredictedInterval prior;       ///< the same for unknowns drawn from their prior
@@ -52,9 +53,10 @@ struct PredictedStatistic {
 
 /// Posterior predictive check: how well the calibrated simulation agrees with observed statistics.
 struct PredictiveCheck {
-  std::size_t figures = 0;  ///< number of statistics
-  std::size_t covered = 0;  ///< number of statistics inside their 95 % intervals
-  double squared = 0.0;     ///< squared Mahalanobis distance of observed and predicted statistics
+  std::size_t statistics = 0;  ///< number of statistics
+  std::size_t covered = 0;     ///< number of statistics inside their 95 % intervals
+  double squared_distance =
+      0.0;  ///< squared Mahalanobis distance of observed and predicted statistics
   double degrees_of_freedom =
       0.0;  ///< number of statistics minus number of parameters that they determine
   /// Probability of a larger distance if the model is correct. Empty without degrees of freedom.
@@ -66,23 +68,23 @@ struct PredictiveCheck {
 /// Members whose statistics are nearest to the observed ones: a coarse check without surrogates.
 struct NearestMembers {
   std::size_t members = 0;
-  std::vector<Marginal> unknowns;  ///< median, minimum and maximum over these members
+  std::vector<MarginalPosterior> unknowns;  ///< median, minimum and maximum over these members
 };
 
 /// Posterior of the unknowns, with predictions and diagnostics.
 struct CalibrationPosterior {
-  Eigen::MatrixXd shares;  ///< posterior draws in prior probability, one column per draw
-  Eigen::MatrixXd draws;   ///< the same draws in the units of the unknowns
+  Eigen::MatrixXd probabilities;  ///< posterior draws in prior probability, one column per draw
+  Eigen::MatrixXd draws;          ///< the same draws in the units of the unknowns
   Eigen::VectorXd log_likelihood;
   double log_evidence = 0.0;
-  std::size_t temperatures = 0;
-  double accepted = 0.0;
-  std::vector<Marginal> marginals;
-  Eigen::MatrixXd correlation;                ///< rank correlations of the draws
-  std::vector<PredictedStatistic> predicted;  ///< one entry per statistic with a surrogate
-  PredictiveCheck fitted, kept;
-  Eigen::MatrixXd member_figures;  ///< statistics of each member (rows: statistics, columns:
-                                   ///< members); NaN if undefined
+  std::size_t temperature_count = 0;
+  double acceptance_rate = 0.0;
+  std::vector<MarginalPosterior> marginals;
+  Eigen::MatrixXd correlation;                  ///< rank correlations of the draws
+  std::vector<PredictedStatistic> predictions;  ///< one entry per statistic with a surrogate
+  PredictiveCheck fitted, held_out;
+  Eigen::MatrixXd member_statistics;  ///< statistics of each member (rows: statistics, columns:
+                                      ///< members); NaN if undefined
   std::vector<std::optional<SurrogateQuality>>
       surrogates;  ///< one entry per statistic; empty if it has no surrogate
   std::vector<std::vector<SobolIndices>> sensitivities;  ///< by statistic, then unknown

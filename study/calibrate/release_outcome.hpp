@@ -12,7 +12,7 @@
 namespace clast {
 
 /// Moment of a release at which its state can be observed.
-struct Moment {
+struct ObservedMoment {
   enum class Kind {
     kImpact,  ///< end of an impact (see `Impact`)
     kTime,    ///< time after the release
@@ -21,7 +21,7 @@ struct Moment {
   double value = 1.0;  ///< number of the impact, from 1; or time, s
 
   std::string name() const;  ///< "impact 1", "0.5 s"
-  auto operator<=>(const Moment&) const = default;
+  auto operator<=>(const ObservedMoment&) const = default;
 };
 
 /// State of a block at a barrier or moment. Values are NaN if the block did not pass the barrier or
@@ -33,7 +33,7 @@ struct OutcomeAtMoment {
   double energy =
       std::numeric_limits<double>::quiet_NaN();  ///< kinetic energy of translation and rotation, J
   double depth = std::numeric_limits<double>::quiet_NaN();  ///< largest overlap of an impact, m
-  Vec2 place = Vec2::Constant(
+  Vec2 position = Vec2::Constant(
       std::numeric_limits<double>::quiet_NaN());  ///< position if the moment is a time, map, m
 
   bool passed() const { return speed == speed; }
@@ -58,9 +58,9 @@ struct SiteDescription {
   std::vector<std::string> shapes;    ///< "compact" or "elongated", one per block
   std::vector<std::string> barriers;  ///< names
   Vec2 downslope = Vec2::UnitX();     ///< unit vector
-  Vec2 middle_of_starts = Vec2::Zero();
-  std::vector<std::string> releases = {};  ///< names of the release sets; "" if there is only one
-  std::vector<Moment> moments = {};        ///< observed moments, unique and ascending
+  Vec2 mean_start = Vec2::Zero();
+  std::vector<std::string> releases = {};    ///< names of the release sets; "" if there is only one
+  std::vector<ObservedMoment> moments = {};  ///< observed moments, unique and ascending
 };
 
 /// Function that simulates the releases of one member at a site.

@@ -19,8 +19,9 @@ class SiteMemberSimulator {
   /// @param moments  moments at which states are recorded
   /// @throws InputError, SimulationError  if `prepare_campaign` throws, or if the campaign has
   ///                                      fewer runs than the design requests
-  SiteMemberSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
-                      const CalibrationDesign& design, const std::vector<Moment>& moments = {});
+  SiteMemberSimulator(const CalibrationSite& site, const std::vector<UnknownParameter>& unknowns,
+                      const CalibrationDesign& design,
+                      const std::vector<ObservedMoment>& moments = {});
   ~SiteMemberSimulator();
   SiteMemberSimulator(SiteMemberSimulator&&) noexcept;
 

@@ -10,24 +10,26 @@
 namespace clast::study_detail {
 
 /// Observations of one site, whose statistics are correlated.
-struct SiteStatistics {
+struct SiteStatisticIndices {
   std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
-  std::vector<std::size_t> figures;  ///< indices of their statistics, counted over all observations
+  std::vector<std::size_t>
+      statistics;  ///< indices of their statistics, counted over all observations
 };
-std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations);
+std::vector<SiteStatisticIndices> group_statistics_by_site(
+    const std::vector<Observation>& observations);
 
-/// Scatter of the statistics of one `SiteStatistics`, in their order. Values are NaN if the member
-/// has no value of a statistic.
+/// Scatter of the statistics of one `SiteStatisticIndices`, in their order. Values are NaN if the
+/// member has no value of a statistic.
 struct StatisticScatter {
   /// Expected values of a sample as large as the field's. If the error of a statistic is stated,
   /// its value over all releases of the member is used.
   Eigen::VectorXd mean;
   /// Covariance of such samples. If the error of a statistic is stated, its square is used.
-  Eigen::MatrixXd field;
+  Eigen::MatrixXd field_covariance;
   /// Covariance of the member's statistics under resampling of its releases.
-  Eigen::MatrixXd within;
+  Eigen::MatrixXd release_covariance;
   /// Covariance of the member's statistics under resampling of release points. Zero for one point.
-  Eigen::MatrixXd points;
+  Eigen::MatrixXd point_covariance;
 };
 
 /// Estimates the scatter by bootstraps of single releases, of whole release points, and of samples

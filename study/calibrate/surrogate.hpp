@@ -10,8 +10,9 @@ namespace clast {
 
 struct SurrogateQuality {
   std::size_t members = 0;  ///< number of members with a value
-  double error = 0.0;       ///< root mean square leave-one-out error, in the unit of the statistic
-  double explained = 0.0;   ///< 1 - error^2 / (variance of the statistic over the members)
+  double leave_one_out_error =
+      0.0;  ///< root mean square leave-one-out error, in the unit of the statistic
+  double explained_variance = 0.0;  ///< 1 - error^2 / (variance of the statistic over the members)
   double inflation =
       1.0;  ///< factor, at least 1, that scales predicted variances to match the errors
   double roughness = 0.0;  ///< standard deviation of the residuals in excess of the random scatter
@@ -27,15 +28,16 @@ struct Surrogate {
   SurrogateQuality quality;
 
   /// Predicts means and variances, including the cross-validated `inflation` and `roughness`.
-  GaussianProcess::Prediction predict(const Eigen::MatrixXd& places) const;
+  GaussianProcess::Prediction predict(const Eigen::MatrixXd& cube_points) const;
 };
 
 /// Fits a surrogate.
 /// @param places  unknowns in the unit cube, one column per member
 /// @param values  value of the statistic of each member; NaN if undefined
 /// @param chance  variance of a value due to the finite number of releases
-/// @return empty if fewer than `fewest` members have a value
-std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
-                                       double chance, std::size_t fewest, Kernel kernel);
+/// @return empty if fewer than `min_members` members have a value
+std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& cube_points,
+                                       const Eigen::VectorXd& values, double sampling_variance,
+                                       std::size_t min_members, Kernel kernel);
 
 }  // namespace clast::study_detail

@@ -21,7 +21,7 @@ std::string name_of(CountedDirection crossings);
 /// ring, with entries and exits. Exits of a counter-clockwise ring are forward crossings.
 struct Barrier {
   std::string name;
-  std::vector<Vec2> through;  ///< local frame, m; satisfies `check_barrier_line`
+  std::vector<Vec2> vertices;  ///< local frame, m; satisfies `check_barrier_line`
   CountedDirection counted = CountedDirection::kEither;
 };
 

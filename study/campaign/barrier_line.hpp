@@ -12,17 +12,17 @@ namespace clast {
 bool is_ring(std::span<const Vec2> line);
 
 /// True if the ring is counter-clockwise, so that its inside is on the left.
-bool inside_is_left(std::span<const Vec2> ring);
+bool is_counter_clockwise(std::span<const Vec2> ring);
 
 /// Pair of segments of a line that cross, touch or overlap elsewhere than at a shared vertex.
-struct SelfTouch {
+struct LineSelfIntersection {
   std::size_t first = 0, second = 0;  ///< segment indices, from 0
-  Vec2 place = Vec2::Zero();
+  Vec2 position = Vec2::Zero();
 };
 /// Finds the first self-intersection of a line.
 /// @param line  plan coordinates, m; at least two points; consecutive points differ; a ring ends at
 ///              its first point
-std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line);
+std::optional<LineSelfIntersection> find_line_self_intersection(std::span<const Vec2> line);
 
 /// Checks that the line has no self-intersection. Crossings could not be counted there.
 /// @param line  plan coordinates, m; at least two points, consecutive points differ

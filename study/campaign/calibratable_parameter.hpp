@@ -10,7 +10,7 @@
 namespace clast {
 
 /// Unknown parameter with a uniform prior on a range.
-struct Unknown {
+struct UnknownParameter {
   std::string
       parameter;     ///< path in a campaign, such as "ground.blue.friction" or "release.height_m"
   double low = 0.0;  ///< lower end of the range, in the unit of the parameter name
@@ -19,7 +19,7 @@ struct Unknown {
 
   /// Returns the quantile of the prior.
   /// @param below  probability in [0, 1]
-  double value(double below) const;
+  double prior_quantile(double probability) const;
   /// Returns the prior probability of values below `value`.
   double probability_below(double value) const;
 };
@@ -29,7 +29,7 @@ struct Unknown {
 std::vector<std::pair<std::string, NumberRange>> calibratable_parameters();
 /// Returns the allowed range of a parameter.
 /// @throws InputError  if the parameter cannot be calibrated; the message lists those that can
-NumberRange parameter_range(const std::string& parameter);
+NumberRange calibratable_range(const std::string& parameter);
 
 /// True if the campaign has this parameter. It must have the zone, block contacts, release height,
 /// mass distribution or shape class to which the parameter refers.
@@ -45,10 +45,10 @@ void set_parameter(Campaign& campaign, const std::string& parameter, double valu
 /// True if the parameter affects the ground only, not starts and contacts between blocks.
 bool is_ground_parameter(const std::string& parameter);
 /// True if the parameter changes release positions or velocities.
-bool is_of_release(const std::string& parameter);
+bool is_release_parameter(const std::string& parameter);
 /// True if the parameter changes the selection or the size of sampled blocks.
 bool is_block_parameter(const std::string& parameter);
 /// Returns the shape class if the parameter is a class fraction; otherwise empty.
-std::string fraction_class(const std::string& parameter);
+std::string class_of_fraction_parameter(const std::string& parameter);
 
 }  // namespace clast

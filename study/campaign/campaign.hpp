@@ -27,7 +27,7 @@ struct BlockFilter {
 };
 
 /// Scaling of the blocks at constant shape and density.
-struct BlockScale {
+struct BlockScaling {
   enum class Kind { kNone, kMass, kVolume, kEqualMass };
   Kind kind = Kind::kNone;
   double value = 0.0;  ///< mass, kg, or volume, m^3; unused for kEqualMass (mean mass)
@@ -52,7 +52,7 @@ struct BlockSampling {
 struct BlockSelection {
   std::filesystem::path library;
   BlockFilter filter;
-  BlockScale scale;
+  BlockScaling scale;
   std::optional<BlockSampling> draw;
   /// Series of bodies that replaces the selected blocks. It uses `library` and the ids of `filter`.
   std::optional<SeriesRequest> vary;
@@ -118,7 +118,7 @@ struct ReleaseSet {
 /// library, or in a heap without overlaps. Its name is that of its ReleaseSet.
 struct MultiBlockRelease {
   bool in_place = false;
-  double raised = 0.0;  ///< height above the positions in the library, m
+  double height_offset = 0.0;  ///< height above the positions in the library, m
   /// Outline in map coordinates, m. It is that of the heap. If several releases are in place, it
   /// contains the centres of the blocks.
   std::vector<Vec2> polygon;
@@ -168,8 +168,9 @@ struct Campaign {
   Ensemble ensemble;
   /// Release sets with distinct names, at least one. Those of multi-block releases have no points.
   std::vector<ReleaseSet> releases;
-  std::optional<PersistentBlocksPlan> stay;  ///< empty if each run simulates a single block
-  ContactWeighting weights = ContactWeighting::kPatch;
+  std::optional<PersistentBlocksPlan>
+      persistent_blocks;  ///< empty if each run simulates a single block
+  ContactWeighting weighting = ContactWeighting::kPatch;
   StiffnessOptions
       stiffness;  ///< stiffness and contact law; empty members are chosen automatically
   std::vector<Barrier> barriers;  ///< in map coordinates

@@ -14,10 +14,10 @@
 namespace clast::study_detail {
 
 /// Upper limit of counts per set. It prevents a typing error from exhausting the memory.
-inline constexpr std::uint64_t kMaxPerSet = 1'000'000;
+inline constexpr std::uint64_t kMaxItemsPerSet = 1'000'000;
 /// Upper limits of initial speeds, m/s and rad/s. Larger values are errors of unit, height or
 /// gravity, and would require too many time steps.
-inline constexpr double kMaxSpeed = 1000.0, kMaxSpin = 1e4;
+inline constexpr double kMaxInitialSpeed = 1000.0, kMaxInitialSpin = 1e4;
 
 /// Classification schemes by which blocks can be selected and sampled.
 inline const std::vector<std::string> kSelectingSchemes = {"garcia", "sneed-folk", "zingg"};
@@ -29,7 +29,7 @@ using PartReader = std::function<bool(const std::function<void()>&)>;
 PartReader collect_findings(std::vector<std::string>& findings);
 
 /// `PartReader` that does not catch errors.
-inline bool read_at_once(const std::function<void()>& part) {
+inline bool read_without_catching(const std::function<void()>& part) {
   part();
   return true;
 }
@@ -40,8 +40,8 @@ TomlTable parse_top_level_table(const TomlNode& root, const std::filesystem::pat
 
 /// Reads a campaign part by part through `read`. If one fails, dependent parts are skipped.
 /// @param text  if set, used instead of the contents of the file
-Campaign read_by_parts(const std::filesystem::path& file, const std::optional<std::string>& text,
-                       const PartReader& read);
+Campaign read_campaign_by_parts(const std::filesystem::path& file,
+                                const std::optional<std::string>& text, const PartReader& read);
 
 // Its tables, in the order of docs/formats.md.
 const MemberTable<BlockSelection>& blocks_keys();
@@ -51,16 +51,16 @@ const MemberTable<Campaign>& terrain_keys();
 const MemberTable<GroundDistributions>& ground_keys();
 const MemberTable<Ensemble>& ensemble_keys();
 const MemberTable<ReleaseSet>& release_keys();
-const MemberTable<MultiBlockRelease>& mass_keys();
+const MemberTable<MultiBlockRelease>& multi_block_release_keys();
 const MemberTable<Campaign>& contact_keys();
 const MemberTable<GroundParameters>& between_blocks_keys();
 const MemberTable<Barrier>& barrier_keys();
 const MemberTable<Campaign>& run_keys();
 
-BlockSelection read_blocks(const TomlTable& top);
+BlockSelection read_block_selection(const TomlTable& top);
 /// Reads `vary` of [blocks]. Library and blocks of the result are empty.
-SeriesRequest read_vary(const DeclaredTable& blocks);
-std::map<std::string, GroundDistributions> read_ground(const TomlTable& top);
+SeriesRequest read_variation_request(const DeclaredTable& blocks);
+std::map<std::string, GroundDistributions> read_ground_distributions(const TomlTable& top);
 /// Reads [[block_group]].
 /// @param campaign  campaign whose ground was read
 std::vector<BlockGroup> read_block_groups(const TomlTable& top, const Campaign& campaign);

@@ -54,7 +54,8 @@ struct CheckedGroup {
   }
 
   template <class T>
-  void check_below(const std::string& name, const std::vector<T>& values, std::size_t limit) const {
+  void check_values_below(const std::string& name, const std::vector<T>& values,
+                          std::size_t limit) const {
     for (const T value : values) {
       if (static_cast<std::size_t>(value) >= limit) {
         throw_damaged(name, "holds " + std::to_string(value) + ", which must be below " +

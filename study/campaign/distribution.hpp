@@ -15,7 +15,7 @@ struct Distribution {
   double low = -1e300;
   double high = 1e300;
 
-  bool fixed() const { return law == Law::kFixed; }
+  bool is_fixed() const { return law == Law::kFixed; }
   /// Returns the fixed value, midpoint, mean or median.
   double central_value() const;
   /// Returns the mean of the truncated distribution.

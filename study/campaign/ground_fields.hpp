@@ -18,15 +18,15 @@ struct GroundParameterField {
   bool required;  ///< true if it must be stated for each zone; otherwise, the default is 0
   /// True for parameters of the soil. They are experimental, because no measurement supports them.
   /// They do not apply between blocks.
-  bool of_soil;
+  bool is_soil_parameter;
   double GroundParameters::*value;
-  std::optional<Distribution> GroundDistributions::*asked;
+  std::optional<Distribution> GroundDistributions::*distribution;
 
   /// Returns the description shown by editors.
   std::string explanation() const;
 };
 
 /// Returns all parameters in column order, soil parameters last.
-std::span<const GroundParameterField> ground_fields();
+std::span<const GroundParameterField> ground_parameter_fields();
 
 }  // namespace clast

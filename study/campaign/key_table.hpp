@@ -25,7 +25,7 @@ struct ValueFormat {
   Kind kind = Kind::kText;
   std::vector<std::string> words = {};
   std::string pattern = {};  ///< regular expression of texts other than `words`
-  std::uint64_t least = 0, most = INT64_MAX;
+  std::uint64_t minimum = 0, maximum = INT64_MAX;
   NumberRange range = {0.0, 0.0};
   std::vector<ValueFormat> items = {};
   std::vector<TableKey> keys = {};
@@ -33,17 +33,19 @@ struct ValueFormat {
   std::string required = {};
 
   /// Returns the innermost of the first items, which has words, range and limits.
-  const ValueFormat& leaf() const { return items.empty() ? *this : items.front().leaf(); }
+  const ValueFormat& innermost_format() const {
+    return items.empty() ? *this : items.front().innermost_format();
+  }
 };
 
 struct TableKey {
   std::string name;     ///< name of the key
   std::string unit;     ///< unit; empty if there is none, or if the parts state it
   std::string meaning;  ///< clause that describes the key in editors
-  ValueFormat form;
-  std::vector<std::string> with = {};  ///< if not empty, one of these keys must exist, too
+  ValueFormat format;
+  std::vector<std::string> required_with = {};  ///< if not empty, one of these keys must exist, too
 
-  bool is_required() const { return !form.required.empty(); }
+  bool is_required() const { return !format.required.empty(); }
 };
 
 struct KeyTable {
@@ -58,7 +60,8 @@ struct KeyTable {
   Repeat repeat = Repeat::kOnce;
   std::vector<TableKey> keys = {};
   bool required = false;
-  std::vector<std::string> one_of = {};  ///< if not empty, exactly one of these keys must exist
+  std::vector<std::string> exactly_one_of =
+      {};  ///< if not empty, exactly one of these keys must exist
 
   std::vector<std::string> key_names() const;
 };

@@ -32,42 +32,42 @@ struct MemberKey : TableKey {
                     table.read(key, ((target.*member).*....*path));
                   }) {}
 
-  /// Stores the value returned by `meant_by` for the text.
+  /// Stores the value returned by `parse_word` for the text.
   template <class Meant, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
-            Meant (*meant_by)(const std::string& word), Path... path)
+            Meant (*parse_word)(const std::string& word), Path... path)
       : MemberKey(key, in_unit, std::move(means), std::move(takes),
                   [=](const DeclaredTable& table, Target& target) {
-                    (target.*....*path) = meant_by(*table.value<std::string>(key));
+                    (target.*....*path) = parse_word(*table.value<std::string>(key));
                   }) {}
 
-  /// Stores the value that `found_in` returns.
+  /// Stores the value that `read_value` returns.
   template <class Found, class... Path>
   MemberKey(std::string key, const char* in_unit, std::string means, ValueFormat takes,
-            Found (*found_in)(const DeclaredTable& table), Path... path)
+            Found (*read_value)(const DeclaredTable& table), Path... path)
       : MemberKey(std::move(key), in_unit, std::move(means), std::move(takes),
                   [=](const DeclaredTable& table, Target& target) {
-                    (target.*....*path) = found_in(table);
+                    (target.*....*path) = read_value(table);
                   }) {}
 };
 
 /// Declared table whose keys fill a `Target`.
 template <class Target>
 struct MemberTable : KeyTable {
-  std::vector<MemberKey<Target>> bound;
+  std::vector<MemberKey<Target>> bound_keys;
 
   /// Makes a table from its declaration and its keys.
   /// @param about  declaration of the table without its keys
   MemberTable(KeyTable about, std::vector<MemberKey<Target>> all)
-      : KeyTable(std::move(about)), bound(std::move(all)) {
-    keys.assign(bound.begin(), bound.end());
+      : KeyTable(std::move(about)), bound_keys(std::move(all)) {
+    keys.assign(bound_keys.begin(), bound_keys.end());
   }
 
   /// Reads all bound keys in their order.
   /// @throws InputError  if a required key is missing or a value violates its format
   void read(const DeclaredTable& table, Target& target) const {
-    table.check_required();
-    for (const MemberKey<Target>& key : bound) {
+    table.check_required_keys();
+    for (const MemberKey<Target>& key : bound_keys) {
       if (key.read && table.find(key.name)) key.read(table, target);
     }
   }

@@ -14,12 +14,12 @@ namespace clast {
 /// are found by heading (x or easting, y or northing, z, height or elevation). Without a heading,
 /// there must be three columns.
 /// @throws InputError  if the file is missing or empty, or a line is invalid; names file and line
-std::vector<Vec3> read_points(const std::filesystem::path& file);
+std::vector<Vec3> read_point_table(const std::filesystem::path& file);
 
 /// Reads a table of unit quaternions with columns w, x, y and z (or qw, q0, ... in a heading).
 /// Quaternions whose norm is within 1e-3 of 1 are normalised.
 /// @throws InputError  if `read_points` would throw, or if a norm differs more from 1
-std::vector<Quat> read_orientations(const std::filesystem::path& file);
+std::vector<Quat> read_orientation_table(const std::filesystem::path& file);
 
 /// Converts the rotation world_from_source from a y-up to a z-up world (`core/files/up_axis.hpp`).
 Quat y_up_to_z_up(const Quat& orientation);

@@ -28,6 +28,6 @@ RockMassBlocks cut_released_mass(const ReleasedMass& mass, const BeforeAfterTerr
                                  const RockMassOptions& cutting);
 
 /// Returns the bodies of the mass as one mesh in map coordinates.
-TriangleMesh make_mass_mesh(const ReleasedMass& mass);
+TriangleMesh make_released_mass_mesh(const ReleasedMass& mass);
 
 }  // namespace clast

@@ -43,7 +43,7 @@ struct RealisationCrossings {
   std::uint32_t realisation = 0;        ///< from 0
   std::size_t blocks = 0;               ///< number of released blocks
   std::vector<BlockCrossing> passages;  ///< in order of time
-  WindowMaximum most_blocks, most_mass, most_energy;
+  WindowMaximum max_blocks_in_window, max_mass_in_window, max_energy_in_window;
   double largest_energy = 0.0;  ///< largest energy of a single block, J
 
   double sum(const CrossingValue& value) const;

@@ -26,15 +26,15 @@ struct RunRow {
   double lateral = 0.0;  ///< lateral angle, rad; positive to the right looking downslope
 };
 
-enum class GroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
+enum class RunGroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
 
 /// Group of runs: all runs, or the runs of one block, one shape class or one column value. Examples
 /// of names are "all", "block SP1A", "class compact" and "sneed-folk VE". With several results
 /// files, each group exists once over all files and once per file ("file 1: block SP1A"). Files are
 /// numbered from 1 in the given order.
-struct Group {
+struct RunGroup {
   std::string name;  ///< with the file, if the group belongs to one file: "file 1: block SP1A"
-  GroupKind kind = GroupKind::kAll;
+  RunGroupKind kind = RunGroupKind::kAll;
   std::string key;     ///< block id, class name or column value; empty for "all"
   std::string column;  ///< name of the column, if `kind` is kColumn
   std::optional<std::uint32_t>
@@ -48,7 +48,7 @@ struct BarrierLine {
   enum class Counts { kEither, kForward, kEntries, kExits };
   std::string name;  ///< with suffix " (file 2)" if lines of one name differ; rings end in " (in)"
                      ///< or " (out)"
-  std::vector<Vec2> through;         ///< vertices of the line, map, m
+  std::vector<Vec2> vertices;        ///< vertices of the line, map, m
   std::vector<std::uint32_t> files;  ///< files that contain the barrier
   Counts counts = Counts::kEither;
 
@@ -59,7 +59,7 @@ struct BarrierLine {
   /// True if the crossing has the direction of `counted_direction`.
   bool counted(const Crossing& crossing) const;
   bool is_in(std::uint32_t file) const;
-  bool of_ring() const { return counts == Counts::kEntries || counts == Counts::kExits; }
+  bool belongs_to_ring() const { return counts == Counts::kEntries || counts == Counts::kExits; }
 };
 
 /// One crossing of a barrier: a row of crossings.csv.
@@ -111,9 +111,9 @@ struct DepositStatistics {
 
 /// Returns the cluster of a run. Runs of one cluster are statistically dependent. If blocks are
 /// persistent, a cluster is one realisation; otherwise, it is one release point.
-std::uint32_t find_cluster(const CampaignResults& results, const RunRecord& run);
+std::uint32_t cluster_index_of_run(const CampaignResults& results, const RunRecord& run);
 
-/// Numbers the clusters of `find_cluster` over all files.
+/// Numbers the clusters of `cluster_index_of_run` over all files.
 class RunClustering {
  public:
   explicit RunClustering(const std::vector<CampaignResults>& results) : results_(results) {}
@@ -149,15 +149,15 @@ struct Comparison {
   std::vector<CampaignResults> results;
   Vec2 downslope = Vec2::UnitX();  ///< unit vector: the direction given in the campaign, or that of
                                    ///< the mean displacement from release to stop
-  bool downslope_asked = false;
+  bool downslope_given = false;
   std::vector<RunRow> rows;  ///< in order of file and run
-  std::vector<Group> groups;
+  std::vector<RunGroup> groups;
   std::vector<DepositStatistics> deposits;  ///< one entry per group
   std::vector<BarrierLine> lines;
   std::vector<BarrierCrossing> crossings;  ///< in order of file, run and time
   std::vector<BarrierGroupStatistics>
       barriers;  ///< ordered by barrier, then group; groups without a crossing are omitted
-  std::vector<Difference> differences;
+  std::vector<GroupDifference> differences;
   std::optional<MeasuredStops> measured;  ///< table of stops observed in the field
   std::optional<double>
       margin;  ///< equivalence margin: smaller differences in runout do not matter, m
@@ -170,7 +170,7 @@ struct Comparison {
 /// the run has no counted crossing.
 std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line);
 
-struct CompareOptions {
+struct ComparisonOptions {
   std::vector<std::string>
       by;  ///< names of columns of `run_columns`; runs are also grouped by their values
   std::optional<std::filesystem::path> measured;  ///< table of stops observed in the field
@@ -184,7 +184,7 @@ struct CompareOptions {
 /// @throws InputError  if there are no runs, terrains have different map frames, downslope
 ///                     directions differ, records are inconsistent (a damaged file), a column does
 ///                     not exist, or the measured stops cannot be read
-Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options = {});
+Comparison compare(std::vector<CampaignResults> results, const ComparisonOptions& options = {});
 
 /// Returns the reassigned energy as a fraction of the dissipated energy. Energy is reassigned (lost
 /// or gained) if contacts or their weights change. Empty if nothing was dissipated.
@@ -192,10 +192,10 @@ std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy);
 /// Limit of `reassigned_energy_fraction` above which a warning is given. A fraction of 10 % has the
 /// effect of a 10 % change of friction, and surveys rarely determine friction more accurately. Most
 /// runs have a few per cent.
-inline constexpr double kNotableReassigned = 0.1;
+inline constexpr double kNotableReassignedFraction = 0.1;
 
 /// Adds warnings about failed or lost runs, unequal masses and poor energy balance to `warnings`
 /// and `cautions`. Deviations that the campaign requests are not reported. Called by `compare`.
-void add_warnings(Comparison& comparison);
+void add_comparison_warnings(Comparison& comparison);
 
 }  // namespace clast

@@ -17,20 +17,20 @@ namespace clast {
 struct DepositQuantity {
   std::string name;  ///< with unit, such as "toe_distance_m"
   std::string unit;  ///< such as "m"; empty for counts and fractions
-  std::string words;
+  std::string phrase;
   int decimals = 2;                                     ///< number of printed decimals
   std::function<double(const DepositMeasures&)> value;  ///< not finite if undefined
-  Interval possible = {-INFINITY, INFINITY};
+  Interval possible_range = {-INFINITY, INFINITY};
 };
 /// Returns all deposit quantities, such as volume, centre of mass, area and thickness.
 const std::vector<DepositQuantity>& deposit_quantities();
 
 /// One deposit quantity over the realisations of one file.
 struct DepositQuantitySummary {
-  std::uint32_t file = 0;  ///< index into Comparison::results
-  std::size_t figure = 0;  ///< index into `deposit_quantities`
-  Summary summary;         ///< over the realisations with a value
-  double least = NAN;
+  std::uint32_t file = 0;    ///< index into Comparison::results
+  std::size_t quantity = 0;  ///< index into `deposit_quantities`
+  Summary summary;           ///< over the realisations with a value
+  double minimum = NAN;
   std::optional<Interval> interval;  ///< 95 % interval of the mean (`mean_interval`)
 };
 
@@ -45,7 +45,8 @@ struct DepositQuantityDifference : Contrast {
 struct DepositQuantityComparison {
   std::vector<DepositQuantitySummary>
       files;  ///< ordered by file, then quantity; quantities without a value are omitted
-  /// Differences of each pair of files, ordered by quantity; empty above `kMaxGroups` files.
+  /// Differences of each pair of files, ordered by quantity; empty above `kMaxComparedGroups`
+  /// files.
   std::vector<DepositQuantityDifference> differences;
 };
 /// Summarises the deposit quantities by file and compares all pairs of files.

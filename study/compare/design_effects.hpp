@@ -28,7 +28,7 @@ struct OutcomeEffects {
 
 struct DesignEffects {
   std::uint32_t file = 0;
-  std::string refusal;  ///< reason why no effects were computed; empty otherwise
+  std::string refusal_reason;  ///< reason why no effects were computed; empty otherwise
   /// Reason why the fractions of variance are estimated by a mixed model. Empty for a full
   /// factorial design; otherwise, `design_fraction` is NaN.
   std::string estimated;

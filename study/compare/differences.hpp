@@ -14,7 +14,7 @@ struct Comparison;
 /// Difference of two groups of one kind in one quantity: first mean minus second mean. It is tested
 /// by a clustered Kolmogorov-Smirnov test (`clustered_ks_test`). The p-value is corrected for the
 /// number of differences between groups of that kind. No test if a group is a single realisation.
-struct Difference : Contrast {
+struct GroupDifference : Contrast {
   std::size_t first = 0;  ///< index into Comparison::groups
   std::size_t second = 0;
   std::string quantity;        ///< "runout_m", "EC11 speed_m_s"
@@ -30,17 +30,17 @@ struct Difference : Contrast {
 };
 
 /// Maximum number of groups of one kind that are compared pairwise.
-inline constexpr std::size_t kMaxGroups = 12;
+inline constexpr std::size_t kMaxComparedGroups = 12;
 
 /// Computes the differences of all pairs of blocks, of classes and of column groups, over all
 /// files. The quantities are the runout, lateral angle and path length of runs at rest, the largest
 /// speed of runs without error, and the speed, energy and height at the counted crossing of each
 /// barrier. Pairs with fewer than three values in a group are omitted.
-std::vector<Difference> compute_differences(const Comparison& comparison);
+std::vector<GroupDifference> compute_differences(const Comparison& comparison);
 
 /// Computes the runout difference of two groups as a single test (`p_holm` equals `p_value`).
 /// @return empty if a group has fewer than three runs at rest
-std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
-                                                    std::size_t second);
+std::optional<GroupDifference> compute_runout_difference(const Comparison& comparison,
+                                                         std::size_t first, std::size_t second);
 
 }  // namespace clast

@@ -19,11 +19,11 @@ std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
                                                const std::vector<std::size_t>& rows);
 
 /// Minimum number of draws for which percentiles are given as range.
-inline constexpr std::size_t kDrawsForTenths = 20;
+inline constexpr std::size_t kMinDrawsForPercentiles = 20;
 
 /// Returns the 5th and 95th percentile of values over ground draws, or their minimum and maximum if
-/// there are fewer than `kDrawsForTenths`.
+/// there are fewer than `kMinDrawsForPercentiles`.
 /// @param values  one per draw, not empty
-Interval compute_draw_mean_range(std::vector<double> values);
+Interval compute_range_over_draws(std::vector<double> values);
 
 }  // namespace clast

@@ -10,7 +10,7 @@
 namespace clast {
 
 /// Runout of a group of runs. Intervals in this header are 95 % confidence intervals. If the ground
-/// is drawn more than once, they are ranges over the draws (`compute_draw_mean_range`).
+/// is drawn more than once, they are ranges over the draws (`compute_range_over_draws`).
 struct RunoutEstimate {
   std::size_t group = 0;             ///< index into Comparison::groups
   std::size_t started = 0;           ///< number of runs
@@ -31,12 +31,12 @@ struct RunoutContrast {
   std::size_t nearer = 0;   ///< index of the other group
   /// Result of the test. `kTooFewValues` if one of the groups is not representative.
   Verdict verdict = Verdict::kTooFewValues;
-  double gap = 0.0;  ///< difference of the means, m
+  double mean_difference = 0.0;  ///< difference of the means, m
   std::optional<Interval>
       interval;  ///< interval of the difference, m; empty for a single realisation
   /// True if the difference is due to a few long runouts. The medians then differ by less than
-  /// `kGapOfFew` times the difference of the means.
-  bool of_few = false;
+  /// `kMaxFewRunsRatio` times the difference of the means.
+  bool due_to_few_runs = false;
 };
 
 /// Passing probability of a group at a barrier, and the intensity of its passages.
@@ -44,7 +44,7 @@ struct CrossingEstimate {
   std::size_t group = 0;
   std::size_t started = 0;
   std::size_t crossed = 0;
-  double share = 0.0;
+  double passing_probability = 0.0;
   std::optional<Interval>
       interval;  ///< interval of the probability; empty for a single realisation
   /// The following four are 95th percentiles over the passages, or maxima if `largest` is true.
@@ -70,15 +70,15 @@ struct FileSummary {
   std::optional<std::uint32_t> file;  ///< index into Comparison::results; empty: all files
   StopCounts stops;
   RunoutEstimate all;
-  std::vector<RunoutEstimate> classes;  ///< one entry per Garcia class that occurs
-  std::optional<RunoutContrast> gap;    ///< between the first two classes
+  std::vector<RunoutEstimate> classes;           ///< one entry per Garcia class that occurs
+  std::optional<RunoutContrast> class_contrast;  ///< between the first two classes
   std::vector<BarrierSummary>
       passages;  ///< one entry per barrier, the lowest one first; barriers without passages last
   /// Number of independent clusters (release points or realisations) behind the intervals.
   std::size_t clusters = 0;
-  bool of_realisations = false;  ///< true if the clusters are realisations
-  std::size_t draws = 0;         ///< number of ground draws if there is more than one; otherwise 0
-  std::size_t blocks = 0;        ///< number of blocks of the library
+  bool clusters_are_realisations = false;  ///< true if the clusters are realisations
+  std::size_t draws = 0;   ///< number of ground draws if there is more than one; otherwise 0
+  std::size_t blocks = 0;  ///< number of blocks of the library
   /// True if clusters have different blocks. Intervals then include the uncertainty due to the
   /// sampling of blocks. Otherwise, they are valid for these blocks only.
   bool samples_blocks = false;
@@ -86,7 +86,7 @@ struct FileSummary {
 
 struct KeyResults {
   /// One entry per file. If each file has blocks of one class only, one entry for all files.
-  std::vector<FileSummary> statements;
+  std::vector<FileSummary> file_summaries;
   /// Runout difference between the files. Only for exactly two files with equal release points.
   std::optional<RunoutContrast> files;
 
@@ -94,8 +94,8 @@ struct KeyResults {
   bool has_draws() const;
 };
 
-/// Upper limit of the ratio of the differences of medians and of means for `of_few`.
-inline constexpr double kGapOfFew = 0.25;
+/// Upper limit of the ratio of the differences of medians and of means for `due_to_few_runs`.
+inline constexpr double kMaxFewRunsRatio = 0.25;
 
 /// Minimum number of passages for which a 95th percentile is given.
 inline constexpr std::size_t kMinPassages = 20;

@@ -14,7 +14,7 @@ struct RasterLayer {
   std::string name;     ///< such as "E_95"
   std::string meaning;  ///< description with unit
   std::vector<float>
-      value;  ///< row-major, the first row at the largest y; NaN if a cell has no value
+      values;  ///< row-major, the first row at the largest y; NaN if a cell has no value
 };
 
 using MapCell =
@@ -23,7 +23,7 @@ using MapCell =
 /// Raster layers that share one grid.
 struct MapRasterSet {
   Vec2 corner = Vec2::Zero();  ///< minimum x and y of the grid, m, a multiple of `cell`
-  double cell = 1.0;           ///< side length of a cell, m
+  double cell_size = 1.0;      ///< side length of a cell, m
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
   std::vector<RasterLayer> layers;

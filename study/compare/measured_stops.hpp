@@ -14,7 +14,7 @@ struct Comparison;
 
 /// Stop position of a block observed in the field.
 struct MeasuredStop {
-  Vec2 place = Vec2::Zero();  ///< map coordinates, m
+  Vec2 position = Vec2::Zero();  ///< map coordinates, m
   std::optional<Vec2>
       start;             ///< release position; if empty, the mean of all release points is used
   std::string block;     ///< block id; empty if unknown
@@ -31,14 +31,14 @@ struct Quartiles {
 
 /// Empirical distribution of runouts with pointwise 95 % intervals. There are no intervals if all
 /// stops belong to one realisation.
-struct StopCurve {
+struct RunoutDistributionCurve {
   std::vector<double> runout;  ///< ascending, m
-  std::vector<double> share, low,
+  std::vector<double> fraction, low,
       high;  ///< fraction of stops with at most this runout, and the limits of its interval
 };
 
 /// Observed stops of a group, compared with the simulated deposits of the same group.
-struct MeasuredGroup {
+struct MeasuredStopGroup {
   std::size_t group = 0;          ///< index into Comparison::groups
   std::size_t measured = 0;       ///< number of observed stops
   std::size_t simulated = 0;      ///< number of simulated runs at rest
@@ -53,22 +53,22 @@ struct MeasuredGroup {
   double ks_distance = 0.0;
   std::optional<Interval>
       ks_interval;  ///< 95 % interval of `ks_distance`; empty for a single realisation
-  StopCurve curve, simulated_curve;
+  RunoutDistributionCurve curve, simulated_curve;
 };
 
 /// Minimum number of observed stops for which a group is compared.
-inline constexpr std::size_t kMinMeasured = 5;
+inline constexpr std::size_t kMinMeasuredStops = 5;
 
 /// Returns the verdict on the agreement of observed and simulated runouts. The difference is
 /// significant if the interval of `medians` excludes zero. The p-value of the test is not used.
-Verdict judge_agreement(const MeasuredGroup& group);
+Verdict judge_stop_agreement(const MeasuredStopGroup& group);
 
 /// Observed stops of a file and their comparison by group.
 struct MeasuredStops {
   std::filesystem::path file;
   std::string sha256;
   std::vector<MeasuredStop> stops;
-  std::vector<MeasuredGroup> groups;  ///< "all", then the blocks and shapes named in the table
+  std::vector<MeasuredStopGroup> groups;  ///< "all", then the blocks and shapes named in the table
 };
 
 /// Reads a table of stops with columns x and y (map coordinates, m), and optionally start_x and
@@ -78,6 +78,6 @@ struct MeasuredStops {
 MeasuredStops read_measured_stops(const std::filesystem::path& file);
 
 /// Computes the runouts along the comparison's downslope direction, and the groups.
-void compare_stops(const Comparison& comparison, MeasuredStops& measured);
+void compare_measured_stops(const Comparison& comparison, MeasuredStops& measured);
 
 }  // namespace clast

@@ -20,7 +20,7 @@ struct StopReasonCounts {
   std::array<std::size_t, 4> reasons = {};  ///< number of runs, by `kStopReasons`
   std::size_t below_ground = 0;
   std::optional<double> largest_energy_error;  ///< empty if contacts were not recorded
-  std::size_t reassigned = 0;                  ///< number of runs above `kNotableReassigned`
+  std::size_t reassigned = 0;  ///< number of runs above `kNotableReassignedFraction`
   std::optional<double> largest_reassigned;
   std::string first_error;
 
@@ -35,6 +35,6 @@ std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome);
 /// Throws if any run failed. The results file is complete in this case, too.
 /// @param file  results file named in the message
 /// @throws SimulationError  if any run ended with an error
-void check_outcome(const CampaignResults& results, const std::filesystem::path& file);
+void check_no_failed_runs(const CampaignResults& results, const std::filesystem::path& file);
 
 }  // namespace clast

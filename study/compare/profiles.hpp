@@ -15,10 +15,10 @@ struct ProfileBin {
       0.0;          ///< start of the bin: distance from the release point in downslope direction, m
   double to = 0.0;  ///< end of the bin, m
   std::size_t runs = 0;
-  Summary energy;             ///< J
-  Summary speed;              ///< m/s
-  Summary height;             ///< height of the centre above the ground, m
-  Vec2 place = Vec2::Zero();  ///< mean of the mean positions of the runs in the bin, map, m
+  Summary energy;                ///< J
+  Summary speed;                 ///< m/s
+  Summary height;                ///< height of the centre above the ground, m
+  Vec2 position = Vec2::Zero();  ///< mean of the mean positions of the runs in the bin, map, m
 };
 
 /// Computes the bins, ordered by group, then distance. Empty if no trajectories are stored. The
@@ -28,7 +28,7 @@ std::vector<ProfileBin> compute_profiles(const Comparison& comparison);
 /// Returns the bin in which a barrier would receive the least energy. It is the bin with the
 /// smallest 95th percentile of the energy beyond the first energy peak. Only bins that at least
 /// half of the `started` runs of the group pass are considered. Null if there is no such bin.
-const ProfileBin* find_least_energy_position(const std::vector<ProfileBin>& bins, std::size_t group,
-                                             std::size_t started);
+const ProfileBin* find_least_energy_bin(const std::vector<ProfileBin>& bins, std::size_t group,
+                                        std::size_t started);
 
 }  // namespace clast

@@ -15,16 +15,16 @@ bool is_in_deposit(const Comparison& comparison, const RunRow& row);
 /// Deposit of one realisation. Positions are those of centres of mass, in map coordinates.
 /// Deposited blocks are blocks that came to rest and were not removed.
 struct DepositMeasures {
-  std::uint32_t file = 0;         ///< index into Comparison::results
-  std::uint32_t realisation = 0;  ///< from 0
-  std::size_t blocks = 0;         ///< number of released blocks
-  std::size_t lying = 0;          ///< number of deposited blocks
-  std::size_t left_terrain = 0;   ///< number of blocks that left the terrain
-  double mass = 0.0;              ///< of the deposited blocks, kg
-  double volume = 0.0;            ///< solid volume of the deposited blocks, without voids, m^3
+  std::uint32_t file = 0;            ///< index into Comparison::results
+  std::uint32_t realisation = 0;     ///< from 0
+  std::size_t blocks = 0;            ///< number of released blocks
+  std::size_t deposited_blocks = 0;  ///< number of deposited blocks
+  std::size_t left_terrain = 0;      ///< number of blocks that left the terrain
+  double mass = 0.0;                 ///< of the deposited blocks, kg
+  double volume = 0.0;               ///< solid volume of the deposited blocks, without voids, m^3
   /// Common centre of mass of the deposited blocks at their starts and at rest. These and the
   /// following members are NaN if no block is deposited.
-  Vec3 first_centre = Vec3::Constant(NAN);
+  Vec3 start_centre = Vec3::Constant(NAN);
   Vec3 centre = Vec3::Constant(NAN);
   Vec3 crest = Vec3::Constant(NAN);  ///< highest start position of all blocks
   Vec3 toe =
@@ -34,8 +34,8 @@ struct DepositMeasures {
   double thickness = NAN;    ///< largest height of a block top above the ground, m
   // Of all blocks where a rock mass started, held or settled; not a number for blocks that were
   // released one after the other.
-  double first_volume = NAN;       ///< solid volume at the start, without voids, m^3
-  double first_bulk_volume = NAN;  ///< volume between ground and block tops at the start, m^3
+  double start_volume = NAN;       ///< solid volume at the start, without voids, m^3
+  double start_bulk_volume = NAN;  ///< volume between ground and block tops at the start, m^3
   /// Dissipated energy by mechanism. Empty if the results do not contain it.
   std::optional<EnergyFractions> energy;
 };

@@ -32,7 +32,7 @@ RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergie
 
 /// Fractions of the dissipated energy of one realisation, by mechanism.
 struct EnergyFractions {
-  Dissipation on_ground, between_blocks;
+  DissipatedEnergy on_ground, between_blocks;
   double largest_kinetic = NAN;  ///< largest total kinetic energy of all samples, J
 };
 /// Computes the dissipation fractions of one realisation.

@@ -25,7 +25,8 @@ struct ShapeTrend {
       0.0;  ///< median of the property, which divides the blocks into a lower and an upper half
   /// Mean outcome of the upper half of the blocks minus that of the lower half.
   CrossedDifference halves;
-  double smallest = 0.0;  ///< minimum difference that this design detects with 80 % power
+  double detectable_difference =
+      0.0;  ///< minimum difference that this design detects with 80 % power
   /// The p-value of the equivalence test (`equivalence_p_value`), and the number of runs needed to
   /// detect a difference as large as the margin. Only for the runout, and if there is a margin.
   std::optional<double> equivalence;

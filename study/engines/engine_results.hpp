@@ -28,12 +28,12 @@ struct EngineResultsOptions {
 struct EngineImportSummary {
   std::size_t runs = 0;
   std::size_t planned = 0;
-  std::size_t without = 0;         ///< number of scenes without output
+  std::size_t without_output = 0;  ///< number of scenes without output
   std::vector<std::string> notes;  ///< notes on missing quantities and differences
 };
 
 /// Reads the states that the engine wrote. Writes a results file with speeds, energies, crossings,
-/// stops and trajectories. Contact data (`is_of_contacts`) are missing.
+/// stops and trajectories. Contact data (`depends_on_contact_data`) are missing.
 /// @throws InputError  if there are no scenes of this engine, the campaign or its inputs differ, no
 ///                     scene was run, a file cannot be read or belongs to another scene, or the
 ///                     target cannot be written or must be kept

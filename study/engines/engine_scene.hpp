@@ -29,9 +29,9 @@ struct EngineScenes {
 
 /// Names of the description and of the copy of the campaign in a folder of scenes, and the first
 /// words of the description.
-inline constexpr const char* kSceneFile = "SCENE.txt";
-inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
-inline constexpr const char* kSceneCampaign = "campaign.toml";
+inline constexpr const char* kSceneDescriptionFile = "SCENE.txt";
+inline constexpr const char* kSceneDescriptionMark = "Scenes of a clast campaign";
+inline constexpr const char* kSceneCampaignFile = "campaign.toml";
 
 FolderKind scene_folder_kind();
 

@@ -16,7 +16,7 @@ struct ProposedLine {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
-struct ProposedLines {
+struct ProposedReleaseAndBarrier {
   /// Release line across the slope, on steep ground in the upper part of the terrain.
   ProposedLine releases;
   std::size_t release_points =
@@ -47,7 +47,7 @@ struct TrialRuns {
 struct ProposedGround {
   std::string zone;
   GroundType type;
-  bool by_name =
+  bool identified_by_name =
       false;  ///< true if the zone name identifies the type; otherwise, a default is assumed
 };
 
@@ -55,20 +55,21 @@ struct ProposedGround {
 struct ProposedBlocks {
   std::vector<std::string> selected;  ///< ids of the blocks; empty for the whole library
   std::size_t count = 0;
-  double longest_side = 0.0;          ///< L of the longest block, m
-  double shortest_side = 0.0;         ///< median S of the blocks, m
-  std::optional<double> mass;         ///< mass given to all blocks because they have no scale, kg
-  std::vector<std::string> left_out;  ///< omitted blocks with reasons, such as "B03 has no size"
+  double longest_side = 0.0;   ///< L of the longest block, m
+  double shortest_side = 0.0;  ///< median S of the blocks, m
+  std::optional<double> mass;  ///< mass given to all blocks because they have no scale, kg
+  std::vector<std::string>
+      omitted_blocks;  ///< omitted blocks with reasons, such as "B03 has no size"
 };
 
 struct CampaignProposal {
   ProposedBlocks blocks;
-  ProposedLines places;
+  ProposedReleaseAndBarrier places;
   std::vector<ProposedGround> ground;  ///< one per zone of the terrain
   std::size_t orientations = 1;        ///< number of orientations per release point
   double max_time = 0.0;               ///< time limit of runs, s
   TrialRuns trial;
-  std::vector<std::string> doubts;  ///< warnings for the user
+  std::vector<std::string> proposal_warnings;  ///< warnings for the user
 };
 
 /// Proposes a release line and a barrier.
@@ -76,13 +77,14 @@ struct CampaignProposal {
 /// @param block_length  L of the longest block, m
 /// @throws InputError  if no ground is steep enough to start blocks, or if all steep ground is too
 ///                     near to the border
-ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainSurface& surface,
-                                          double block_length);
+ProposedReleaseAndBarrier propose_release_and_barrier(const Terrain& terrain,
+                                                      const TerrainSurface& surface,
+                                                      double block_length);
 
 /// Places the barrier across the path at the horizontal distance `distance` (m) from the releases,
 /// or nearer if the path ends before.
 void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double distance,
-                   ProposedLines& places);
+                   ProposedReleaseAndBarrier& places);
 
 /// Formats the text of the campaign file, with a comment for each value.
 /// @param library, surface  paths as written in the file

@@ -27,7 +27,7 @@ struct StiffnessRange {
 
 /// Stiffness quantities of the runs of a block. They vary if ground parameters vary between
 /// ensemble members, or if a fall from a release point can be too fast for the automatic stiffness.
-struct BlockStiffness {
+struct BlockStiffnessRanges {
   std::string block;
   std::size_t runs = 0;
   /// Ranges of k_n, k_t, k_r, time step, settled depth, impact depth and rolling limit. The rolling
@@ -39,11 +39,11 @@ struct BlockStiffness {
 /// Collects the ranges for each block, in the order of the blocks. Empty for blocks without runs.
 /// @param header  header with blocks and ground
 /// @param runs  planned or finished runs
-std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
-                                                       std::span<const RunRecord> runs);
-BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks);
+std::vector<BlockStiffnessRanges> collect_stiffness_by_block(const CampaignHeader& header,
+                                                             std::span<const RunRecord> runs);
+BlockStiffnessRanges combine_stiffness(std::span<const BlockStiffnessRanges> blocks);
 
 /// Formats the ranges as "9.52e+07", "2.1e+06 to 3.4e+06", or "-" if empty.
-std::vector<std::string> format_stiffness_cells(const BlockStiffness& block);
+std::vector<std::string> format_stiffness_cells(const BlockStiffnessRanges& block);
 
 }  // namespace clast

@@ -31,7 +31,7 @@ struct RunRecord {
   /// Settled depth and impact depth, m. The settled depth is m g/(k_n e_n^2) or m g/k_n, depending
   /// on the contact law. The impact depth is that at the largest speed that the start allows. NaN
   /// in results of schema 3 and older.
-  double rest_depth = 0.0;
+  double settled_depth = 0.0;
   double impact_depth = 0.0;
   ReleaseResult result;
   ContactStatistics contacts;
@@ -81,7 +81,7 @@ struct EnergyRecord {
 
 /// Settings of persistent blocks. Runs are ordered by realisation, then by release.
 struct PersistentBlocksSettings {
-  std::uint32_t blocks_each = 1;  ///< number of blocks per realisation
+  std::uint32_t blocks_per_realisation = 1;  ///< number of blocks per realisation
   GroundParameters between_blocks;
   bool at_once = false;  ///< true for multi-block releases, false for one block after the other
 };
@@ -103,7 +103,8 @@ struct StoredRun {
   RunRecord record;
   std::vector<Crossing> crossings;
   std::vector<Impact> impacts;
-  std::vector<PersistentBlockRecord> stays;  ///< one entry for a persistent block, otherwise empty
+  std::vector<PersistentBlockRecord>
+      persistent_block_records;  ///< one entry for a persistent block, otherwise empty
   std::vector<EnergyRecord>
       energies;  ///< energies of the realisation if it is its first run, otherwise empty
   Trajectory trajectory;
@@ -133,26 +134,29 @@ struct CampaignHeader {
       ground;  ///< parameters by zone for blocks in no group; medians of uncertain parameters
   std::vector<GroundParameterSet> ground_sets;
   ContactLaw law;
-  ContactWeighting weights = ContactWeighting::kPatch;
+  ContactWeighting weighting = ContactWeighting::kPatch;
   std::vector<std::string> warnings;
   MapFrame frame;
-  std::optional<Vec2> downslope;                 ///< direction given in the campaign, unit vector
-  Terrain terrain;                               ///< surface used for the simulation
-  std::optional<PersistentBlocksSettings> stay;  ///< empty if each run simulated a single block
+  std::optional<Vec2> downslope;  ///< direction given in the campaign, unit vector
+  Terrain terrain;                ///< surface used for the simulation
+  std::optional<PersistentBlocksSettings>
+      persistent_blocks;  ///< empty if each run simulated a single block
   std::uint32_t planned_runs = 0;
 
   /// True if contact data (penetration, impacts, dissipation) are available.
   bool has_contacts() const { return engine.empty(); }
   /// Returns the number of runs of a realisation; 1 without persistent blocks.
-  std::uint32_t runs_per_realisation() const { return stay ? stay->blocks_each : 1; }
+  std::uint32_t runs_per_realisation() const {
+    return persistent_blocks ? persistent_blocks->blocks_per_realisation : 1;
+  }
 };
 
 /// Contents of a results file without its trajectories.
 struct CampaignResults : CampaignHeader {
-  std::vector<RunRecord> runs;               ///< ordered by run
-  std::vector<Crossing> crossings;           ///< ordered by run, then time
-  std::vector<Impact> impacts;               ///< ordered by run, then time
-  std::vector<PersistentBlockRecord> stays;  ///< ordered by run
+  std::vector<RunRecord> runs;                                  ///< ordered by run
+  std::vector<Crossing> crossings;                              ///< ordered by run, then time
+  std::vector<Impact> impacts;                                  ///< ordered by run, then time
+  std::vector<PersistentBlockRecord> persistent_block_records;  ///< ordered by run
   /// Ordered by realisation, then time. Empty in results of older versions.
   std::vector<EnergyRecord> energies;
 
@@ -204,12 +208,12 @@ void check_results_target(const std::filesystem::path& target, bool replace);
 /// True if `target` holds the finished results of this campaign.
 /// @param runs  number of runs of the finished file
 /// @throws InputError  if it has results of another campaign, other inputs or another version
-bool is_finished(const std::filesystem::path& target, const CampaignHeader& header,
-                 std::size_t runs);
+bool has_finished_results(const std::filesystem::path& target, const CampaignHeader& header,
+                          std::size_t runs);
 
 /// Returns the path of the journal, target + ".part". The journal stores runs until all are
 /// finished. It is not an HDF5 file.
-std::filesystem::path journal_path(const std::filesystem::path& target);
+std::filesystem::path results_journal_path(const std::filesystem::path& target);
 
 /// Writer of a results file. Runs are first written to a journal, so that none is lost if the
 /// program is killed. The results file is written at the end. The target is locked during the

@@ -13,10 +13,10 @@
 namespace clast::study_detail {
 
 /// Serialises a run, for the journal and for messages between processes.
-std::string pack_record(StoredRun run);
+std::string serialize_stored_run(StoredRun run);
 /// Deserialises a run.
 /// @throws InputError  if the bytes are not a run
-StoredRun unpack_record(const std::string& bytes);
+StoredRun deserialize_stored_run(const std::string& bytes);
 
 /// Serialises the identity of a campaign: campaign text, inputs and program.
 std::string format_campaign_identity(const CampaignHeader& header);
@@ -43,9 +43,9 @@ class ResultsJournal {
 
   const std::filesystem::path& path() const { return path_; }
   /// Returns the physics digest of the program that created the journal; empty for older versions.
-  const std::string& physics() const { return physics_; }
+  const std::string& physics_digest() const { return physics_; }
   /// Returns the indices of the runs in the order of their records.
-  const std::vector<std::uint32_t>& runs() const { return runs_; }
+  const std::vector<std::uint32_t>& run_indices() const { return runs_; }
   /// Appends a run.
   /// @throws InputError  if the disk is full
   void add(const StoredRun& run);

@@ -5,12 +5,12 @@
 namespace clast {
 
 /// Horizontal displacement of a block from its release point.
-struct RunoutDistances {
+struct RunoutMeasures {
   double along = 0.0;    ///< distance along the downslope direction, m
   double lateral = 0.0;  ///< lateral angle, rad, positive to the right looking downslope
 };
 /// Computes the runout.
 /// @param downslope  unit vector
-RunoutDistances runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
+RunoutMeasures compute_runout(const Vec3& start, const Vec3& stop, const Vec2& downslope);
 
 }  // namespace clast

@@ -26,13 +26,13 @@ class BlockBodies {
   }
 
  private:
-  struct Scaled {
+  struct ScaledBody {
     std::size_t of_library;
     double scale;
     std::uint32_t first_equal_body;
   };
   std::vector<RigidBody> library_;
-  std::vector<Scaled> blocks_;
+  std::vector<ScaledBody> blocks_;
 };
 
 }  // namespace clast

@@ -39,7 +39,8 @@ struct BlockPreparationOptions {
 ///                     or volume, a sampled class has no block, a group has no block, names an
 ///                     unknown block or shares one with another group, or a body is requested twice
 /// @throws GeometryError  if a body cannot be made
-CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
+CampaignBlocks choose_campaign_blocks(const Campaign& campaign,
+                                      const BlockPreparationOptions& preparation = {});
 
 /// Reads the library blocks that [blocks] selects. They are neither sampled nor scaled.
 /// @throws InputError  if an id is missing or nothing is selected

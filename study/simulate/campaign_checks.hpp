@@ -11,8 +11,8 @@ namespace clast::study_detail {
 std::string format_release_set_name(const ReleaseSet& release);
 
 /// Checks the release heights.
-/// @throws InputError  if the speed of a fall to the lowest ground could exceed `kMaxSpeed`
-void check_falls(const CampaignPlan& prepared);
+/// @throws InputError  if the speed of a fall to the lowest ground could exceed `kMaxInitialSpeed`
+void check_fall_speeds(const CampaignPlan& prepared);
 
 /// Describes an unusual size of a block, and the usual range. Empty if the size is usual.
 /// @param length  length of the block, m
@@ -24,7 +24,7 @@ std::string describe_unusual_size(const std::string& block, double length, doubl
 /// Checks the sizes of the blocks, unless the campaign allows any size.
 /// @throws InputError  if a block is longer than 20 m, heavier than 10,000 t, or longer than a
 ///                     tenth of the terrain
-void check_sizes(const CampaignPlan& prepared);
+void check_block_sizes(const CampaignPlan& prepared);
 
 /// Returns warnings about doubtful inputs. Warnings about stiffness and time step are not included;
 /// they are returned by `choose_run_stiffness`, which must be called before.

@@ -51,7 +51,8 @@ ReleaseSettings release_settings(const Campaign& campaign, const RunRecord& run)
 ///                     point is outside the terrain
 /// @throws SimulationError  if a start is in the ground; names block, point, orientation and depth
 /// @throws GeometryError  if a body of `vary` in [blocks] cannot be made
-CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOptions& making = {});
+CampaignPlan prepare_campaign(const Campaign& campaign,
+                              const BlockPreparationOptions& preparation = {});
 
 /// Samples the blocks again from `prepared.choice.library` with the present settings of the
 /// campaign. The library and the runs are unchanged.
@@ -65,21 +66,21 @@ struct Shard {
 
   /// Returns true if the shard contains a run or realisation.
   /// @param item  index of the run or realisation
-  bool has(std::uint32_t item) const { return item % count == index - 1; }
+  bool contains(std::uint32_t item) const { return item % count == index - 1; }
   /// Returns the number of runs in the shard.
-  std::size_t runs_of(const CampaignPlan& prepared) const;
+  std::size_t run_count(const CampaignPlan& prepared) const;
   void check() const;  ///< throws InputError if `index` is not in 1 to `count`
 };
 
 /// Computing time of runs, measured on a sample.
-struct TimeProbe {
-  std::size_t runs = 0;    ///< number of trial runs
-  double each = 0.0;       ///< mean computing time of a run on one thread, s
-  bool cut_short = false;  ///< true if the last trial run was stopped early
+struct RunTimeProbe {
+  std::size_t runs = 0;           ///< number of trial runs
+  double time_per_run = 0.0;      ///< mean computing time of a run on one thread, s
+  bool last_run_stopped = false;  ///< true if the last trial run was stopped early
   /// Message of the first failed trial run; empty if none failed.
-  std::string failure = {};
+  std::string first_failure = {};
   /// True if a stopped run was extrapolated to its time limit, so that `each` is an upper bound.
-  bool at_most = false;
+  bool is_upper_bound = false;
   /// Runouts of the completed trial runs, m. They are measured along `downslope` if given;
   /// otherwise, they are horizontal distances.
   std::vector<double> runouts = {};
@@ -87,14 +88,14 @@ struct TimeProbe {
 /// Measures the computing time of a sample of runs. It simulates at least one run until `budget`
 /// (s) is exceeded. A run of several times the budget is stopped. Results are discarded.
 /// @throws InputError  if more memory is needed than is free
-TimeProbe probe_time(const CampaignPlan& prepared, double budget);
+RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget);
 /// Computes the planned power from the trial runs. Empty for persistent blocks.
-PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe);
+PlannedPower compute_planned_power(const CampaignPlan& prepared, const RunTimeProbe& probe);
 /// Estimates the computing time of a shard on the given number of threads, s.
-double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
+double estimate_time(const CampaignPlan& prepared, const RunTimeProbe& probe, const Shard& shard,
                      unsigned threads);
 
-struct RunOptions {
+struct CampaignRunOptions {
   unsigned threads = 0;  ///< number of threads; 0: one per core
   /// If true, an interrupted campaign is resumed, or started if there is none. If false, the runs
   /// of an interrupted campaign are discarded.
@@ -123,6 +124,6 @@ struct RunOptions {
 ///                     journal belongs to another campaign or shard, if a checkpoint is damaged, or
 ///                     if more memory is needed than is free
 void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& target,
-                  const RunOptions& options = {});
+                  const CampaignRunOptions& options = {});
 
 }  // namespace clast

@@ -16,8 +16,8 @@ double estimate_realisation_memory(const CampaignPlan& prepared);
 /// @param at_a_time  number of realisations simulated at the same time
 /// @param available  free memory, bytes; if empty, nothing is checked
 /// @throws InputError  if more memory is needed; states the needed and the free memory, and advice
-void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
-                  std::optional<double> available);
+void check_free_memory(const CampaignPlan& prepared, std::size_t at_a_time,
+                       std::optional<double> available);
 
 /// Formats a number of bytes, such as "1.3 GB" or "45 MB".
 std::string format_memory(double bytes);

@@ -32,9 +32,9 @@ class ProcessTeam {
   void check_agreement(const std::function<std::string()>& prepare);
 
   /// Marks the start of a section during which the other processes depend on this one.
-  void begin() { busy_ = true; }
+  void begin_dependent_section() { busy_ = true; }
   /// Marks the end of the section that `begin` starts.
-  void end() { busy_ = false; }
+  void end_dependent_section() { busy_ = false; }
 
   /// Sends the bytes of a finished item (none at first) to the leader and receives the next item.
   /// @return empty if no item is left

@@ -25,6 +25,6 @@ std::vector<StoredRun> simulate_realisation(const CampaignPlan& prepared, std::u
 /// Checks that no blocks of a multi-block release overlap at the start.
 /// @param first  index of the first run
 /// @throws SimulationError  if two blocks overlap; names their ids and the overlap
-void check_mass_start(const CampaignPlan& prepared, std::uint32_t first);
+void check_multi_block_start(const CampaignPlan& prepared, std::uint32_t first);
 
 }  // namespace clast::study_detail

@@ -19,7 +19,7 @@ void plan_runs(CampaignPlan& prepared);
 /// @param prepared  planned campaign without persistent blocks; since then, blocks and starts may
 ///                  have changed, but not their numbers
 /// @throws SimulationError  if a start is inside the ground
-std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared,
-                                         std::span<const std::uint32_t> numbers);
+std::vector<RunRecord> plan_selected_runs(CampaignPlan& prepared,
+                                          std::span<const std::uint32_t> numbers);
 
 }  // namespace clast::study_detail

@@ -68,7 +68,7 @@ class ContactPairTable {
   void update_active_list(std::span<const WorldBody> bodies);
   /// Computes contacts and loads of the active pairs at the poses after a step of `duration`. The
   /// loads of other pairs do not change.
-  void update(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
+  void update_contacts(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
   /// Computes contacts and loads of the pairs for which `is_new` is true, without a step.
   void begin_contacts(std::span<const WorldBody> bodies,
                       const std::function<bool(const ContactPair&)>& is_new);
@@ -97,7 +97,7 @@ class ContactPairTable {
   std::span<const std::uint32_t> pairs_of(std::size_t body) const { return of_body_[body]; }
 
   /// Energy dissipated or reassigned by contacts, including those of removed pairs, J.
-  struct Losses {
+  struct ContactLosses {
     EnergyBalance on_ground, between_bodies;
     EnergyBalance& of(const ContactPair& pair) {
       return pair.reference == ContactPair::kTerrain ? on_ground : between_bodies;
@@ -107,7 +107,7 @@ class ContactPairTable {
       return sum += between_bodies;
     }
   };
-  Losses losses() const;
+  ContactLosses losses() const;
   double stored_energy() const;  ///< J
   /// True if at least one body of the pair is moving.
   static bool is_active(const ContactPair& pair, std::span<const WorldBody> bodies) {
@@ -137,7 +137,7 @@ class ContactPairTable {
   const BodyMotion& motion_of(std::uint32_t body, std::span<const WorldBody> bodies) const {
     return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
   }
-  void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
+  void update_contacts(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
   /// Returns an upper bound of the accumulated displacement of any block point relative to the
   /// reference body, m. Only differences between two times are meaningful.
   static double displacement_bound(const ContactPair& pair, std::span<const WorldBody> bodies);
@@ -155,7 +155,7 @@ class ContactPairTable {
   std::vector<ContactPair> pairs_;
   std::vector<std::uint32_t> active_;
   std::vector<std::vector<std::uint32_t>> of_body_;
-  Losses ended_;  ///< losses of removed pairs
+  ContactLosses ended_;  ///< losses of removed pairs
   std::uint64_t broad_phase_count_ = 0;
 };
 

@@ -28,7 +28,7 @@ struct BodyShape {
 };
 
 /// Range of the bodies that a confining wall holds.
-struct ConfinedRange {
+struct ConfinedBodyRange {
   std::size_t first = 0, end = 0;
 
   bool contains(std::size_t body) const { return body >= first && body < end; }
@@ -71,13 +71,14 @@ struct WorldBody {
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(integrator, fixed, confined, inactive, off_terrain, motion, path_length, rotation_path,
-          force, torque, touching, correction_energy, resting, asleep, sleep_detector, pair_steps);
+          force, torque, touching, correction_energy, resting_time, asleep, sleep_detector,
+          pair_steps);
   }
 
   const BodyShape* shape;
   RigidBodyIntegrator integrator;
   bool fixed;
-  std::optional<ConfinedRange> confined;  ///< for a confining wall: the bodies that it holds
+  std::optional<ConfinedBodyRange> confined;  ///< for a confining wall: the bodies that it holds
   bool inactive = false;     ///< true if it left the terrain or was removed; it keeps its last pose
   bool off_terrain = false;  ///< true if it left the terrain in the last step
   BodyMotion motion;         ///< its motion over the last step
@@ -87,7 +88,7 @@ struct WorldBody {
   Vec3 torque = Vec3::Zero();
   bool touching = false;           ///< true if it has contacts
   double correction_energy = 0.0;  ///< energy added by event impulses of the last step, J
-  double resting = 0.0;            ///< s
+  double resting_time = 0.0;       ///< s
   bool asleep = false;             ///< true if it and all bodies that it touches are at rest
   SleepDetector sleep_detector;    ///< active while the body is slow enough to rest
   std::uint64_t pair_steps = 0;    ///< touching pairs in which it is the block, summed over steps

@@ -33,7 +33,7 @@ class WorldMotion {
   /// @param start  initial state, with a unit quaternion; the centre is above the terrain
   void add_body(std::size_t shape, const RigidState& start, bool fixed);
   /// Turns the body that was added last, which is fixed, into a confining wall.
-  void set_confined_bodies(std::size_t wall, const ConfinedRange& confined) {
+  void set_confined_bodies(std::size_t wall, const ConfinedBodyRange& confined) {
     bodies_[wall].confined = confined;
   }
   /// Removes a body and wakes the bodies that it touched. It becomes inactive and keeps its pose.
@@ -58,7 +58,7 @@ class WorldMotion {
 
   /// True if the body is idle, or if it has been slow and in contact for the rest duration.
   bool is_resting(const WorldBody& body) const {
-    return body.is_idle() || body.resting >= settings_.rest_duration;
+    return body.is_idle() || body.resting_time >= settings_.rest_duration;
   }
   const WorldSettings& settings() const { return settings_; }
   const TerrainSurface* terrain() const { return terrain_; }
@@ -96,8 +96,8 @@ class WorldMotion {
   ContactModel make_contact_model(std::span<const GroundParameters> zone_parameters,
                                   std::span<const std::uint16_t> zone_of_face,
                                   const SoilMemory* soil) const {
-    return {zone_parameters,   zone_of_face,  settings_.stiffness,
-            settings_.weights, settings_.law, soil};
+    return {zone_parameters,     zone_of_face,  settings_.stiffness,
+            settings_.weighting, settings_.law, soil};
   }
   EnergyBalance losses() const {
     EnergyBalance sum = pairs_.losses().sum();

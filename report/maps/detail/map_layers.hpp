@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxMapCells = 100'000;
 /// Maximum number of drawn paths. They are selected evenly from the stored paths.
 inline constexpr std::size_t kMaxMapPaths = 250;
 
-struct MapLayers {
+struct MapLayerData {
   std::string json;              ///< {layers, paths}, for map.js
   std::size_t paths = 0;         ///< number of drawn paths
   std::size_t stored_paths = 0;  ///< number of stored paths
@@ -26,8 +26,8 @@ struct MapLayers {
 /// float32 with NaN between paths. Positions are map coordinates minus `origin`.
 /// @param with_paths  true: includes paths
 /// @throws InputError  if a results file can no longer be read
-MapLayers make_map_layers(const Comparison& comparison,
-                          const std::vector<const MapRasterSet*>& rasters, const Vec2& origin,
-                          bool with_paths);
+MapLayerData make_map_layer_data(const Comparison& comparison,
+                                 const std::vector<const MapRasterSet*>& rasters,
+                                 const Vec2& origin, bool with_paths);
 
 }  // namespace clast::report_detail

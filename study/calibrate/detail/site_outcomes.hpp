@@ -7,21 +7,21 @@
 
 namespace clast::study_detail {
 
-using Outcomes = std::vector<std::vector<ReleaseOutcome>>;  ///< by member
+using MemberOutcomes = std::vector<std::vector<ReleaseOutcome>>;  ///< by member
 
 /// Writes the outcomes of one site.
 /// @param done  by member: true if simulated
-void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& members,
-                const std::vector<bool>& done);
+void write_site_outcomes(Hdf5Group group, const SiteDescription& site,
+                         const MemberOutcomes& members, const std::vector<bool>& done);
 
 /// Reads the description of a site.
 /// @throws InputError  if the file is damaged
-SiteDescription read_facts(const CheckedGroup& site);
+SiteDescription read_site_description(const CheckedGroup& site);
 /// Reads the outcomes of a site.
 /// @param runs  group of the site's releases
 /// @param members  number of members
 /// @throws InputError  if the file is damaged
-Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts,
-                               std::size_t members);
+MemberOutcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts,
+                                     std::size_t members);
 
 }  // namespace clast::study_detail

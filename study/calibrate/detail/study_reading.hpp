@@ -8,6 +8,6 @@
 namespace clast::study_detail {
 
 /// Reads a study part by part through `read`. If one fails, dependent parts are skipped.
-CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read);
+CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read);
 
 }  // namespace clast::study_detail

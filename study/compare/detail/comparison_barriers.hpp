@@ -17,7 +17,7 @@ struct BarrierComparison {
 /// @throws InputError  if a crossing refers to a run or barrier that its file does not contain
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
-                                   const std::vector<Group>& groups);
+                                   const std::vector<RunGroup>& groups);
 
 /// Computes the barrier statistics of each ground draw; draws without a crossing are omitted.
 std::vector<BarrierGroupStatistics> barrier_groups_by_draw(

@@ -24,7 +24,7 @@ struct RockableConf {
   double time = 0.0;      ///< s
   double max_time = 0.0;  ///< s
   double time_step = 0.0;
-  std::size_t driven = 0;  ///< number of fixed bodies, the first ones
+  std::size_t fixed_body_count = 0;  ///< number of fixed bodies, the first ones
   std::map<std::string, double>
       pair;  ///< contact parameters by name, such as "muContact 2 0"; groups are in either order
   std::vector<RockableBody> bodies;

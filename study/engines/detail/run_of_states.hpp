@@ -12,7 +12,7 @@ struct StateSeries {
   std::vector<RigidState> states;  ///< finite
 };
 
-struct RunEnd {
+struct RunEnding {
   StopReason reason = StopReason::kError;
   std::string message = {};  ///< message, if the run failed
 };
@@ -21,14 +21,14 @@ struct RunEnd {
 /// largest speeds. Between two states, the motion is free flight if this connects them; otherwise,
 /// it is interpolated (`interpolate_state`). Contact quantities are NaN, and their counts are 0.
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
-                               const StateSeries& series, const RunEnd& end);
+                               const StateSeries& series, const RunEnding& end);
 
 /// Index of the first state whose centre is outside the terrain; the number of states if none is.
-std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
+std::size_t find_first_state_off_terrain(const CampaignPlan& prepared, const StateSeries& series);
 
 /// True if the block is at rest at the end of the series, according to rest_energy_j_kg and
 /// rest_duration_s of [run]. False for a single state.
-bool rests_at_end(const CampaignPlan& prepared, const RunRecord& planned,
-                  const StateSeries& series);
+bool is_at_rest_at_end(const CampaignPlan& prepared, const RunRecord& planned,
+                       const StateSeries& series);
 
 }  // namespace clast::study_detail

@@ -34,7 +34,7 @@ struct SceneContents {
 };
 
 /// Number of time steps between two lines of a track written by Rockable.
-inline constexpr std::size_t kTrackedSteps = 200;
+inline constexpr std::size_t kStepsPerTrackLine = 200;
 
 struct SceneBody {
   std::uint32_t shape = 0;  ///< index of shape and group
@@ -66,7 +66,7 @@ struct Scene {
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first);
 
 /// Collects the shapes and zones of a campaign.
-SceneContents scene_set(const CampaignPlan& prepared);
+SceneContents collect_scene_contents(const CampaignPlan& prepared);
 
 /// Builds the scene of one run or realisation.
 /// @param first  index of the first run

@@ -10,7 +10,7 @@
 
 namespace clast::study_detail {
 
-struct FilledArea {
+struct HeapExtent {
   double area = 0.0;               ///< area of the outline, m^2
   double mean_thickness = 0.0;     ///< mean height above the ground over the outline, m
   double largest_thickness = 0.0;  ///< largest height above the ground, m
@@ -38,7 +38,7 @@ class BlockPacking {
                                   const Quat& orientation, std::optional<double> thickness,
                                   Random& random);
 
-  FilledArea filling() const;
+  HeapExtent heap_extent() const;
 
   /// Returns the area of the cells that are in both outlines, m^2.
   /// @param other  packing with equal cell width

@@ -16,7 +16,8 @@ namespace clast::study_detail {
 class CheckpointFile {
  public:
   /// Sets the path of the checkpoint; no file is accessed.
-  /// @param target  results file; the checkpoint is `journal_path` with the realisation number
+  /// @param target  results file; the checkpoint is `results_journal_path` with the realisation
+  /// number
   /// @param header  must outlive this object
   /// @param realisation  index from 0; the file name has a number from 1
   CheckpointFile(const std::filesystem::path& target, const CampaignHeader& header,

@@ -26,16 +26,18 @@ class MultiBlockPlacement {
   /// @param body  body of the block
   /// @throws InputError  if there is no place for the block, or if it is outside the terrain
   /// @throws SimulationError  if its position is inside the ground
-  RigidState place(std::size_t mass, std::uint32_t block, const MeasuredBody& body, Random& random);
+  RigidState place(std::size_t mass, std::uint32_t block, const GroundOverlapBody& body,
+                   Random& random);
   /// Returns the placed blocks of each release since `begin`.
   std::vector<MultiBlockStart> placed() const;
 
  private:
-  void check_no_common_space() const;
-  RigidState in_place_state(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
-  RigidState sample_heap_start(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+  void check_no_overlapping_heaps() const;
+  RigidState in_place_state(std::size_t mass, std::uint32_t block,
+                            const GroundOverlapBody& body) const;
+  RigidState sample_heap_start(std::size_t mass, std::uint32_t block, const GroundOverlapBody& body,
                                Random& random);
-  [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
+  [[noreturn]] void throw_no_place_for_block(std::size_t mass, std::uint32_t block) const;
 
   const CampaignPlan& prepared_;
   const std::vector<MultiBlockRelease>& plans_;

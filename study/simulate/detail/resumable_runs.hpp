@@ -19,7 +19,7 @@ class ResumableRuns {
   /// Stores references. All arguments must outlive this object.
   /// @param target  results file; checkpoints are stored beside it
   ResumableRuns(const CampaignPlan& prepared, const std::filesystem::path& target,
-                const RunOptions& options)
+                const CampaignRunOptions& options)
       : prepared_(prepared), target_(target), options_(options) {}
 
   /// Checks all checkpoints. Called before the first run.
@@ -39,7 +39,7 @@ class ResumableRuns {
  private:
   const CampaignPlan& prepared_;
   const std::filesystem::path& target_;
-  const RunOptions& options_;
+  const CampaignRunOptions& options_;
 };
 
 }  // namespace clast::study_detail

@@ -17,8 +17,8 @@ std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
 /// Lifts a block out of the ground until it just touches the ground. It is lifted by at most four
 /// times its largest diameter.
 /// @return false if this height is not sufficient; the state is then unchanged
-bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
-                   const RigidBody& body, RigidState& state);
+bool lift_to_touch_ground(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
+                          const RigidBody& body, RigidState& state);
 
 /// Draws random orientations of one block at one release point or in one realisation. The seed
 /// depends on names only, so other blocks and runs have no influence.
