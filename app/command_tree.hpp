@@ -10,7 +10,7 @@ namespace clast {
 /// Option, flag or positional argument.
 struct OptionEntry {
   std::vector<std::string>
-      names;  ///< names, such as "-o" and "--output"; for a positional argument, its name
+      names;  ///< names, such as "-o" and "--output", or the name of a positional argument
   bool positional = false;
   bool repeated = false;  ///< true if any number of values is accepted
   std::string
@@ -26,11 +26,11 @@ struct CommandEntry {
   std::vector<CommandEntry> commands;
 };
 
-/// Builds the tree of a command-line parser.
+/// Builds the tree of the commands of a command-line parser.
 CommandEntry build_command_tree(const CLI::App& command);
 
 nlohmann::json to_json(const CommandEntry& command);
-/// Reads the JSON of `to_json`.
+/// Parses a command from the JSON that `to_json` returns.
 /// @throws nlohmann::json::exception  if it was not written by `to_json`
 CommandEntry parse_command_entry(const nlohmann::json& json);
 

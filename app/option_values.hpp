@@ -8,9 +8,9 @@
 
 namespace clast {
 
-/// Makes a validator that accepts the numbers of a range.
+/// Makes an option validator that accepts the numbers of a range.
 CLI::Validator number_in_range(const NumberRange& range);
-/// Makes a validator that accepts decimal integers from `low` to `high`.
+/// Makes an option validator that accepts decimal integers from `low` to `high`.
 CLI::Validator integer_in_range(std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
 
 /// Runs a check of option values and reports its errors as misuse.

@@ -11,15 +11,15 @@
 
 namespace clast::python_detail {
 
-/// Keyword arguments of one call. None is treated as not given.
+/// Keyword arguments of a Python call. None counts as not given.
 class Keywords {
  public:
   explicit Keywords(const pybind11::dict& given);
 
   /// Returns true if the argument is given, and marks it as used.
   bool has(const char* name);
-  /// Sets the field if the argument is given.
-  /// @throws TypeError  if its type is wrong; names the argument
+  /// Sets an option field if the argument is given.
+  /// @throws TypeError  if the argument has a wrong type; names the argument
   template <class T>
   void read(const char* name, T& field) {
     if (has(name)) field = cast<T>(name);
@@ -51,7 +51,7 @@ class Keywords {
   std::vector<std::string> taken_;
 };
 
-/// Converts a text, a path or a list of these to texts.
+/// Converts a Python text, a path or a list of these to texts.
 std::vector<std::string> parse_texts(const pybind11::handle& object, const char* name);
 
 }  // namespace clast::python_detail

@@ -9,8 +9,8 @@
 
 namespace clast::python_detail {
 
-/// Returns (values, units, meanings), three dicts with the column names as keys. Values are NumPy
-/// arrays of float64, int64 or texts. Units and meanings are texts.
+/// Converts a table to three dicts with the column names as keys: values as NumPy arrays, units and
+/// meanings as texts.
 pybind11::tuple make_table_dicts(TableValues table);
 
 /// Converts JSON to dict, list, str, int, float, bool or None.

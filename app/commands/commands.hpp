@@ -25,10 +25,10 @@ void add_compare_command(CLI::App& app);
 void add_import_command(CLI::App& app);
 void add_calibrate_command(CLI::App& app);
 
-/// Functions that give the help of `reconstruct`, which is a separate executable.
+/// Functions that give the help of the command `reconstruct`, which is a separate executable.
 struct ReconstructHelp {
-  std::function<void()> show;             ///< prints its help to stdout
-  std::function<CommandEntry()> options;  ///< returns its options
+  std::function<void()> show;             ///< prints the help of the command to stdout
+  std::function<CommandEntry()> options;  ///< returns the options of the command
 };
 /// Adds the command `help`.
 /// @param app  must outlive the parsing

@@ -18,7 +18,7 @@ namespace clast::dem_detail {
 /// Impulse that corrects the time integration for contacts that begin, reverse or end inside a
 /// step. All components are in world axes.
 struct CorrectionImpulse {
-  Vec3 impulse = Vec3::Zero();  ///< impulse force on the block, N, N s
+  Vec3 impulse = Vec3::Zero();  ///< impulse on the block, N s
   Vec3 angular_impulse =
       Vec3::Zero();  ///< angular impulse torque on the block about its centre of mass, N m, N m s
   Vec3 angular_impulse_on_other = Vec3::Zero();
@@ -37,7 +37,7 @@ struct CorrectionImpulse {
 /// Total contact force and torque on a block, in world axes. The opposite force acts on the other
 /// body of the pair.
 struct ContactLoad {
-  Vec3 force = Vec3::Zero();   ///< on the block
+  Vec3 force = Vec3::Zero();   ///< force on the block, N
   Vec3 torque = Vec3::Zero();  ///< on the block about its centre of mass
   Vec3 torque_on_other =
       Vec3::Zero();  ///< torque on the other body about its own centre of mass, N m
@@ -188,8 +188,7 @@ class ContactForces {
 
   const ContactModel& model_;
   const SurfaceFeatures& block_;
-  double max_match_distance_;  ///< largest distance over which a contact may continue on other
-                               ///< features, m
+  double max_match_distance_;  ///< largest distance of a contact from the one that it continues, m
   ContactPatches patches_;
   std::vector<Contact> contacts_;
   std::size_t deepest_ = 0;  ///< index of the contact with the largest overlap

@@ -14,8 +14,8 @@ struct Contact {
   ContactPoint point;
   std::uint16_t zone = 0;
   double weight = 0.0;
-  double normal_force = 0.0;             ///< N
-  Vec3 tangential_force = Vec3::Zero();  ///< spring load that belongs to the lost weights, N
+  double normal_force = 0.0;             ///< normal force, N
+  Vec3 tangential_force = Vec3::Zero();  ///< load of the tangential spring, N
   Vec3 rolling_moment = Vec3::Zero();    ///< moment of the rolling spring, N m
   Vec3 position = Vec3::Zero();          ///< point of application
   double effective_mass =
@@ -59,7 +59,8 @@ class ContactHistory {
     double gained = 0.0, lost = 0.0;  ///< sums of the weight increases and decreases
     Vec3 tangential_force =
         Vec3::Zero();  ///< load of the tangential springs that belongs to the lost weights, N
-    Vec3 rolling_moment = Vec3::Zero();  ///< N m
+    /// Load of the rolling springs that belongs to the lost weights, N m.
+    Vec3 rolling_moment = Vec3::Zero();
   };
 
   /// Matches points with contacts of the previous step on the same block and ground features.

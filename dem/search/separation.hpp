@@ -1,5 +1,6 @@
 #pragma once
-/// Separation bounds of features near the ground (docs/theory.md, Contact search).
+/// Separation bounds: limits of the displacement of block features before contact (docs/theory.md,
+/// Contact search).
 ///
 /// Two convex bodies at distance d have a separating plane with unit normal w. They stay separated
 /// until one has moved by d along w. Displacements are accumulated along an axis (u) and
@@ -8,10 +9,10 @@
 
 namespace clast::dem_detail {
 
-/// Upper bounds of the accumulated displacement of all points of a block part, m.
+/// Upper bounds of the accumulated displacement of any point of a block part, m.
 struct AccumulatedDisplacement {
-  double axial = 0.0;       ///< along the axis, in either direction
-  double transverse = 0.0;  ///< perpendicular to the axis
+  double axial = 0.0;       ///< displacement along the axis, in either direction
+  double transverse = 0.0;  ///< displacement perpendicular to the axis
   double total = 0.0;
 
   AccumulatedDisplacement operator+(const AccumulatedDisplacement& more) const {
@@ -29,7 +30,8 @@ struct SeparationBound {
   double axial_coefficient = 0.0, transverse_coefficient = 0.0;  ///< 1/m
   double until = -1.0;
 
-  /// Returns the remaining margin until the bound expires; not positive if it has expired.
+  /// Returns the difference between `until` and the weighted displacement; not positive if the
+  /// bound has expired.
   double remaining(const AccumulatedDisplacement& displacement) const {
     return until - axial_coefficient * displacement.axial -
            transverse_coefficient * displacement.transverse;
@@ -43,7 +45,8 @@ struct SeparationBound {
   }
 };
 
-/// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d, or maxima of several.
+/// Coefficients of a separation bound for axial and transverse displacement. They are the
+/// components of the separating normal divided by the distance, or maxima over several bounds.
 struct SeparationCoefficients {
   double axial_coefficient = 0.0, transverse_coefficient = 0.0;  ///< 1/m
 
@@ -59,7 +62,7 @@ struct SeparationCoefficients {
   }
 };
 
-/// Earliest expiry of several separation bounds.
+/// Combines several separation bounds into one that expires no later than any of them.
 class EarliestBoundExpiry {
  public:
   explicit EarliestBoundExpiry(const AccumulatedDisplacement& displacement)

@@ -20,9 +20,8 @@ struct Segment {
 struct ClosestSegmentPoints {
   double first = 0.0;              ///< parameter on the first segment, m
   double second = 0.0;             ///< parameter on the second segment, m
-  Vec3 separation = Vec3::Zero();  ///< from the second to the first closest point
-  bool crossing = false;  ///< true if both closest points are inside the segments, so that they are
-                          ///< those of the two lines
+  Vec3 separation = Vec3::Zero();  ///< vector from the second closest point to the first, m
+  bool crossing = false;  ///< true if both closest points are in the interiors of the segments
   // The same of the lines, and the sine of the angle between them; all 0 where they are parallel.
   double line_first = 0.0, line_second = 0.0;
   double sine = 0.0;

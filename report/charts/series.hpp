@@ -11,9 +11,10 @@ struct ChartSeries {
   std::string dash;    ///< SVG dash pattern; empty for a solid line
   std::vector<double> values;
   std::vector<double> weights =
-      {};  ///< one per value, for cumulative charts; if empty, weights are equal
-  std::vector<std::string> names = {};   ///< one per value, shown as tooltip
-  std::vector<std::string> blocks = {};  ///< data-block of each mark (see `make_report_page`)
+      {};  ///< weight of each value in cumulative charts; if empty, weights are equal
+  std::vector<std::string> names = {};  ///< tooltip of each value
+  /// Identifier of each block, for highlighting in all diagrams.
+  std::vector<std::string> blocks = {};
 };
 
 }  // namespace clast::report_detail

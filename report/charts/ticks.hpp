@@ -11,7 +11,7 @@ struct AxisTicks {
   std::vector<double> values;  ///< multiples of `step` inside [low, high], ascending
 };
 
-/// Chooses about `wanted` ticks in [low, high] with a step of 1, 2 or 5 times a power of ten.
+/// Chooses about `wanted` axis ticks in [low, high] with a step of 1, 2 or 5 times a power of ten.
 AxisTicks choose_ticks(double low, double high, int wanted);
 
 /// Chooses ticks at 1, 2 and 5 times powers of ten in [low, high]. If there would be more than

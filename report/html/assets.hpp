@@ -1,5 +1,5 @@
 #pragma once
-/// Files of report/assets as strings. `page_css`, for example, is page.css.
+/// Files of the folder report/assets as strings. `page_css`, for example, is page.css.
 #include <string_view>
 
 namespace clast::report_detail::assets {

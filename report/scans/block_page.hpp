@@ -8,18 +8,16 @@
 
 namespace clast {
 
-/// Data for the page of a block. Blocks from .shp files have no scan and no images of it.
+/// Scan and options of a block, from which its page is made.
 struct BlockPageContents {
   const TriangleMesh* raw =
-      nullptr;  ///< mesh as read, in units and axes of the file; null without a scan
+      nullptr;  ///< unrepaired mesh, in units and axes of the file; null without a scan
   const FieldBlock* field_block = nullptr;
-  ScanOptions options = {};  ///< options used for reading the scan
-  std::string up = "z";      ///< up axis of the file
-  std::string scale = {};    ///< text on the origin of the scale; not used for photo scans
-  bool density_given =
-      false;  ///< true if the density was given; false if it follows from a weighed mass
-  const PhotoScan* photos =
-      nullptr;  ///< photo scan; null if the block was not made from photographs
+  ScanOptions options = {};    ///< options used for reading the scan
+  std::string up = "z";        ///< up axis of the file
+  std::string scale = {};      ///< description of the origin of the scale
+  bool density_given = false;  ///< true if the density was given; false if a weighed mass was given
+  const PhotoScan* photos = nullptr;            ///< photo scan; null for other blocks
   const PhotoSummary* photo_summary = nullptr;  ///< summary of the photos; if null, it is computed
 };
 

@@ -8,12 +8,12 @@
 
 namespace clast::report_detail {
 
-/// Runs with stored trajectories. Their files are kept open.
+/// Runs of a comparison with stored trajectories, and their open results files.
 struct RunsWithTrajectories {
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
   std::size_t frames = 0;         ///< total number of stored states
   std::vector<std::optional<TrajectoryFile>>
-      files;  ///< one per results file; empty if the file no longer exists
+      files;  ///< open results files; empty for files that no longer exist
 
   Trajectory trajectory(const RunRow& row) const { return files[row.file]->read(row.record->run); }
 };

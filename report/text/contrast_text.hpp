@@ -8,8 +8,7 @@
 
 namespace clast {
 
-/// Displayed name and unit of a quantity. For example, "EC11 total_energy_j" is displayed as
-/// "energy at EC11" in kJ.
+/// Displayed name and unit of a quantity, such as "energy at EC11" in kJ for "EC11 total_energy_j".
 struct QuantityLabel {
   std::string name;
   std::string unit;
@@ -26,7 +25,7 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
 std::string describe_difference(const GroupDifference& difference);
 std::string describe_difference(const DepositQuantityDifference& difference);
 
-/// Describes a difference in a complete sentence.
+/// Describes a difference between two groups in a complete sentence.
 std::string describe_effect(const GroupDifference& difference, const Comparison& comparison);
 
 /// Describes a difference of deposits and its significance, such as "travel angle: file 1 31.2 deg,

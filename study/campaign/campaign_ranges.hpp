@@ -1,6 +1,6 @@
 #pragma once
-/// Allowed ranges of the numbers of a campaign. They include pebbles in a laboratory, other planets
-/// and large rock avalanches. A number outside is a typing error or has another unit.
+/// Allowed ranges of the numbers of a campaign. A number outside its range is a typing error or has
+/// another unit.
 #include "library/block_ranges.hpp"
 #include "terrain/terrain_ranges.hpp"
 
@@ -8,20 +8,19 @@ namespace clast::study_detail {
 
 // [ground.NAME]
 inline constexpr NumberRange kEnergyRestitutionRange{1e-6, 1.0};
-/// Friction coefficient; 100 is the tangent of 89.4 degrees.
+/// Range of friction coefficients; 100 is the tangent of 89.4 degrees.
 inline constexpr NumberRange kFrictionRange{1e-6, 100.0, "", ""};
 inline constexpr NumberRange kRollingLengthRange{1e-3, 100.0, "m"};
 inline constexpr NumberRange kSlipGrowthRange{1e-3, 1e4, "1/m"};
 inline constexpr NumberRange kSlipMemoryRange{1e-6, 1e4, "s"};
 inline constexpr NumberRange kScarDragRange{1e-3, 100.0};
-/// Densities from fresh snow to ore.
+/// Range of soil densities, from fresh snow to ore.
 inline constexpr NumberRange kSoilDensityRange{50.0, 5000.0, "kg/m^3"};
 inline constexpr NumberRange kSoilMemoryRange{0.01, 10.0, "m"};
 
 // [blocks] draw, and laws of uncertain numbers
 inline constexpr NumberRange kClassFractionRange{1e-6, 1.0, "", ""};
-/// Standard deviation of the natural logarithm. If it is 5, every third draw differs from the
-/// median by more than a factor of 150.
+/// Range of the standard deviation of the natural logarithm of a log-normal parameter.
 inline constexpr NumberRange kLogSigmaRange{1e-9, 5.0};
 
 // [release]
@@ -33,7 +32,7 @@ inline constexpr NumberRange kRollingStiffnessRange{1e-9, 1e15, "N m/rad"};
 
 // [run]
 inline constexpr NumberRange kRunTimeRange{1e-3, 1e5, "s"};
-/// Length of the vector `downslope`.
+/// Range of the length of the direction vector `downslope`.
 inline constexpr NumberRange kDirectionLengthRange{1e-6, 1e6};
 
 }  // namespace clast::study_detail

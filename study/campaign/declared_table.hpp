@@ -17,8 +17,8 @@ namespace clast::study_detail {
 class DeclaredTable : public TomlTable {
  public:
   /// Makes the table and checks its keys.
-  /// @param title  name in messages, such as "[run]"
-  /// @param keys  must outlive the table
+  /// @param title  name of the table in messages, such as "[run]"
+  /// @param keys  declarations of the keys; must outlive the table
   /// @throws InputError  if `node` is not a table or has an undeclared key
   DeclaredTable(const TomlNode& node, const std::string& file, const std::string& title,
                 std::vector<const TableKey*> keys);
@@ -69,11 +69,11 @@ class DeclaredTable : public TomlTable {
   std::vector<const TableKey*> keys_;
 };
 
-/// Finds the tables of one name, [name] or [[name]]; empty if absent.
+/// Finds the tables of one name: [name], or several [[name]]. Empty if there is none.
 /// @throws InputError  if the value is not a table or a list of tables, or a key is undeclared
 std::vector<DeclaredTable> find_tables(const TomlTable& top, const KeyTable& declared);
 
-/// Checks that no earlier table has the same name.
+/// Checks that no earlier table has the same value of the key "name".
 /// @param what  kind of table for the message, such as "barrier"
 template <class Named>
 void check_unique_name(const TomlTable& table, const std::string& name,
@@ -83,29 +83,29 @@ void check_unique_name(const TomlTable& table, const std::string& name,
   }
 }
 
-/// Returns the only table of one name.
+/// Finds the single table of one name.
 /// @throws InputError  if it is missing
 DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared);
 
-/// Reads one of the given words; empty if the key is absent.
+/// Reads the value of a key that is one of the given words; empty if the key is absent.
 std::optional<std::string> read_choice(const TomlTable& table, const std::string& key,
                                        const std::vector<std::string>& words);
 
 /// Resolves the path of an existing file. Relative paths refer to the folder of the TOML file.
 /// ${CLAST_DATA} is replaced.
-/// @param text  the path
+/// @param text  path as written in the file
 std::filesystem::path resolve_input_file(const TomlTable& table, const std::string& key,
                                          const TomlNode& node, std::string text);
 std::filesystem::path resolve_input_file(const TomlTable& table, const std::string& key,
                                          const TomlNode& node);
 
-/// Returns a list element, or `node` itself if it is not a list.
+/// Returns an element of a TOML list, or `node` itself if it is not a list.
 const TomlNode& element(const TomlNode& node, std::size_t index);
 
 /// Reads a number or distribution: `{ uniform = [low, high] }`, `{ normal = [mean, std] }` or `{
 /// log_normal = [median, sigma] }`, where sigma is the standard deviation of the natural logarithm.
 /// Empty if the key is absent.
-/// @param range  allowed range of the number, of both bounds, or of the mean or median
+/// @param range  allowed range of the number, the bounds, the mean or the median
 /// @throws InputError  if the value is invalid; names file, line, key and value
 std::optional<Distribution> read_distribution(const TomlTable& table, const std::string& key,
                                               const NumberRange& range);

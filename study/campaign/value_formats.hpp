@@ -1,5 +1,5 @@
 #pragma once
-/// Constructors of value formats for key declarations.
+/// Functions that make the formats of TOML values, for key declarations.
 #include <utility>
 
 #include "study/campaign/key_table.hpp"
@@ -32,20 +32,20 @@ inline ValueFormat named_table_format(ValueFormat item) {
 inline ValueFormat alternative_formats(std::vector<ValueFormat> forms) {
   return {.kind = Kind::kEither, .items = std::move(forms)};
 }
-/// Format of a single value or a list of such values.
+/// Makes the format of a single value or a list of such values.
 inline ValueFormat one_or_more_format(const ValueFormat& form, std::uint64_t maximum = INT64_MAX) {
   return alternative_formats({form, list_format(form, 1, maximum)});
 }
 inline ValueFormat texts_format() { return one_or_more_format(text_format()); }
-/// Format of a map point, with or without height.
+/// Makes the format of a point in map coordinates, with or without height.
 ValueFormat point_format();
-/// Format of a number or distribution that `read_distribution` accepts.
+/// Makes the format of a number or a probability distribution.
 ValueFormat uncertain_number_format(const NumberRange& range);
 
-/// Sets the unit of a format. A range that has a unit keeps it.
+/// Sets the unit of a format, unless its range has a unit.
 ValueFormat with_unit(ValueFormat form, const char* unit);
-/// Marks a format as required.
-/// @param expected  description of the value for the message if it is missing
+/// Marks the format of a key as required.
+/// @param expected  description of the value in the message if it is missing
 inline ValueFormat required_format(std::string expected, ValueFormat form) {
   form.required = std::move(expected);
   return form;

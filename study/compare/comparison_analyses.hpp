@@ -1,5 +1,5 @@
 #pragma once
-/// Cache of the analyses of a comparison; each is computed at its first use.
+/// Cache of the analyses of a comparison.
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -19,10 +19,10 @@
 
 namespace clast {
 
-/// Computes the analyses of a comparison once each, for tables, pages, maps and texts. Thread-safe.
+/// Computes the analyses of a comparison, each at its first use. Thread-safe.
 class ComparisonAnalyses {
  public:
-  /// Implicit, so that a `Comparison` can be passed to functions that take analyses.
+  /// Stores a reference to the comparison. Implicit, so that a `Comparison` can be passed instead.
   /// @param comparison  must outlive this object and stay unchanged
   ComparisonAnalyses(const Comparison& comparison) : comparison_(comparison) {}
 

@@ -20,16 +20,16 @@ struct ShapeOutcome {
   double deviation = 0.0;  ///< standard deviation over the runs
 };
 
-/// Means of one outcome for each block shape, for a file with at least six shapes.
+/// Mean outcomes of all block shapes of a results file.
 struct OutcomeByShape {
   std::uint32_t file = 0;
-  std::string outcome;  ///< "runout", "lateral angle", "largest energy", or "passing BARRIER"
+  std::string outcome;  ///< name, such as "runout" or "largest energy"
   std::string unit;
-  std::vector<ShapeOutcome> forms;  ///< ordered by id
+  std::vector<ShapeOutcome> forms;  ///< mean outcome of each shape, ordered by id of the block
 };
 
-/// Computes the mean outcomes by block shape. All runs are included with their last position. Files
-/// with persistent blocks are omitted.
+/// Computes the mean outcomes by block shape, for files with at least six shapes. Files with
+/// persistent blocks are omitted.
 std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparison);
 
 }  // namespace clast

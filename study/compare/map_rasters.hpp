@@ -9,16 +9,17 @@
 
 namespace clast {
 
-/// One raster layer: a value per cell.
+/// Raster layer on a map: one value per cell.
 struct RasterLayer {
-  std::string name;     ///< such as "E_95"
+  std::string name;     ///< name, such as "E_95"
   std::string meaning;  ///< description with unit
   std::vector<float>
-      values;  ///< row-major, the first row at the largest y; NaN if a cell has no value
+      values;  ///< values, row-major, the first row at the largest y; NaN for cells without a value
 };
 
 using MapCell =
-    std::pair<std::int64_t, std::int64_t>;  ///< row and column, counted from the map's origin
+    /// Cell of a map grid: row and column from the origin of map coordinates.
+    std::pair<std::int64_t, std::int64_t>;
 
 /// Raster layers that share one grid.
 struct MapRasterSet {
@@ -32,7 +33,7 @@ struct MapRasterSet {
   std::size_t index(const MapCell& place) const;
 };
 
-/// Makes the smallest grid that contains all cells. The values of all layers are NaN.
+/// Makes the smallest grid that contains all cells, with layers whose values are NaN.
 /// @param cells  not empty
 /// @param width  side length of a cell, m
 MapRasterSet rasterize_cells(const std::vector<MapCell>& cells, double width,

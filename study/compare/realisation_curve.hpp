@@ -5,7 +5,7 @@
 namespace clast {
 
 struct RealisationCurve {
-  std::vector<double> time;  ///< since the release of the first block, s
+  std::vector<double> time;  ///< time since the release of the first block, s
   std::vector<double> mean, minimum, maximum;
 };
 

@@ -8,21 +8,22 @@
 
 namespace clast {
 
-/// Impact: contact phase between two flights. Flights shorter than `kMinFlight` do not end an
-/// impact, so rolling over corners is one impact.
+/// Impact: phase of contact between two flights. Flights shorter than `kMinFlight` do not end an
+/// impact.
 struct Impact {
   std::uint32_t run = 0;
-  std::uint32_t zone = 0;             ///< ground zone of the first contact
-  double time = 0.0;                  ///< time of the first contact, s
-  double contact_duration = 0.0;      ///< duration until the next flight or the end of the run, s
+  std::uint32_t zone = 0;  ///< ground zone of the first contact
+  double time = 0.0;       ///< time of the first contact, s
+  /// Time from the first contact to the next flight or the end of the run, s.
+  double contact_duration = 0.0;
   Vec3 position = Vec3::Zero();       ///< position of the first contact, m
   double speed_before = 0.0;          ///< speed of the centre of mass at the first contact, m/s
   double speed_after = 0.0;           ///< speed of the centre of mass at the last contact, m/s
-  double translational_before = 0.0;  ///< J
+  double translational_before = 0.0;  ///< kinetic energy of the translation at the first contact, J
   double translational_after = 0.0;
   double rotational_before = 0.0;
   double rotational_after = 0.0;
-  double depth = 0.0;  ///< largest overlap, m
+  double depth = 0.0;  ///< largest overlap during the impact, m
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -41,7 +42,7 @@ struct ContactStatistics {
   std::uint64_t max_contact_points = 0;
   double longest_flight = 0.0;  ///< longest horizontal distance between two contacts, m
   double max_energy = 0.0;      ///< largest kinetic energy of translation and rotation, J
-  double max_spin = 0.0;        ///< rad/s
+  double max_spin = 0.0;        ///< largest angular speed, rad/s
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -78,7 +79,7 @@ class ImpactObserver {
   std::uint32_t run_;
   bool first_ = true;
   std::optional<Impact> open_;
-  RigidState last_touch_;  ///< last contact of the open impact
+  RigidState last_touch_;  ///< state at the last contact of the open impact
   double last_touch_time_ = 0.0;
   double flight_ = 0.0;           ///< time since the last contact, s
   std::optional<Vec2> take_off_;  ///< start of the current flight

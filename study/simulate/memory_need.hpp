@@ -8,8 +8,8 @@
 
 namespace clast {
 
-/// Estimates the memory of the first realisation in addition to the prepared campaign, bytes. It
-/// depends on the number of vertices of the blocks and of stored states. 0 for single runs.
+/// Estimates the memory that a realisation of persistent blocks needs, bytes; 0 for single-block
+/// runs.
 double estimate_realisation_memory(const CampaignPlan& prepared);
 
 /// Checks that the realisations fit into memory.

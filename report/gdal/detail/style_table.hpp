@@ -9,9 +9,9 @@
 
 namespace clast::report_detail {
 
-/// Adds the table `layer_styles` of QGIS. Each style is the default of its layer.
+/// Adds layer styles to a GeoPackage, in the table `layer_styles` that QGIS reads.
 /// @param target  file name for messages
-/// @throws InputError  if GDAL cannot write it
+/// @throws InputError  if GDAL cannot write the table
 void add_layer_style_table(GDALDataset& dataset, const std::filesystem::path& target,
                            const std::vector<LayerStyle>& styles);
 

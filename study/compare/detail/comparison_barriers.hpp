@@ -19,7 +19,8 @@ BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
                                    const std::vector<RunGroup>& groups);
 
-/// Computes the barrier statistics of each ground draw; draws without a crossing are omitted.
+/// Computes the statistics of a barrier for each draw of the ground parameters. Draws without a
+/// crossing are omitted.
 std::vector<BarrierGroupStatistics> barrier_groups_by_draw(
     const Comparison& comparison, std::size_t line, const std::vector<GroundDrawRows>& draws);
 

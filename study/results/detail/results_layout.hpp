@@ -1,6 +1,6 @@
 #pragma once
-/// Layout of the datasets of a results file. It is declared once for the file, its journal, the
-/// tables and docs/formats.md.
+/// Layout of the datasets of a results file, declared once for the file, its journal, tables and
+/// docs/formats.md.
 ///
 /// `visit_columns` calls visit(name, unit, meaning, field) for each column, in the order of file
 /// and journal. `std::invoke(field, row)` returns an assignable reference to the value in a row.
@@ -17,7 +17,7 @@ inline constexpr const char* kResultsFormat = "clast results";
 inline constexpr int kResultsSchema = 4;
 inline constexpr int kOldestResultsSchema = 2;  ///< oldest schema that can be read
 
-/// Converts a value to the type of its dataset.
+/// Converts a value to the type that its dataset stores.
 inline std::uint32_t to_stored_value(std::uint32_t value) { return value; }
 inline double to_stored_value(double value) { return value; }
 inline std::string to_stored_value(const std::string& value) { return value; }
@@ -33,8 +33,7 @@ using StoredType =
 template <class Row>
 inline constexpr std::type_identity<Row> kRowType{};
 
-/// Visits the columns of a rigid-body state. Their names are suffixes of the start and stop columns
-/// of /runs, and they are rows 1 to 13 of a trajectory.
+/// Visits the columns of a rigid-body state: position, orientation, velocity and angular velocity.
 template <class Visit>
 void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
   const char* place = "position of the centre of mass";
@@ -59,8 +58,7 @@ void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
         [](auto& s) -> decltype(auto) { return (s.angular_velocity.z()); });
 }
 
-/// Visits the stiffness columns of a run. Before schema 4, the first four were attributes of
-/// /contact that all runs shared.
+/// Visits the columns of contact stiffness, time step and depths of a run.
 template <class Visit>
 void visit_stiffness(const Visit& visit) {
   const char* used = "k_n and k_t as used, determined for the run or given";
@@ -83,10 +81,10 @@ void visit_stiffness(const Visit& visit) {
         &RunRecord::impact_depth);
 }
 
-/// Visits the columns of one state of a run.
+/// Visits the columns of the start or final state of a run.
 /// @param prefix  prefix of the column names
 /// @param when  prefix of the column descriptions, such as "at the start: "
-/// @param state  returns the state of a run
+/// @param state  function that returns the state of a run
 template <class Visit, class State>
 void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
                  const State& state) {

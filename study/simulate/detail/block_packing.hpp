@@ -16,9 +16,8 @@ struct HeapExtent {
   double largest_thickness = 0.0;  ///< largest height above the ground, m
 };
 
-/// Builds a heap without dynamics. Blocks are placed one by one on the ground or the heap, each at
-/// the lowest of several random positions in the outline. Heights are stored as upper bounds in the
-/// cells of a grid, so gaps of about one cell remain between blocks.
+/// Builds a heap of blocks without dynamics. Blocks are placed one by one, each at the lowest of
+/// several random positions. Gaps of about one grid cell remain between blocks.
 class BlockPacking {
  public:
   /// Makes an empty heap.

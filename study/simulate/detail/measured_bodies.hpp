@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies with precomputed data for computing their overlap with the ground.
+/// Rigid body with precomputed data for computing its overlap with the ground.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -20,8 +20,8 @@ struct GroundOverlapBody {
   GroundOverlap overlap;
 };
 
-/// Cache of up to 500 bodies, which is cleared when full. Consecutive runs often use equal blocks,
-/// but sampled blocks may be too many to store.
+/// Cache of bodies with precomputed data for their overlap with the ground. It stores up to 500
+/// bodies and is cleared when full.
 class GroundOverlapBodyCache {
  public:
   /// Makes an empty cache. Both arguments must outlive it.
