@@ -9,12 +9,12 @@ namespace clast {
 
 /// Option, flag or positional argument.
 struct OptionEntry {
-  std::vector<std::string>
-      names;  ///< names, such as "-o" and "--output", or the name of a positional argument
+  /// Names, such as "-o" and "--output", or the name of a positional argument.
+  std::vector<std::string> names;
   bool positional = false;
   bool repeated = false;  ///< true if any number of values is accepted
-  std::string
-      value;  ///< placeholder of the value in the help text, such as "FILE"; empty for flags
+  /// Placeholder of the value in the help text, such as "FILE"; empty for flags.
+  std::string value;
   std::vector<std::string> choices;  ///< allowed values; if empty, any value is allowed
   std::string description;
 };

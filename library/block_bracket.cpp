@@ -12,8 +12,7 @@ namespace clast {
 
 namespace {
 
-constexpr double kMaxSameMassDifference =
-    1e-9;                             ///< relative; a density made from the mass gives it back
+constexpr double kSameMass = 1e-9;    ///< relative; a density made from the mass gives it back
 constexpr double kHardlyOpen = 1e-3;  ///< of the volume; a scan weighs no better
 
 AxesBounds including(const SideBounds& sides, const Vec3& lengths) {
@@ -38,7 +37,7 @@ BlockBracket derive_block_bracket(const Block& block) {
   if (unseen.upper_volume) range.upper_mass = block.density * *unseen.upper_volume;
   range.lower_density = range.upper_density = block.density;
   const std::optional<double>& weighed = block.field.weighed_mass;
-  if (weighed && std::abs(block.mass.mass - *weighed) <= kMaxSameMassDifference * *weighed) {
+  if (weighed && std::abs(block.mass.mass - *weighed) <= kSameMass * *weighed) {
     range.lower_mass = *weighed;
     range.upper_mass = weighed;
     range.lower_density.reset();

@@ -55,18 +55,18 @@ SpheroPolyhedron with_scaled_core(SpheroPolyhedron body, const Vec3& centre, dou
 }
 
 /// A body and its mass properties at a density of 1 kg/m^3.
-struct GroundOverlapBody {
+struct MeasuredBody {
   SpheroPolyhedron body;
   MassProperties unit;
 };
 
 /// Scales the core until the rounded body has the volume `target`, to its accuracy.
-GroundOverlapBody with_volume(const SpheroPolyhedron& body, double target, double accuracy) {
+MeasuredBody with_volume(const SpheroPolyhedron& body, double target, double accuracy) {
   const auto measured = [&](SpheroPolyhedron tried) {
     const MassProperties unit = sphero_mass_properties(tried, 1.0, accuracy);
-    return GroundOverlapBody{std::move(tried), unit};
+    return MeasuredBody{std::move(tried), unit};
   };
-  GroundOverlapBody best = measured(body);
+  MeasuredBody best = measured(body);
   const Vec3 centre = best.unit.centre;
   double factor = 1.0;
   double previous_factor = 1.0;
@@ -156,7 +156,7 @@ void warn_of_density(Block& block) {
                            " kg/m3 is outside the range of rocks, 500 to 8000 kg/m3" + advice);
 }
 
-void add_comparison_warnings(Block& block, const BlockOptions& options) {
+void add_warnings(Block& block, const BlockOptions& options) {
   const double L = block.box.lengths[0];
   const double S = block.box.lengths[2];
   if (block.principal.has_near_equal_moments) {
@@ -214,7 +214,7 @@ std::string described(const BlockOptions& options, const Block& block) {
 }
 
 /// Everything that follows from a body and its unit mass properties.
-Block finished(Block block, GroundOverlapBody measured, BlockSource source,
+Block finished(Block block, MeasuredBody measured, BlockSource source,
                const BlockOptions& options) {
   block.from_core = options.core;
   block.body = std::move(measured.body);
@@ -232,14 +232,14 @@ Block finished(Block block, GroundOverlapBody measured, BlockSource source,
   if (!block.source.options.empty()) block.source.options += " ";
   block.source.options += described(options, block);
   block.source.program_version = version();
-  add_comparison_warnings(block, options);
+  add_warnings(block, options);
   return block;
 }
 
 Block block_of_body(Block block, const SpheroPolyhedron& body, BlockSource source,
                     const BlockOptions& options) {
   options.check();
-  GroundOverlapBody measured{merge_coplanar_faces(body), {}};
+  MeasuredBody measured{merge_coplanar_faces(body), {}};
   measured.unit = sphero_mass_properties(measured.body, 1.0, options.accuracy);
   return finished(std::move(block), std::move(measured), std::move(source), options);
 }
@@ -255,7 +255,7 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
   const Vec3 lengths = smallest_box(surface.vertices).lengths;
   const double radius = options.radius ? *options.radius : options.radius_share * lengths[2];
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
-  GroundOverlapBody measured = with_volume(
+  MeasuredBody measured = with_volume(
       fitted_body(surface, scan, target.volume, radius, options.tolerance * lengths[0], options),
       target.volume, options.accuracy);
   block.deviation = measure_surface_deviation(scan, measured.body);

@@ -9,7 +9,7 @@ namespace clast {
 
 namespace {
 
-constexpr NumberRange kStopQuantile{-kBarLength.high, kBarLength.high, "m"};
+constexpr NumberRange kPlace{-kBarLength.high, kBarLength.high, "m"};
 constexpr std::uint64_t kMaxSquares = 100;
 constexpr std::uint64_t kMaxIds = 100000;
 
@@ -19,8 +19,8 @@ BoardMarker read_marker(const TomlNode& node, const std::string& file) {
   BoardMarker marker;
   marker.id = static_cast<int>(*table.count("id", 0, kMaxIds));
   const TomlNode& centre = table.require_key("centre_m", "[x, y] or [x, y, z] of its centre");
-  const std::vector<double> at = table.numbers(
-      "centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kStopQuantile);
+  const std::vector<double> at =
+      table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kPlace);
   marker.centre = {at[0], at[1], at.size() > 2 ? at[2] : 0.0};
   return marker;
 }

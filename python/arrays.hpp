@@ -30,8 +30,8 @@ pybind11::array_t<T> make_owning_array(std::vector<T> values) {
 
 pybind11::array_t<double> to_array(const Vec3& vector);  ///< returns an array of shape (3,)
 pybind11::array_t<double> to_array(const Mat3& matrix);  ///< returns an array of shape (3, 3)
-pybind11::array_t<double> to_array(
-    const Quat& turn);  ///< returns an array of shape (4,): w, x, y, z
+/// Returns an array of shape (4,): w, x, y, z.
+pybind11::array_t<double> to_array(const Quat& turn);
 
 /// Returns vertices and triangles of a mesh as two NumPy arrays, which own the data.
 pybind11::tuple to_arrays(TriangleMesh mesh);

@@ -23,13 +23,13 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
 /// Optional contents of a report folder.
 struct ComparisonReportOptions {
   std::size_t animated_runs = 0;  ///< number of animated runs; if 0, no animation is written
-  std::filesystem::path browser =
-      {};  ///< browser that prints report.pdf; if empty, no PDF is written
+  /// Browser that prints report.pdf; if empty, no PDF is written.
+  std::filesystem::path browser = {};
 };
 
 struct WrittenReport {
-  std::vector<std::filesystem::path>
-      files;  ///< written files, relative to the folder, the report last
+  /// Written files, relative to the folder, the report last.
+  std::vector<std::filesystem::path> files;
   std::optional<std::string> pdf_failure;  ///< reason why the PDF could not be printed
 };
 

@@ -18,10 +18,10 @@ struct PopulationFiles {
 
 struct BlockMeasuringOptions {
   std::string box = "smallest";  ///< box whose sides are the axes of library blocks
-  bool box_given =
-      false;  ///< true if the user requested the box, which is an error for text tables
-  std::optional<double> axis_error =
-      {};  ///< error of the axes, m; if empty, it depends on the kind of source
+  /// True if the user requested the box, which is an error for text tables.
+  bool box_given = false;
+  /// Error of the axes, m; if empty, it depends on the kind of source.
+  std::optional<double> axis_error = {};
   /// True if surface measures of library blocks are computed.
   bool surfaces = false;
   std::optional<double> roundness_edge = {};

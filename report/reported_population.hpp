@@ -26,8 +26,8 @@ struct AppliedMeasuringOptions {
 
 /// Measures computed from the whole surface of a block.
 struct SurfaceMeasures {
-  std::map<std::string, double>
-      indices;  ///< shape indices by name, including those computed from the axes
+  /// Shape indices by name, including those computed from the axes.
+  std::map<std::string, double> indices;
   std::optional<Equilibria> sides;     ///< number of equilibria; empty for balls and capsules
   std::optional<Roundness> roundness;  ///< roundness; empty if not requested
 };
@@ -35,8 +35,8 @@ struct SurfaceMeasures {
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
-  std::string
-      measured;  ///< origin of L, I, S, such as "sides of the smallest box" or "as in the table"
+  /// Origin of L, I, S, such as "sides of the smallest box" or "as in the table".
+  std::string measured;
   AppliedMeasuringOptions reading;
   std::vector<InputFile> inputs;
   std::size_t skipped = 0;         ///< number of skipped table rows

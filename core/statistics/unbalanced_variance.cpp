@@ -16,9 +16,9 @@ namespace clast {
 namespace {
 
 constexpr std::size_t kMaxGroupings = 6;
-constexpr std::uint32_t kMaxComparedGroups = 40;  ///< of levels that are left out together
-constexpr std::size_t kMinTrimmed = 5;            ///< levels; with fewer nothing is left to trim
-constexpr double kOffset = 0.01;                  ///< of shares, so that zero has odds
+constexpr std::uint32_t kMaxGroups = 40;  ///< of levels that are left out together
+constexpr std::size_t kMinTrimmed = 5;    ///< levels; with fewer nothing is left to trim
+constexpr double kOffset = 0.01;          ///< of shares, so that zero has odds
 constexpr double kUpperQuantile = 0.975;
 
 /// Group of each value.
@@ -267,7 +267,7 @@ std::vector<VarianceDecomposition> decompose_unbalanced_variance(
   std::vector<std::vector<Scatter>> scatters(outcomes.size(), std::vector<Scatter>(shown));
   for (std::size_t f = 0; f < factors.size(); ++f) {
     if (groupings[f].count < 3) continue;
-    const std::uint32_t groups = std::min(kMaxComparedGroups, groupings[f].count);
+    const std::uint32_t groups = std::min(kMaxGroups, groupings[f].count);
     std::vector<std::vector<std::vector<double>>> tried(outcomes.size(),
                                                         std::vector<std::vector<double>>(shown));
     for (std::uint32_t group = 0; group < groups; ++group) {

@@ -19,14 +19,14 @@ namespace clast::dem_detail {
 /// step. All components are in world axes.
 struct CorrectionImpulse {
   Vec3 impulse = Vec3::Zero();  ///< impulse on the block, N s
-  Vec3 angular_impulse =
-      Vec3::Zero();  ///< angular impulse torque on the block about its centre of mass, N m, N m s
+  /// Angular impulse on the block about its centre of mass, N m s.
+  Vec3 angular_impulse = Vec3::Zero();
   Vec3 angular_impulse_on_other = Vec3::Zero();
   // Only against what does not move; zero between two moving bodies.
-  Vec3 moment =
-      Vec3::Zero();  ///< correction of the position: mass times displacement of the centre, N s^2
-  Vec3 angular_moment =
-      Vec3::Zero();  ///< correction of the orientation: inertia times rotation, N m s^2
+  /// Correction of the position: mass times displacement of the centre, N s^2.
+  Vec3 moment = Vec3::Zero();
+  /// Correction of the orientation: inertia times rotation, N m s^2.
+  Vec3 angular_moment = Vec3::Zero();
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -38,9 +38,9 @@ struct CorrectionImpulse {
 /// body of the pair.
 struct ContactLoad {
   Vec3 force = Vec3::Zero();   ///< force on the block, N
-  Vec3 torque = Vec3::Zero();  ///< on the block about its centre of mass
-  Vec3 torque_on_other =
-      Vec3::Zero();  ///< torque on the other body about its own centre of mass, N m
+  Vec3 torque = Vec3::Zero();  ///< torque on the block about its centre of mass, N m
+  /// Torque on the other body about its own centre of mass, N m.
+  Vec3 torque_on_other = Vec3::Zero();
   /// Energy that the contacts absorb, return, or will lose when loading turns to unloading, per
   /// block mass, J/kg (docs/theory.md, Time step).
   double impact_energy = 0.0;

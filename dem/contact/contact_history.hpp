@@ -18,8 +18,8 @@ struct Contact {
   Vec3 tangential_force = Vec3::Zero();  ///< load of the tangential spring, N
   Vec3 rolling_moment = Vec3::Zero();    ///< moment of the rolling spring, N m
   Vec3 position = Vec3::Zero();          ///< point of application
-  double effective_mass =
-      0.0;  ///< effective mass of the contact patch, kg; only for laws that need it
+  /// Effective mass of the contact patch, kg; only for laws that need it.
+  double effective_mass = 0.0;
   double stored_energy = 0.0;         ///< weighted elastic energy, J
   double residual_indentation = 0.0;  ///< depth that remains without load, m; only for plastic laws
 
@@ -41,8 +41,7 @@ class ContactHistory {
                       double max_distance);
   /// Returns the contact of the previous step that a point continues; null if the point is new.
   const Contact* previous_contact(std::size_t point, const std::vector<Contact>& before) const {
-    return previous_of_[point] >= 0 ? &before[previous_of_[point]]
-                                    : nullptr;  ///< index of the previous contact, -1 if new
+    return previous_of_[point] >= 0 ? &before[previous_of_[point]] : nullptr;
   }
   /// True if a present contact continues the given contact of the previous step.
   bool is_continued(std::size_t contact) const { return continued_[contact]; }
@@ -57,8 +56,8 @@ class ContactHistory {
   /// Spring loads that move between the points of a contact patch because their weights change.
   struct SpringTransfer {
     double gained = 0.0, lost = 0.0;  ///< sums of the weight increases and decreases
-    Vec3 tangential_force =
-        Vec3::Zero();  ///< load of the tangential springs that belongs to the lost weights, N
+    /// Load of the tangential springs that belongs to the lost weights, N.
+    Vec3 tangential_force = Vec3::Zero();
     /// Load of the rolling springs that belongs to the lost weights, N m.
     Vec3 rolling_moment = Vec3::Zero();
   };
@@ -72,7 +71,7 @@ class ContactHistory {
                          const std::vector<Contact>& before, const Related& related);
   void continue_contact(std::size_t point, std::size_t contact) {
     previous_of_[point] = static_cast<int>(contact);
-    continued_[contact] = 1;  ///< per contact of the previous step
+    continued_[contact] = 1;
   }
 
   std::vector<int> previous_of_;  ///< per point: index of the contact that it continues, -1 if none

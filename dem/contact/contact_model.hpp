@@ -42,8 +42,8 @@ class ContactModel {
   double tangential_compliance;  ///< inverse of the tangential stiffness, 1/k_t
   std::vector<double> rolling_stiffnesses,
       rolling_compliances;  ///< rolling stiffness k_r of each zone, and its inverse
-  std::vector<double>
-      drag_factors;  ///< half the product of drag coefficient and soil density of each zone, kg/m^3
+  /// Half the product of drag coefficient and soil density of each zone, kg/m^3.
+  std::vector<double> drag_factors;
   bool has_slip_dependent_friction =
       false;                   ///< true if friction depends on the slip distance in any zone
   bool has_scar_drag = false;  ///< true if any zone has scar drag

@@ -153,17 +153,17 @@ void ContactPatches::find_patches(const std::vector<ContactPoint>& points,
     const bool same = i > 0 && points[i].normal == points[i - 1].normal;
     normals_in_body[i] = same ? normals_in_body[i - 1] : Vec3(body_from_world * points[i].normal);
   }
-  const auto may_join = [&](const ContactPointPair& link) {
-    return are_in_one_patch(link, points, normals_in_body);
+  const auto may_join = [&](const ContactPointPair& pair) {
+    return are_in_one_patch(pair, points, normals_in_body);
   };
   if (same_links && all_pairs_in_patches_ &&
       std::all_of(point_pairs_.begin(), point_pairs_.end(), may_join))
     return;
   std::iota(patch_.begin(), patch_.end(), 0u);
   all_pairs_in_patches_ = true;
-  for (const ContactPointPair& link : point_pairs_) {
-    if (may_join(link)) {
-      merge_patches(link.point, link.earlier);
+  for (const ContactPointPair& pair : point_pairs_) {
+    if (may_join(pair)) {
+      merge_patches(pair.point, pair.earlier);
     } else {
       all_pairs_in_patches_ = false;
     }
@@ -199,12 +199,12 @@ void ContactPatches::merge_remaining_pairs(const std::vector<ContactPoint>& poin
   }
 }
 
-bool ContactPatches::are_in_one_patch(const ContactPointPair& link,
+bool ContactPatches::are_in_one_patch(const ContactPointPair& pair,
                                       const std::vector<ContactPoint>& points,
                                       std::span<const Vec3> normals_in_body) const {
-  const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
-  if (is_side_wall(link.group, normals_in_body[link.point])) return false;
-  return on_one_face(point, earlier) || (!is_side_wall(link.group, normals_in_body[link.earlier]) &&
+  const ContactPoint &point = points[pair.point], &earlier = points[pair.earlier];
+  if (is_side_wall(pair.group, normals_in_body[pair.point])) return false;
+  return on_one_face(point, earlier) || (!is_side_wall(pair.group, normals_in_body[pair.earlier]) &&
                                          smooth_between(point, earlier));
 }
 

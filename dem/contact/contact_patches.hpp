@@ -59,7 +59,7 @@ class ContactPatches {
   void find_patches(const std::vector<ContactPoint>& points, const Quat& orientation);
   /// True if the ground between the two contact points of a pair is smooth.
   /// @param normals_in_body  contact normals in the body frame, out of the ground
-  bool are_in_one_patch(const ContactPointPair& link, const std::vector<ContactPoint>& points,
+  bool are_in_one_patch(const ContactPointPair& pair, const std::vector<ContactPoint>& points,
                         std::span<const Vec3> normals_in_body) const;
   void merge_patches(std::uint32_t point, std::uint32_t other);
   /// Unites patches by testing all remaining pairs of points on the same plane or straight edge.

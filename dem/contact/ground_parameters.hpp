@@ -19,15 +19,15 @@ struct GroundParameters {
   double rolling_length = 0.0;
 
   // Friction that grows while a block slides (docs/theory.md, Friction that grows). @cite leine2014
-  double friction_min =
-      0.0;  ///< friction coefficient before any slip; `friction` is then its upper limit
+  /// Friction coefficient before any slip; `friction` is then its upper limit.
+  double friction_min = 0.0;
   double slip_growth = 0.0;  ///< growth rate of friction with slip, 1/m; if 0, friction is constant
-  double slip_memory =
-      0.0;  ///< decay time of the stored slip after a contact, s; if 0, slip is forgotten at once
+  /// Decay time of the stored slip after a contact, s; if 0, slip is forgotten at once.
+  double slip_memory = 0.0;
 
   // Drag on what of a block is in the ground (docs/theory.md, Scar drag). @cite lu2019
-  double scar_drag =
-      0.0;  ///< drag coefficient of the embedded part of a block; if 0, there is no drag
+  /// Drag coefficient of the embedded part of a block; if 0, there is no drag.
+  double scar_drag = 0.0;
   double soil_density = 0.0;  ///< density of the soil, kg/m^3
 
   /// Cell width of the grid that stores residual indentations, m; if 0, none are stored. Used only

@@ -31,18 +31,18 @@ class ImpactEnergyCorrection {
 
   /// Ends an impact after the block has left the ground. Corrects the velocities of the block if
   /// necessary.
-  /// @param accounted  energy of the block plus all dissipation since the start, J
+  /// @param energy_plus_losses  energy of the block plus all dissipation since the start, J
   /// @returns true if the impact was corrected
   bool end_impact(RigidBodyIntegrator& body, double energy_plus_losses);
   /// Returns the sum of energy and dissipation expected at the end of a corrected impact, J; empty
   /// if the present impact is not corrected.
   std::optional<double> expected_energy() const {
-    return applies_ ? std::optional(expected_energy_)
-                    : std::nullopt;  ///< expected energy of the block plus its dissipation, J
+    return applies_ ? std::optional(expected_energy_) : std::nullopt;
   }
 
+  /// Impulse of all contacts in this impact, N s.
  private:
-  Vec3 impulse_ = Vec3::Zero();  ///< impulse of all contacts in this impact, N s
+  Vec3 impulse_ = Vec3::Zero();
   Vec3 angular_impulse_ =
       Vec3::Zero();         ///< angular impulse in this impact about the centre of mass, N m s
   bool applies_ = false;    ///< true if this impact touches ground to which the correction applies

@@ -11,8 +11,8 @@ struct OverlapPath {
   double duration = 0.0;         ///< s
   double initial_overlap = 0.0;  ///< overlap at the start, m
   double final_overlap = 0.0;    ///< overlap at the end, m
-  double initial_rate =
-      0.0;  ///< rate of the overlap at the start, m/s; positive if the overlap grows
+  /// Rate of the overlap at the start, m/s; positive if the overlap grows.
+  double initial_rate = 0.0;
 
   double quadratic_coefficient() const {
     return duration > 0.0
@@ -49,8 +49,8 @@ struct OverlapPath {
 /// Normal force and residual indentation of a contact at the start of a step.
 struct NormalForceState {
   double force = 0.0;  ///< at the end of the previous step, N, not negative
-  double residual_indentation =
-      0.0;  ///< part of the overlap that remains without load, m; only for plastic laws
+  /// Part of the overlap that remains without load, m; only for plastic laws.
+  double residual_indentation = 0.0;
 };
 
 /// Normal force, work and correction impulse of a contact over a step, per unit of contact weight.

@@ -46,9 +46,8 @@ struct GroundStiffnessInputs {
   bool all_rolling_lengths_stated = true;   ///< true if each zone has its own rolling length
   double residual_indentation_ratio = 0.0;  ///< residual indentation divided by impact depth
 
-  void include(
-      /// Replaces each property by the more demanding value of both.
-      const GroundStiffnessInputs& other);
+  /// Replaces each property by the more demanding value of both.
+  void include(const GroundStiffnessInputs& other);
 };
 GroundStiffnessInputs ground_stiffness_inputs(std::span<const GroundParameters> zones,
                                               const ContactLaw& law);

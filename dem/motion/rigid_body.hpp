@@ -32,8 +32,8 @@ struct RigidBody {
   /// Shortest side S of the smallest box, m; the tolerances are proportional to it.
   double smallest_side = 0.0;
 
-  double bounding_radius()
-      const;  ///< radius of the sphere about the centre of mass that contains the rounded body, m
+  /// Returns the radius of the sphere about the centre of mass that contains the rounded body, m.
+  double bounding_radius() const;
   double size() const;  ///< `smallest_side`, or the diameter if that is not set, m
   /// @param name  name of the body in the message
   /// @throws SimulationError  if mass or moments are not positive, or the shape has no vertices

@@ -17,8 +17,9 @@ struct BoundingSphere {
 };
 
 class BroadPhase {
+  /// Pair of body indices, the smaller one first.
  public:
-  using Pair = std::array<std::uint32_t, 2>;  ///< smaller index first
+  using Pair = std::array<std::uint32_t, 2>;
 
   /// Updates the list of pairs if a body has moved by half the slack since the last update, or if
   /// the number of bodies has changed. The list then contains all pairs of overlapping spheres
@@ -32,8 +33,7 @@ class BroadPhase {
   /// Returns the distance that a body may move before the list of pairs must be updated, m; 0 if
   /// there is no list.
   double remaining_displacement(std::size_t body, const Vec3& centre, double slack) const {
-    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm()
-                                  : 0.0;  ///< at the last update
+    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm() : 0.0;
   }
 
   /// Returns the listed pairs of bodies, sorted. They include all pairs whose spheres overlapped at
@@ -44,8 +44,9 @@ class BroadPhase {
     bytes(centres_, pairs_);
   }
 
+  /// Centres of the spheres at the last update of the list.
  private:
-  std::vector<Vec3> centres_;  ///< centres of the spheres at the last update of the list
+  std::vector<Vec3> centres_;
   std::vector<Pair> pairs_;
 };
 

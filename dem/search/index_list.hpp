@@ -37,8 +37,9 @@ class IndexList {
   const std::uint32_t* begin() const { return indices_.data(); }
   const std::uint32_t* end() const { return indices_.data() + count_; }
 
+  /// Selected indices, followed by one spare element.
  private:
-  std::vector<std::uint32_t> indices_;  ///< selected indices, followed by one spare element
+  std::vector<std::uint32_t> indices_;
   std::size_t count_ = 0;
 };
 

@@ -22,8 +22,8 @@ namespace clast::dem_detail {
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< present velocity of the centre, m/s
   Vec3 spin = Vec3::Zero();      ///< present angular velocity, rad/s
-  double rotational_acceleration =
-      0.0;  ///< bound of the acceleration by rotation, per distance from the centre, 1/s^2
+  /// Bound of the acceleration by rotation, per distance from the centre, 1/s^2.
+  double rotational_acceleration = 0.0;
   double acceleration = 0.0;     ///< bound of the acceleration of any point, m/s^2
   double max_point_speed = 0.0;  ///< bound of the speed of any point without gravity, m/s
   double gravity = 0.0;          ///< acceleration of gravity along -z, m/s^2
@@ -138,8 +138,8 @@ class TerrainNarrowPhase {
     double collected_at = 0.0;  ///< `displacement.total` at that time
     Vec3 axis = Vec3::UnitZ();
     AccumulatedDisplacement displacement;
-    Vec3 centre =
-        Vec3::Zero();  ///< centre and `accumulated_rotation_` at the last update of `displacement`
+    /// Centre and `accumulated_rotation_` at the last update of `displacement`.
+    Vec3 centre = Vec3::Zero();
     double turned = 0.0;
     std::vector<FaceNormalComponents> tilts;  ///< normal components of each face of `ground`
     std::vector<GroundFeature> features;
@@ -194,8 +194,8 @@ class TerrainNarrowPhase {
     FoundContacts found;             ///< contacts found by `find_contacts`
     FoundContacts ahead;             ///< contacts found by flight searches, which are not used
     std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
-    std::vector<std::uint32_t>
-        unseparated_parts;  ///< those of `near_parts` that no plane separates from some ground face
+    /// Those of `near_parts` that no plane separates from some ground face.
+    std::vector<std::uint32_t> unseparated_parts;
   };
   static Scratch& scratch();
 
@@ -304,8 +304,8 @@ class TerrainNarrowPhase {
   bool started_ = false;
   double displacement_ = 0.0;              ///< displacement passed to `find_contacts`, m
   double accumulated_displacement_ = 0.0;  ///< accumulated displacement since the start, m
-  double accumulated_rotation_ =
-      0.0;  ///< accumulated rotation, as the displacement of a point at 1 m from the centre, m
+  /// Accumulated rotation, as the displacement of a point at 1 m from the centre, m.
+  double accumulated_rotation_ = 0.0;
   double last_move_ = 0.0;  ///< increase of `accumulated_displacement_` in the last call, m
   LocalGround local_;       ///< ground around the whole block
   // Distance from the block to which `local_` was complete when collected, m;

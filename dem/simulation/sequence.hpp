@@ -71,8 +71,8 @@ struct SequenceResult {
   double released_at = 0.0;  ///< time from the first release to that of the block, s
   /// Height by which the start position was raised to be clear of blocks that lay there, m.
   double raise_height = 0.0;
-  std::optional<RigidState>
-      state_after_settling;  ///< state after settling behind confining walls; empty if not confined
+  /// State after settling behind confining walls; empty if not confined.
+  std::optional<RigidState> state_after_settling;
   /// Distance from the position at the end of its own release to the final position, m.
   double later_displacement = 0.0;
   /// Time from the first release to its removal, s; empty if not removed.
@@ -118,7 +118,8 @@ struct SequenceObservers {
 /// Simulates the motion of several blocks on a terrain.
 /// @param shapes  shapes of the blocks
 /// @param zones  parameters of each ground zone of the terrain
-/// @param from  state of the same sequence saved by the same program (`SequenceProgress::save`);
+/// @param from  state of the same sequence saved by the same program
+/// (`SequenceProgress::save_state`);
 ///              the simulation continues bit-identically. If null, it starts from the beginning.
 /// @throws InputError  if settings are out of range or the state is of another sequence
 /// @throws SettlingError  if confined blocks do not settle

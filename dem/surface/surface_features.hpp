@@ -48,8 +48,8 @@ struct SurfaceFeatures {
   std::vector<Vec3> vertex_normals;
   /// True for vertices that can be in contact: ends of convex edges without collinear continuation.
   std::vector<std::uint8_t> is_pointed_vertex;
-  std::vector<std::uint32_t>
-      edge_offsets;  ///< index in `edges_at_vertex` of the first edge of each vertex
+  /// Index in `edges_at_vertex` of the first edge of each vertex.
+  std::vector<std::uint32_t> edge_offsets;
   /// Edges of all vertices, ordered by vertex and sorted for each vertex.
   std::vector<std::uint32_t> edges_at_vertex;
 

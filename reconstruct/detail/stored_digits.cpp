@@ -25,8 +25,8 @@ constexpr double kRounding = 1e-6;
 
 /// Compares bits, because a conversion to float and back may be optimised away.
 bool is_float(double value) {
-  constexpr std::uint64_t kFractionBeyond = (std::uint64_t{1} << (53 - kFloatBits)) - 1;
-  return (std::bit_cast<std::uint64_t>(value) & kFractionBeyond) == 0;
+  constexpr std::uint64_t kBeyond = (std::uint64_t{1} << (53 - kFloatBits)) - 1;
+  return (std::bit_cast<std::uint64_t>(value) & kBeyond) == 0;
 }
 
 bool is_multiple(double value, double step) {

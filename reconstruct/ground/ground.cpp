@@ -30,9 +30,9 @@ constexpr double kMinBeside = 0.3;
 /// Minimum number, of eight sides of the largest object, on which ground is visible. A flat top
 /// whose walls go down from its border has none.
 constexpr int kMinSides = 3;
-constexpr int kGridNodes = 32;           ///< of the local surface, along its longer side
-constexpr double kStiffnessRange = 1.0;  ///< of the local surface: it averages over about two cells
-constexpr int kGroundFits = 8;           ///< of the local surface, each to a narrower band
+constexpr int kGridNodes = 32;      ///< of the local surface, along its longer side
+constexpr double kStiffness = 1.0;  ///< of the local surface: it averages over about two cells
+constexpr int kGroundFits = 8;      ///< of the local surface, each to a narrower band
 constexpr double kNarrowing = 0.7;
 constexpr double kBand = 3.0;  ///< of the roughness; beyond it a point is not on the ground
 constexpr double kDeviationOfMad = 1.4826;
@@ -283,7 +283,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points,
       if (std::abs(p.z() - (grid ? grid->height_at(p.head<2>()) : 0.0)) < band) held.push_back(p);
     }
     if (held.size() < 10) return std::nullopt;
-    grid.emplace(held, extent, kGridNodes, kStiffnessRange);
+    grid.emplace(held, extent, kGridNodes, kStiffness);
     std::vector<double> off;
     for (const Vec3& p : held) off.push_back(std::abs(p.z() - grid->height_at(p.head<2>())));
     roughness = kDeviationOfMad * upper_median(std::move(off));

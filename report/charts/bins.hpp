@@ -21,8 +21,8 @@ struct Bins {
   double width = 1.0;
   std::size_t count = 1;
 
-  std::size_t bin_index(
-      double value) const;  ///< returns the index of the bin that contains a value
+  /// Returns the index of the bin that contains a value.
+  std::size_t bin_index(double value) const;
   double edge(std::size_t bin) const { return low + width * static_cast<double>(bin); }
 };
 

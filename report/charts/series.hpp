@@ -10,8 +10,8 @@ struct ChartSeries {
   std::string colour;  ///< "#rrggbb"
   std::string dash;    ///< SVG dash pattern; empty for a solid line
   std::vector<double> values;
-  std::vector<double> weights =
-      {};  ///< weight of each value in cumulative charts; if empty, weights are equal
+  /// Weight of each value in cumulative charts; if empty, weights are equal.
+  std::vector<double> weights = {};
   std::vector<std::string> names = {};  ///< tooltip of each value
   /// Identifier of each block, for highlighting in all diagrams.
   std::vector<std::string> blocks = {};

@@ -10,8 +10,8 @@ namespace clast {
 
 /// Scan and options of a block, from which its page is made.
 struct BlockPageContents {
-  const TriangleMesh* raw =
-      nullptr;  ///< unrepaired mesh, in units and axes of the file; null without a scan
+  /// Unrepaired mesh, in units and axes of the file; null without a scan.
+  const TriangleMesh* raw = nullptr;
   const FieldBlock* field_block = nullptr;
   ScanOptions options = {};    ///< options used for reading the scan
   std::string up = "z";        ///< up axis of the file

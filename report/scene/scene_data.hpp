@@ -10,8 +10,8 @@ namespace clast::report_detail {
 /// Limits of the amount of data of the 3-D view of a report. Larger data are reduced.
 struct SceneLimits {
   std::size_t frames = 100'000;  ///< maximum number of states of all runs, 32 bytes each
-  std::size_t triangles =
-      120'000;  ///< maximum number of terrain triangles; larger terrains are drawn as a grid
+  /// Maximum number of terrain triangles; larger terrains are drawn as a grid.
+  std::size_t triangles = 120'000;
   std::size_t grid = 240;  ///< number of columns of that grid
 
   void check() const;  ///< throws InputError naming the field and its value

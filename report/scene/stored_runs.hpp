@@ -12,8 +12,8 @@ namespace clast::report_detail {
 struct RunsWithTrajectories {
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
   std::size_t frames = 0;         ///< total number of stored states
-  std::vector<std::optional<TrajectoryFile>>
-      files;  ///< open results files; empty for files that no longer exist
+  /// Open results files; empty for files that no longer exist.
+  std::vector<std::optional<TrajectoryFile>> files;
 
   Trajectory trajectory(const RunRow& row) const { return files[row.file]->read(row.record->run); }
 };

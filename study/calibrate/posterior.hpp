@@ -24,8 +24,8 @@ struct MarginalPosterior {
   /// Width of the 95 % interval divided by that of the prior, both in prior probability.
   double width = 1.0;
   double fraction_at_low = 0.0,
-         fraction_at_high =
-             0.0;  ///< fractions of the draws in the lowest and highest 5 % of the prior
+         /// Fractions of the draws in the lowest and highest 5 % of the prior.
+      fraction_at_high = 0.0;
 
   /// True if the observations hardly constrain the parameter.
   bool is_undetermined() const { return width > 0.8; }
@@ -57,8 +57,8 @@ struct PredictedStatistic {
 struct PredictiveCheck {
   std::size_t statistics = 0;  ///< number of statistics
   std::size_t covered = 0;  ///< number of observed statistics inside their predicted 95 % intervals
-  double squared_distance =
-      0.0;  ///< squared Mahalanobis distance of observed and predicted statistics
+  /// Squared Mahalanobis distance of observed and predicted statistics.
+  double squared_distance = 0.0;
   double degrees_of_freedom = 0.0;  ///< number of statistics minus number of determined parameters
   /// Probability of a larger distance if the model is correct. Empty without degrees of freedom.
   std::optional<double> p_value;
@@ -87,8 +87,8 @@ struct CalibrationPosterior {
   PredictiveCheck fitted, held_out;
   /// Statistics of the members, one row per statistic and one column per member; NaN if undefined.
   Eigen::MatrixXd member_statistics;
-  std::vector<std::optional<SurrogateQuality>>
-      surrogates;  ///< quality of the surrogate of each statistic; empty if it has none
+  /// Quality of the surrogate of each statistic; empty if it has none.
+  std::vector<std::optional<SurrogateQuality>> surrogates;
   /// Sensitivity of each statistic to each unknown parameter.
   std::vector<std::vector<SobolIndices>> sensitivities;
   NearestMembers nearest;

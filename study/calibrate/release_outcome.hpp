@@ -32,11 +32,11 @@ struct OutcomeAtMoment {
   double spin = std::numeric_limits<double>::quiet_NaN();   ///< angular speed, rad/s
   /// Height of the centre of mass above the ground, m.
   double height = std::numeric_limits<double>::quiet_NaN();
-  double energy =
-      std::numeric_limits<double>::quiet_NaN();  ///< kinetic energy of translation and rotation, J
+  /// Kinetic energy of translation and rotation, J.
+  double energy = std::numeric_limits<double>::quiet_NaN();
   double depth = std::numeric_limits<double>::quiet_NaN();  ///< largest overlap of an impact, m
-  Vec2 position = Vec2::Constant(
-      std::numeric_limits<double>::quiet_NaN());  ///< position at a time, map coordinates, m
+  /// Position at a time, map coordinates, m.
+  Vec2 position = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 
   bool passed() const { return speed == speed; }
 };

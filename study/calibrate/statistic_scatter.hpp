@@ -11,8 +11,8 @@ namespace clast::study_detail {
 /// Indices of the observations at one site and of their statistics, which are correlated.
 struct SiteStatisticIndices {
   std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
-  std::vector<std::size_t>
-      statistics;  ///< indices of their statistics, counted over all observations
+  /// Indices of their statistics, counted over all observations.
+  std::vector<std::size_t> statistics;
 };
 std::vector<SiteStatisticIndices> group_statistics_by_site(
     const std::vector<Observation>& observations);

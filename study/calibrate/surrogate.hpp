@@ -10,8 +10,8 @@ namespace clast {
 
 struct SurrogateQuality {
   std::size_t members = 0;  ///< number of members for which the statistic is defined
-  double leave_one_out_error =
-      0.0;  ///< root mean square leave-one-out error, in the unit of the statistic
+  /// Root mean square leave-one-out error, in the unit of the statistic.
+  double leave_one_out_error = 0.0;
   double explained_variance = 0.0;  ///< 1 - error^2 / (variance of the statistic over the members)
   double inflation = 1.0;           ///< factor that scales the predicted variances, at least 1
   double roughness = 0.0;  ///< standard deviation of the residuals in excess of the sampling error

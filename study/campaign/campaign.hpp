@@ -113,8 +113,8 @@ struct ReleaseSet {
   /// True if other random orientations are drawn for each block and release point.
   bool fresh_orientations = false;
   std::uint64_t orientation_seed = 1;
-  std::optional<double>
-      drop_height;  ///< height of the release points above the ground, m; replaces their z
+  /// Height of the release points above the ground, m; replaces their z.
+  std::optional<double> drop_height;
   Vec3 velocity = Vec3::Zero();          ///< initial velocity, m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< initial angular velocity, rad/s
   std::uint64_t seed = 1;
@@ -147,8 +147,8 @@ struct PersistentBlocksPlan {
   std::uint32_t realisations = 1;
   /// Simultaneous releases; if empty, one block is released after the other.
   std::vector<MultiBlockRelease> masses;
-  bool random_order =
-      true;  ///< true if the release order is random; false if it is that of the selection
+  /// True if the release order is random; false if it is that of the selection.
+  bool random_order = true;
   std::vector<std::string> cleared_zones;  ///< zones in which blocks at rest are removed
   GroundParameters between_blocks;         ///< contact parameters between two blocks
 
@@ -176,8 +176,8 @@ struct Campaign {
   Ensemble ensemble;
   /// Release sets with distinct names, at least one.
   std::vector<ReleaseSet> releases;
-  std::optional<PersistentBlocksPlan>
-      persistent_blocks;  ///< empty if each run simulates a single block
+  /// Empty if each run simulates a single block.
+  std::optional<PersistentBlocksPlan> persistent_blocks;
   ContactWeighting weighting = ContactWeighting::kPatch;
   StiffnessOptions stiffness;  ///< contact law and stiffness; empty values are chosen automatically
   std::vector<Barrier> barriers;  ///< in map coordinates
@@ -186,8 +186,8 @@ struct Campaign {
   double rest_duration = 0.5;     ///< time for which a block at rest must be below `rest_energy`, s
   double gravity = 9.81;          ///< m/s^2
   std::optional<Vec2> downslope;
-  double trajectory_interval =
-      0.1;  ///< interval of stored states, s; if 0, no trajectories are stored
+  /// Interval of stored states, s; if 0, no trajectories are stored.
+  double trajectory_interval = 0.1;
 };
 
 /// Reads and checks a campaign file.

@@ -61,8 +61,8 @@ struct KeyTable {
   Repeat repeat = Repeat::kOnce;
   std::vector<TableKey> keys = {};
   bool required = false;
-  std::vector<std::string> exactly_one_of =
-      {};  ///< keys of which exactly one must exist; may be empty
+  /// Keys of which exactly one must exist; may be empty.
+  std::vector<std::string> exactly_one_of = {};
 
   std::vector<std::string> key_names() const;
 };

@@ -26,10 +26,10 @@ struct PlannedPower {
   /// True if there are enough blocks and trial runs to estimate the power.
   bool is_known() const;
   double design_effect() const { return assumed_design_effect(runs, blocks); }
-  double detectable_difference()
-      const;  ///< smallest difference in runout that is detected with 80 % power, m
-  double runs_needed()
-      const;  ///< number of runs needed to detect a difference of `margin` with 80 % power
+  /// Returns the smallest difference in runout that is detected with 80 % power, m.
+  double detectable_difference() const;
+  /// Returns the number of runs needed to detect a difference of `margin` with 80 % power.
+  double runs_needed() const;
 };
 
 }  // namespace clast

@@ -35,8 +35,8 @@ struct RunGroup {
   RunGroupKind kind = RunGroupKind::kAll;
   std::string key;     ///< block id, class name or column value; empty for "all"
   std::string column;  ///< name of the column for groups of one column value
-  std::optional<std::uint32_t>
-      file;  ///< index into Comparison::results; empty for a group over all files
+  /// Index into Comparison::results; empty for a group over all files.
+  std::optional<std::uint32_t> file;
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
 };
 
@@ -67,8 +67,8 @@ struct BarrierCrossing {
   std::size_t row = 0;           ///< index into Comparison::rows
   std::size_t barrier = 0;       ///< index into Comparison::lines
   Vec3 position = Vec3::Zero();  ///< position in map coordinates, m
-  bool counted =
-      false;  ///< true for the run's first crossing of this barrier in the counted direction
+  /// True for the run's first crossing of this barrier in the counted direction.
+  bool counted = false;
 };
 
 /// Statistics of the counted crossings of one barrier by the runs of one group.
@@ -160,11 +160,11 @@ struct Comparison {
       barriers;
   std::vector<GroupDifference> differences;
   std::optional<MeasuredStops> measured;  ///< table of stops observed in the field
-  std::optional<double>
-      margin;  ///< equivalence margin: smaller differences in runout do not matter, m
+  /// Equivalence margin: smaller differences in runout do not matter, m.
+  std::optional<double> margin;
   std::vector<std::string> warnings;  ///< warnings, such as "mass differs between classes"
-  std::vector<ComparisonWarning>
-      cautions;  ///< warnings about faults that could reverse a conclusion
+  /// Warnings about faults that could reverse a conclusion.
+  std::vector<ComparisonWarning> cautions;
 };
 
 /// Finds the counted crossing of a barrier for each run of the comparison; null if the run has
@@ -172,11 +172,11 @@ struct Comparison {
 std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison, std::size_t line);
 
 struct ComparisonOptions {
-  std::vector<std::string>
-      by;  ///< names of columns of runs.csv; runs are also grouped by their values
+  /// Names of columns of runs.csv; runs are also grouped by their values.
+  std::vector<std::string> by;
   std::optional<std::filesystem::path> measured;  ///< table of stops observed in the field
-  std::optional<double>
-      margin;  ///< equivalence margin: smaller differences in runout do not matter, m
+  /// Equivalence margin: smaller differences in runout do not matter, m.
+  std::optional<double> margin;
 
   void check() const;  ///< throws InputError if the margin is not positive
 };

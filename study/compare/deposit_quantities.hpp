@@ -19,8 +19,8 @@ struct DepositQuantity {
   std::string unit;  ///< unit; empty for counts and fractions
   std::string phrase;
   int decimals = 2;  ///< number of printed decimals
-  std::function<double(const DepositMeasures&)>
-      value;  ///< function that returns the value; not finite if undefined
+  /// Function that returns the value; not finite if undefined.
+  std::function<double(const DepositMeasures&)> value;
   Interval possible_range = {-INFINITY, INFINITY};
 };
 /// Returns all deposit quantities, such as volume, centre of mass, area and thickness.
@@ -43,8 +43,8 @@ struct DepositQuantityDifference : Contrast {
 
 /// Deposit quantities of all files and their differences.
 struct DepositQuantityComparison {
-  std::vector<DepositQuantitySummary>
-      files;  ///< statistics ordered by file, then quantity; quantities without a value are omitted
+  /// Statistics ordered by file, then quantity; quantities without a value are omitted.
+  std::vector<DepositQuantitySummary> files;
   /// Differences of each pair of files; empty if there are more than `kMaxComparedGroups` files.
   std::vector<DepositQuantityDifference> differences;
 };

@@ -33,8 +33,8 @@ struct RunoutContrast {
   /// Result of the test of the difference.
   Verdict verdict = Verdict::kTooFewValues;
   double mean_difference = 0.0;  ///< difference of the means, m
-  std::optional<Interval>
-      interval;  ///< interval of the difference, m; empty for a single realisation
+  /// Interval of the difference, m; empty for a single realisation.
+  std::optional<Interval> interval;
   /// True if the difference is due to a few long runouts, so that the medians hardly differ.
   bool due_to_few_runs = false;
 };
@@ -46,8 +46,8 @@ struct CrossingEstimate {
   std::size_t started = 0;
   std::size_t crossed = 0;
   double passing_probability = 0.0;
-  std::optional<Interval>
-      interval;  ///< interval of the probability; empty for a single realisation
+  /// Interval of the probability; empty for a single realisation.
+  std::optional<Interval> interval;
   /// Kinetic energy of the passages, J. It and the next three members are 95th percentiles, or
   /// maxima if `largest` is true.
   double energy = 0.0;
@@ -74,8 +74,8 @@ struct FileSummary {
   RunoutEstimate all;
   std::vector<RunoutEstimate> classes;           ///< one entry per Garcia class that occurs
   std::optional<RunoutContrast> class_contrast;  ///< difference between the first two shape classes
-  std::vector<BarrierSummary>
-      passages;  ///< summaries of the barriers, the lowest one first, those without passages last
+  /// Summaries of the barriers, the lowest one first, those without passages last.
+  std::vector<BarrierSummary> passages;
   /// Number of clusters of dependent runs (release points or realisations) on which the intervals
   /// are based.
   std::size_t clusters = 0;

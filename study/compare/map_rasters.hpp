@@ -13,8 +13,8 @@ namespace clast {
 struct RasterLayer {
   std::string name;     ///< name, such as "E_95"
   std::string meaning;  ///< description with unit
-  std::vector<float>
-      values;  ///< values, row-major, the first row at the largest y; NaN for cells without a value
+  /// Values, row-major, the first row at the largest y; NaN for cells without a value.
+  std::vector<float> values;
 };
 
 using MapCell =

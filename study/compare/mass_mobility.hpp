@@ -25,8 +25,8 @@ struct DepositMobility {
   Contrast difference;   ///< difference of the mean runouts: blocks together minus single blocks, m
   Summary together_toe;  ///< statistics of the largest runouts of the realisations, m
   double start_distance = 0.0;  ///< horizontal distance between the mean start positions, m
-  double mass_ratio =
-      1.0;  ///< mean mass of the persistent blocks divided by that of the single blocks
+  /// Mean mass of the persistent blocks divided by that of the single blocks.
+  double mass_ratio = 1.0;
   /// Expected largest runout of as many single blocks as a realisation has at rest, m.
   double alone_toe = NAN;
 };

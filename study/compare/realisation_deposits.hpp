@@ -46,8 +46,8 @@ double height_length_ratio(const Vec3& from, const Vec3& to);
 
 /// Deposits of all realisations of a comparison.
 struct DepositResults {
-  std::vector<DepositMeasures>
-      realisations;  ///< deposits, ordered by file; empty if no file has persistent blocks
+  /// Deposits, ordered by file; empty if no file has persistent blocks.
+  std::vector<DepositMeasures> realisations;
   /// Raster layers of deposit thickness (mean and maximum over the realisations) and of the
   /// fraction of realisations with a block in the cell.
   MapRasterSet rasters;

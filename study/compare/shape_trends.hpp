@@ -20,12 +20,12 @@ struct ShapeTrend {
   std::size_t runs = 0;
   TestResult trend;          ///< rank correlation with its test
   double corrected_p = 1.0;  ///< p-value of the trend, Holm-corrected for the number of properties
-  double limit =
-      0.0;  ///< median of the property, which divides the blocks into a lower and an upper half
+  /// Median of the property, which divides the blocks into a lower and an upper half.
+  double limit = 0.0;
   /// Difference of the mean outcomes of both halves, upper minus lower.
   CrossedDifference halves;
-  double detectable_difference =
-      0.0;  ///< smallest difference between the halves that is detected with 80 % power
+  /// Smallest difference between the halves that is detected with 80 % power.
+  double detectable_difference = 0.0;
   /// P-value of the test that the runouts of both halves are equivalent within the margin. Empty
   /// for other outcomes or without a margin.
   std::optional<double> equivalence;

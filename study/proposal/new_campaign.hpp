@@ -44,8 +44,8 @@ struct TrialRuns {
 struct ProposedGround {
   std::string zone;
   GroundType type;
-  bool identified_by_name =
-      false;  ///< true if the zone name identifies the type; false if it is a default
+  /// True if the zone name identifies the type; false if it is a default.
+  bool identified_by_name = false;
 };
 
 /// Blocks that can be released on the terrain.
@@ -56,8 +56,8 @@ struct ProposedBlocks {
   double longest_side = 0.0;   ///< L of the longest block, m
   double shortest_side = 0.0;  ///< median of the shortest sides of the blocks, m
   std::optional<double> mass;  ///< mass assumed for all blocks if they have no scale, kg
-  std::vector<std::string>
-      omitted_blocks;  ///< omitted blocks with reasons, such as "B03 has no size"
+  /// Omitted blocks with reasons, such as "B03 has no size".
+  std::vector<std::string> omitted_blocks;
 };
 
 struct CampaignProposal {

@@ -26,8 +26,8 @@ struct RunRecord {
   std::uint32_t orientation = 0;  ///< index of the orientation in its release set
   std::uint32_t ground_set = 0;   ///< index into CampaignHeader::ground_sets
   RigidState start;
-  ContactStiffness
-      stiffness;  ///< stiffness and time step, chosen for this run or given in the campaign
+  /// Stiffness and time step, chosen for this run or given in the campaign.
+  ContactStiffness stiffness;
   /// Settled depth: overlap of the block at rest, m. NaN in old results.
   double settled_depth = 0.0;
   double impact_depth = 0.0;
@@ -102,10 +102,10 @@ struct StoredRun {
   RunRecord record;
   std::vector<Crossing> crossings;
   std::vector<Impact> impacts;
-  std::vector<PersistentBlockRecord>
-      persistent_block_records;  ///< record of a persistent block; empty for single-block runs
-  std::vector<EnergyRecord>
-      energies;  ///< energies of the realisation; empty except for its first run
+  /// Record of a persistent block; empty for single-block runs.
+  std::vector<PersistentBlockRecord> persistent_block_records;
+  /// Energies of the realisation; empty except for its first run.
+  std::vector<EnergyRecord> energies;
   Trajectory trajectory;
 };
 
@@ -128,8 +128,8 @@ struct CampaignHeader {
   std::vector<std::uint32_t> set_of_point;  ///< index of the release set of each release point
   std::vector<SpheroPolyhedron> shapes;     ///< shapes of the library blocks, body frame, unscaled
   std::vector<std::string> zone_names;
-  std::vector<GroundParameters>
-      ground;  ///< ground parameters by zone; central values of uncertain parameters
+  /// Ground parameters by zone; central values of uncertain parameters.
+  std::vector<GroundParameters> ground;
   std::vector<GroundParameterSet> ground_sets;
   ContactLaw law;
   ContactWeighting weighting = ContactWeighting::kPatch;
@@ -137,8 +137,8 @@ struct CampaignHeader {
   MapFrame frame;
   std::optional<Vec2> downslope;  ///< direction given in the campaign, unit vector
   Terrain terrain;                ///< surface used for the simulation
-  std::optional<PersistentBlocksSettings>
-      persistent_blocks;  ///< empty if each run simulated a single block
+  /// Empty if each run simulated a single block.
+  std::optional<PersistentBlocksSettings> persistent_blocks;
   std::uint32_t planned_runs = 0;
 
   /// True if contact data (penetration, impacts, dissipation) are available.

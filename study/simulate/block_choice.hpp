@@ -31,8 +31,8 @@ struct CampaignBlocks {
 /// result.
 struct BlockPreparationOptions {
   unsigned threads = 0;  ///< number of threads; 0: one per core
-  ProgressCallback progress =
-      {};  ///< function called for each finished body, from any thread, one call at a time
+  /// Function called for each finished body, from any thread, one call at a time.
+  ProgressCallback progress = {};
 };
 
 /// Selects, varies, samples and scales the blocks of a campaign and assigns them to groups.

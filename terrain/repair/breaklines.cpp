@@ -11,9 +11,8 @@
 namespace clast::terrain_detail {
 namespace {
 
-constexpr double kSnap = 0.25;  // cells
-constexpr double kUnloadingLineTolerance =
-    2e-6;  // m: what cutting leaves between a vertex and the line
+constexpr double kSnap = 0.25;    // cells
+constexpr double kOnLine = 2e-6;  // m: what cutting leaves between a vertex and the line
 constexpr double kSameCrossingHeight = 1e-3;  // m: of two lines where they meet
 
 struct Segment {
@@ -55,10 +54,9 @@ class Segments {
 
   /// @throws InputError  one that passes here at another height than `foot`
   void check_one_height(const Vec2& at, const Foot& foot) const {
-    for (const std::uint32_t s :
-         index_.boxes_near(PlanBox{at, at}.expand(kUnloadingLineTolerance))) {
+    for (const std::uint32_t s : index_.boxes_near(PlanBox{at, at}.expand(kOnLine))) {
       const Foot other = foot_on(segments_[s], at);
-      if (other.distance <= kUnloadingLineTolerance &&
+      if (other.distance <= kOnLine &&
           std::abs(other.point.z() - foot.point.z()) > kSameCrossingHeight) {
         throw InputError(lines_[segments_[s].line].name + ": breaklines meet at " +
                          format_map_point(foot.point) + " and at z " +
@@ -117,7 +115,7 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
   std::size_t on_lines = 0;
   for (Vec3& vertex : mesh.vertices) {
     const Vec2 at = vertex.head<2>();
-    const std::optional<Foot> foot = segments.nearest(at, kUnloadingLineTolerance);
+    const std::optional<Foot> foot = segments.nearest(at, kOnLine);
     if (!foot) continue;
     ++on_lines;
     segments.check_one_height(at, *foot);

@@ -36,8 +36,8 @@ struct ContactStepStart {
   NormalForceState normal = {};
   double weight = 0.0;
   double stored_energy = 0.0;  ///< weighted elastic energy, J
-  bool continuous =
-      true;  ///< false if the contact overlaps at the start of the step although it is new
+  /// False if the contact overlaps at the start of the step although it is new.
+  bool continuous = true;
 };
 
 /// Returns the state at the start of the step of a contact that continues one of the previous step.

@@ -102,7 +102,7 @@ class WorldMotion {
   }
   EnergyBalance losses() const {
     EnergyBalance sum = pairs_.losses().sum();
-    sum.reassigned += reassigned_;  ///< lost energy that belongs to no contact pair, J
+    sum.reassigned += reassigned_;
     return sum;
   }
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }

@@ -25,8 +25,8 @@ struct RockableConf {
   double max_time = 0.0;  ///< s
   double time_step = 0.0;
   std::size_t fixed_body_count = 0;  ///< number of fixed bodies, the first ones
-  std::map<std::string, double>
-      pair;  ///< contact parameters of pairs of groups, by name, such as "muContact 2 0"
+  /// Contact parameters of pairs of groups, by name, such as "muContact 2 0".
+  std::map<std::string, double> pair;
   std::vector<RockableBody> bodies;
 };
 

@@ -40,21 +40,21 @@ class SiteSimulation : public CampaignRun {
     EXPECT_EQ(passed, crossing.size());
     EXPECT_GT(passed, 0u);
   }
-  inline static const std::vector<UnknownParameter> kFrictionRange = {
+  inline static const std::vector<UnknownParameter> kFriction = {
       {"ground.slope.friction", 0.2, 0.6, false}};
 };
 
 TEST_F(SiteSimulation, MembersAreTheRunsOfTheCampaignWithTheirGround) {
   CalibrationDesign design;
   design.releases_per_member = 12;  // all that the campaign plans
-  SiteMemberSimulator simulator(site(), kFrictionRange, design);
+  SiteMemberSimulator simulator(site(), kFriction, design);
   expect_runs_of(with("friction = 0.4", "friction = 0.25"), simulator.simulate(0, {0.25}, 2));
 }
 
 TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
   CalibrationDesign design;
   design.releases_per_member = 5;
-  SiteMemberSimulator one(site(), kFrictionRange, design), other(site(), kFrictionRange, design);
+  SiteMemberSimulator one(site(), kFriction, design), other(site(), kFrictionRange, design);
   one.simulate(0, {0.55}, 1);
   one.simulate(1, {0.25}, 1);
   const std::vector<ReleaseOutcome> a = one.simulate(2, {0.3}, 2), b = other.simulate(2, {0.3}, 1);
@@ -82,7 +82,7 @@ TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
            "0.3] } }");
   CalibrationDesign design;
   design.releases_per_member = 18;
-  SiteMemberSimulator simulator(site(text), kFrictionRange, design);
+  SiteMemberSimulator simulator(site(text), kFriction, design);
   EXPECT_EQ(simulator.description().blocks.size(), 3u);
   simulator.simulate(0, {0.55}, 2);
   expect_runs_of(replaced_once(text, "friction = 0.4", "friction = 0.25"),
@@ -96,7 +96,7 @@ TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
                                                {ObservedMoment::Kind::kImpact, 1e6},
                                                {ObservedMoment::Kind::kTime, 0.1},
                                                {ObservedMoment::Kind::kTime, 1e4}};
-  SiteMemberSimulator simulator(site(), kFrictionRange, design, moments);
+  SiteMemberSimulator simulator(site(), kFriction, design, moments);
   EXPECT_EQ(simulator.description().moments, moments);
   const std::vector<ReleaseOutcome> member = simulator.simulate(0, {0.4}, 2);
   const std::filesystem::path file = *folder_ / "results.h5";
@@ -128,7 +128,7 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
   study.design.member_count = 16;
   study.design.releases_per_member = 64;
   study.design.draw_count = 500;
-  study.unknowns = kFrictionRange;
+  study.unknowns = kFriction;
   study.sites = {site(replaced_once(with("max_time_s = 6", "max_time_s = 1.2"), "\"turns.txt\"",
                                     "{ random = 50, fresh = true }"))};
   const std::vector<ObservedMoment> moments = {{ObservedMoment::Kind::kImpact, 1.0}};
@@ -165,9 +165,9 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
 TEST_F(SiteSimulation, MoreReleasesThanPlannedAreRefused) {
   CalibrationDesign design;
   design.releases_per_member = 13;
-  EXPECT_TRUE(contains(
-      clast::refusal<InputError>([&] { SiteMemberSimulator(site(), kFrictionRange, design); }),
-      "plans 12 runs, fewer than the 13 releases of each member"));
+  EXPECT_TRUE(
+      contains(clast::refusal<InputError>([&] { SiteMemberSimulator(site(), kFriction, design); }),
+               "plans 12 runs, fewer than the 13 releases of each member"));
 }
 
 }  // namespace
