@@ -54,7 +54,7 @@ TEST_F(SiteSimulation, MembersAreTheRunsOfTheCampaignWithTheirGround) {
 TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
   CalibrationDesign design;
   design.releases_per_member = 5;
-  SiteMemberSimulator one(site(), kFriction, design), other(site(), kFrictionRange, design);
+  SiteMemberSimulator one(site(), kFriction, design), other(site(), kFriction, design);
   one.simulate(0, {0.55}, 1);
   one.simulate(1, {0.25}, 1);
   const std::vector<ReleaseOutcome> a = one.simulate(2, {0.3}, 2), b = other.simulate(2, {0.3}, 1);
