@@ -87,19 +87,19 @@ std::vector<TriangleMesh::Triangle> triangles_from(const py::object& object, std
 
 }  // namespace
 
-py::array array_view(const std::vector<Vec3>& points, const py::handle& owner) {
+py::array make_array_view(const std::vector<Vec3>& points, const py::handle& owner) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   const double* first = points.empty() ? nullptr : points.front().data();
   return view_of(first, {static_cast<py::ssize_t>(points.size()), 3}, owner);
 }
 
-py::array array_view(const std::vector<TriangleMesh::Triangle>& triangles,
-                     const py::handle& owner) {
+py::array make_array_view(const std::vector<TriangleMesh::Triangle>& triangles,
+                          const py::handle& owner) {
   const std::uint32_t* first = triangles.empty() ? nullptr : triangles.front().data();
   return view_of(first, {static_cast<py::ssize_t>(triangles.size()), 3}, owner);
 }
 
-py::array array_view(const std::vector<std::uint32_t>& indices, const py::handle& owner) {
+py::array make_array_view(const std::vector<std::uint32_t>& indices, const py::handle& owner) {
   return view_of(indices.data(), {static_cast<py::ssize_t>(indices.size())}, owner);
 }
 
@@ -123,7 +123,8 @@ py::array_t<double> to_array(const Quat& turn) {
 py::tuple to_arrays(TriangleMesh mesh) {
   auto* kept = new TriangleMesh(std::move(mesh));
   const py::capsule owner(kept, [](void* pointer) { delete static_cast<TriangleMesh*>(pointer); });
-  return py::make_tuple(array_view(kept->vertices, owner), array_view(kept->triangles, owner));
+  return py::make_tuple(make_array_view(kept->vertices, owner),
+                        make_array_view(kept->triangles, owner));
 }
 
 std::vector<Vec3> parse_points(const py::object& object, const char* name) {

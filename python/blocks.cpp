@@ -94,7 +94,8 @@ auto part(const Part& of) {
 
 py::tuple faces_of(const SpheroPolyhedron& core, const py::object& self) {
   py::tuple faces(core.faces.size());
-  for (std::size_t i = 0; i < core.faces.size(); ++i) faces[i] = array_view(core.faces[i], self);
+  for (std::size_t i = 0; i < core.faces.size(); ++i)
+    faces[i] = make_array_view(core.faces[i], self);
   return faces;
 }
 
@@ -165,7 +166,7 @@ void bind_core(py::module_& module) {
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {
-            return array_view(py::cast<const SpheroPolyhedron&>(self).vertices, self);
+            return make_array_view(py::cast<const SpheroPolyhedron&>(self).vertices, self);
           },
           "Corners, m; float64 (n, 3), a view.")
       .def_property_readonly(
@@ -227,8 +228,8 @@ void bind_blocks(py::module_& module) {
           "core", [](const Block& b) { return &b.body; },
           py::return_value_policy::reference_internal, "The polyhedron with its radius.")
       .def_property_readonly("surface", part([](const Block& b, const py::object& self) {
-                               return py::make_tuple(array_view(b.surface.vertices, self),
-                                                     array_view(b.surface.triangles, self));
+                               return py::make_tuple(make_array_view(b.surface.vertices, self),
+                                                     make_array_view(b.surface.triangles, self));
                              }),
                              "(vertices (n, 3) m, triangles (m, 3)): the simplified, closed scan "
                              "from which the block was made; views.")
@@ -252,7 +253,8 @@ void bind_blocks(py::module_& module) {
       .def(
           "roundness",
           [](const Block& b, double edge_length) {
-            const Roundness measured = without_gil([&] { return block_roundness(b, edge_length); });
+            const Roundness measured =
+                run_without_gil([&] { return block_roundness(b, edge_length); });
             return measured.value;
           },
           "edge_length"_a,
@@ -279,7 +281,7 @@ void bind_blocks(py::module_& module) {
       [](const py::object& vertices, const py::object& triangles, double density) {
         const TriangleMesh mesh = parse_mesh(vertices, triangles);
         const MassProperties found =
-            without_gil([&] { return solid_mass_properties(mesh, density); });
+            run_without_gil([&] { return solid_mass_properties(mesh, density); });
         return py::dict("volume_m3"_a = found.volume, "mass_kg"_a = found.mass,
                         "centre_m"_a = to_array(found.centre),
                         "inertia_kg_m2"_a = to_array(found.inertia));

@@ -35,7 +35,7 @@ bool Keywords::has(const char* name) {
   return true;
 }
 
-std::vector<std::string> Keywords::texts(const char* name) {
+std::vector<std::string> Keywords::read_texts(const char* name) {
   return has(name) ? parse_texts(given_[name], name) : std::vector<std::string>();
 }
 

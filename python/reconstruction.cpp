@@ -46,7 +46,7 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
       throw InputError("units and scale_length both give the scale; leave one out");
     }
     const auto [a, b, metres] =
-        py::cast<std::tuple<py::object, py::object, double>>(given.object("scale_length"));
+        py::cast<std::tuple<py::object, py::object, double>>(given.given_object("scale_length"));
     options.scale_points = {parse_vector(a, "scale_length"), parse_vector(b, "scale_length")};
     unit = measured_unit(*options.scale_points, metres);
   } else {
@@ -64,9 +64,9 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
 void take_scan(Keywords& given, ScanToBlockOptions& options) {
   options.up_given = given.has("up");
   given.read("up", options.scan.up);
-  options.scan.columns = given.texts("columns");
+  options.scan.columns = given.read_texts("columns");
   if (given.has("ground")) {
-    const auto ground = py::cast<std::string>(given.object("ground"));
+    const auto ground = py::cast<std::string>(given.given_object("ground"));
     if (ground != "auto" && ground != "none") {
       throw InputError("ground = \"" + ground + "\" must be \"auto\" or \"none\"");
     }
@@ -181,7 +181,7 @@ class Follower : public ScanBatchObserver {
   void on_block_made(const Block& block, const BlockOrigin& origin) override {
     if (!pages_) return;
     pages_->prepare(block, {.raw = origin.raw,
-                            .found = origin.field_block,
+                            .field_block = origin.field_block,
                             .options = options_.scan.scan,
                             .up = origin.up,
                             .scale = "one unit of the file is " +

@@ -30,12 +30,14 @@ struct CutRequest {
 
 CutRequest cut_request(Keywords& given) {
   CutRequest request;
-  for (const std::string& joints : given.texts("joints")) {
+  for (const std::string& joints : given.read_texts("joints")) {
     request.options.joints.push_back(parse_joint_set(joints));
   }
   given.read("mass", request.file.path);
-  for (const std::string& file : given.texts("before")) request.terrains.before.emplace_back(file);
-  for (const std::string& file : given.texts("after")) request.terrains.after.emplace_back(file);
+  for (const std::string& file : given.read_texts("before"))
+    request.terrains.before.emplace_back(file);
+  for (const std::string& file : given.read_texts("after"))
+    request.terrains.after.emplace_back(file);
   given.read("min_thickness", request.difference.min_thickness);
   given.read("polygon", request.difference.polygon);
   given.read("bodies", request.difference.bodies);
@@ -75,7 +77,7 @@ RockMassBlocks blocks_between(const CutRequest& request) {
     check_mesh_output(*request.scar, rules);
   }
   const ReleasedMass mass = read_released_mass(request.terrains, request.difference);
-  if (request.scar) write_mesh(*request.scar, make_mass_mesh(mass), {.rules = rules});
+  if (request.scar) write_mesh(*request.scar, make_released_mass_mesh(mass), {.rules = rules});
   if (!request.options.joints.empty() || !request.scar) {
     return cut_released_mass(mass, request.terrains, request.difference, request.options);
   }

@@ -43,8 +43,8 @@ VariationTargets steps_from(Keywords& given) {
   given.read("detail", steps.detail);
   given.read("degree", steps.degree);
   given.read("exponent", steps.exponent);
-  steps.reference = given.texts("reference");
-  steps.inertia = given.texts("inertia");
+  steps.reference = given.read_texts("reference");
+  steps.inertia = given.read_texts("inertia");
   return steps;
 }
 
@@ -52,10 +52,10 @@ VariationSeriesRequest series_request(Keywords& given) {
   VariationSeriesRequest request;
   std::string keep = "mass";
   given.read("library", request.library);
-  request.ids = given.texts("ids");
-  request.target_ratio_ids = given.texts("like");
-  request.targets = steps_from(given);
-  given.read("draw", request.sampled_count);
+  request.ids = given.read_texts("ids");
+  request.target_ratio_ids = given.read_texts("like");
+  request.steps = steps_from(given);
+  given.read("draw", request.draw);
   given.read("table", request.table);
   given.read("units", request.units);
   given.read("prefix", request.prefix);

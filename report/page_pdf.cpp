@@ -67,7 +67,7 @@ std::string without_print_marks(std::string pdf) {
   constexpr std::string_view kNode = "(node";
   constexpr std::size_t kDigits = 8;
   std::vector<std::size_t> places;
-  std::uint32_t least = UINT32_MAX;
+  std::uint32_t minimum = UINT32_MAX;
   const auto number_at = [&](std::size_t at) {
     std::uint32_t number = 0;
     std::from_chars(pdf.data() + at, pdf.data() + at + kDigits, number);
@@ -81,10 +81,10 @@ std::string without_print_marks(std::string pdf) {
       continue;
     }
     places.push_back(at);
-    least = std::min(least, number_at(at));
+    minimum = std::min(minimum, number_at(at));
   }
   for (const std::size_t at : places) {
-    const std::string number = std::to_string(number_at(at) - least + 1);
+    const std::string number = std::to_string(number_at(at) - minimum + 1);
     pdf.replace(at, kDigits, std::string(kDigits - number.size(), '0') + number);
   }
   return pdf;
@@ -110,8 +110,8 @@ fs::path find_browser() {
       "chromium), name a browser in CLAST_BROWSER, or print report.html yourself");
 }
 
-void print_page(const fs::path& page, const fs::path& pdf, const fs::path& browser,
-                double seconds) {
+void print_page_to_pdf(const fs::path& page, const fs::path& pdf, const fs::path& browser,
+                       double seconds) {
   const BrowserProfile profile;
   std::error_code code;
   fs::remove(pdf, code);

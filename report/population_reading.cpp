@@ -130,7 +130,7 @@ ReportedPopulation read_population(const PopulationFiles& files,
   bool tables = false, libraries = false;
   for (const std::string& input : files.inputs) {
     const std::string stem = to_utf8(std::filesystem::path(input).stem().string());
-    const bool library = is_library(input);
+    const bool library = is_block_library(input);
     (library ? libraries : tables) = true;
     if (library) {
       add_library(reported, reading, input);
@@ -171,7 +171,7 @@ void note_shared_files(const ReportedPopulation& first, ReportedPopulation& seco
 }
 
 /// The second population with what it takes over from the first.
-PopulationFiles files_against(const PopulationRequest& request) {
+PopulationFiles files_against(const PopulationReportRequest& request) {
   PopulationFiles files = request.against;
   if (files.columns.empty()) files.columns = request.first.columns;
   if (files.units.empty()) files.units = request.first.units;
@@ -180,7 +180,7 @@ PopulationFiles files_against(const PopulationRequest& request) {
 
 }  // namespace
 
-bool is_library(const std::string& path) {
+bool is_block_library(const std::string& path) {
   return is_hdf5(path) || path.ends_with(".h5") || path.ends_with(".hdf5");
 }
 
@@ -215,7 +215,7 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
   return columns;
 }
 
-void PopulationRequest::check() const {
+void PopulationReportRequest::check() const {
   options.check();
   if (first.inputs.empty()) throw InputError("no block library and no table of blocks is given");
   if (reading.axis_error && !kAxisErrorRange.contains(*reading.axis_error)) {
@@ -225,14 +225,14 @@ void PopulationRequest::check() const {
   for (const PopulationFiles& files : {first, files_against(*this)}) {
     parse_dimension_columns(files.columns, files.units);
     for (const std::string& input : files.inputs) {
-      if (!reading.box_given || is_library(input)) continue;
+      if (!reading.box_given || is_block_library(input)) continue;
       throw InputError("`box`: " + input +
                        " is a table of measured axes, to which no box convention applies");
     }
   }
 }
 
-PopulationReport read_populations(const PopulationRequest& request) {
+PopulationReport read_populations(const PopulationReportRequest& request) {
   request.check();
   PopulationReport report;
   report.options = request.options;

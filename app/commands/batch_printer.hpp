@@ -12,13 +12,14 @@
 
 namespace clast {
 
-/// Prints blocks to stdout, as lines or JSON, and failures to stderr. Optionally writes pages.
+/// Prints the blocks of a batch of scans to stdout, as lines or JSON, and failures to stderr.
+/// Optionally writes report pages.
 class BatchPrinter : public ScanBatchObserver {
  public:
-  /// Starts the output.
+  /// Starts the output of a batch.
   /// @param scans  number of scans
   /// @param report  folder of pages; if empty, no pages are written
-  /// @param json  true: prints the blocks as JSON at the end; false: prints lines
+  /// @param json  true if blocks are printed as JSON at the end; false if as lines
   /// @throws InputError  if the folder of pages cannot be written
   BatchPrinter(std::size_t scans, const ScanBatchOptions& options, const std::string& report,
                bool json);
@@ -31,7 +32,7 @@ class BatchPrinter : public ScanBatchObserver {
   void on_scan_failed(const ScanFile& scan, const std::string& reason) override;
   void on_note(const std::string& text) override;
 
-  /// Updates the progress bar. Slow steps have their own line unless scans run in parallel.
+  /// Updates the progress bar.
   void show(const ProgressUpdate& step) {
     bar_.update(step.done, step.activity, step.is_slow && options_.jobs == 1);
   }
@@ -42,7 +43,7 @@ class BatchPrinter : public ScanBatchObserver {
  private:
   using Json = nlohmann::ordered_json;
 
-  void print_end(const ScanBatchResult& result) const;
+  void print_summary(const ScanBatchResult& result) const;
 
   const ScanBatchOptions& options_;
   std::size_t scans_;

@@ -88,7 +88,7 @@ void check_one(const CheckArgs& args) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
+void add_check_command(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
   CLI::App* command = app.add_subcommand(
       "check", "List all errors in a campaign or calibration study, without running it");

@@ -125,7 +125,7 @@ RockMassBlocks blocks_between(const CutArgs& args) {
   const ReleasedMass mass = read_released_mass(terrains, difference);
   print_mass(mass);
   if (!args.scar.empty()) {
-    write_mesh(args.scar, make_mass_mesh(mass), {.rules = scar_rules(args)});
+    write_mesh(args.scar, make_released_mass_mesh(mass), {.rules = scar_rules(args)});
     std::cout << escape_nonprintable(args.scar) << ": written\n";
   }
   if (args.joints.empty()) return {};
@@ -240,7 +240,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
           "--min-thickness", args.difference.min_thickness,
           "Smallest vertical difference between the two terrains that counts as rock mass, m; 0: "
           "any")
-      ->check(within(kMassThicknessRange))
+      ->check(number_in_range(kMassThicknessRange))
       ->needs(before)
       ->type_name("M")
       ->capture_default_str();
@@ -262,7 +262,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
           "--resolution", args.difference.resolution,
           "First convert both terrains to grids with this cell size, using the highest point of "
           "each cell, m; default: both as they are")
-      ->check(within(kCellSizeRange))
+      ->check(number_in_range(kCellSizeRange))
       ->needs(before)
       ->type_name("M");
   command
@@ -275,36 +275,36 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
 
 void add_block_making_options(CLI::App& command, RockMassOptions& options) {
   command.add_option("--seed", options.cutting.seed, "Random seed of the joint positions")
-      ->check(whole_number())
+      ->check(integer_in_range())
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--least-volume", options.cutting.min_volume,
                   "Pieces smaller than this are left out, m3")
-      ->check(within(kBlockVolumeRange))
+      ->check(number_in_range(kBlockVolumeRange))
       ->type_name("M3")
       ->capture_default_str();
   command
       .add_option("--most-blocks", options.cutting.max_blocks,
                   "Largest number of blocks; joints that would cut more are refused")
-      ->check(whole_number(1, 1'000'000))
+      ->check(integer_in_range(1, 1'000'000))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--density", options.block.density, "Density, kg/m3")
-      ->check(within(kBlockDensityRange))
+      ->check(number_in_range(kBlockDensityRange))
       ->type_name("KG/M3")
       ->capture_default_str();
   command
       .add_option("--radius-share", options.block.radius_fraction,
                   "Minkowski radius of the rounding as a fraction of S, 0 to 0.25")
-      ->check(within(kRadiusFractionRange))
+      ->check(number_in_range(kRadiusFractionRange))
       ->type_name("SHARE")
       ->capture_default_str();
 }
 
 }  // namespace
 
-void add_cut(CLI::App& app) {
+void add_cut_command(CLI::App& app) {
   const auto args = std::make_shared<CutArgs>();
   RockMassOptions& options = args->options;
   CLI::App* command = app.add_subcommand("cut", "Cut a rock mass into its blocks by joint sets");
@@ -342,7 +342,7 @@ void add_cut(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command->add_option("--threads", options.threads, "Threads to use; 0: one for each core")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->footer(

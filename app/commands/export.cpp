@@ -84,7 +84,7 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
                   "Segments per quarter circle of the skin, 1 to 64; the error of its volume "
                   "decreases with N squared. The skin of a concave block has no triangles smaller "
                   "than 1/150 of its diagonal")
-      ->check(whole_number(1, 64))
+      ->check(integer_in_range(1, 64))
       ->type_name("N")
       ->capture_default_str();
   command
@@ -105,7 +105,7 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
 
 }  // namespace
 
-void add_export(CLI::App& app) {
+void add_export_command(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
   CLI::App* command = app.add_subcommand("export", "Export blocks, or a campaign, for other tools");
   command->add_option("library", args->library, "Block library, or with --to a campaign file")

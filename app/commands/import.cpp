@@ -36,7 +36,7 @@ void import_results(ImportArgs& args) {
   if (args.json) {
     nlohmann::ordered_json json = {{"runs", found.runs},
                                    {"planned_runs", found.planned},
-                                   {"scenes_without_results", found.without},
+                                   {"scenes_without_results", found.without_output},
                                    {"notes", found.notes}};
     json.update(outcome_json(results));
     std::cout << json.dump(2) << "\n";
@@ -51,7 +51,7 @@ void import_results(ImportArgs& args) {
 
 }  // namespace
 
-void add_import(CLI::App& app) {
+void add_import_command(CLI::App& app) {
   const auto args = std::make_shared<ImportArgs>();
   CLI::App* command = app.add_subcommand(
       "import",

@@ -183,7 +183,7 @@ void add_set(CLI::App& app) {
   command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
   command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
   command->add_option("--weighed", args->weighed, "Weighed mass, kg")
-      ->check(within(kBlockMassRange))
+      ->check(number_in_range(kBlockMassRange))
       ->type_name("KG");
   command->footer(
       "Field notes are stored beside the computed values and do not change them.\n"
@@ -194,7 +194,7 @@ void add_set(CLI::App& app) {
 
 }  // namespace
 
-void add_library(CLI::App& app) {
+void add_library_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("library", "Join libraries, remove blocks, attach field notes");
   command->require_subcommand(1);

@@ -25,7 +25,7 @@ struct NewCampaignArgs {
 };
 
 void print_proposal(const CampaignProposal& proposal) {
-  const ProposedLines& places = proposal.places;
+  const ProposedReleaseAndBarrier& places = proposal.places;
   std::cout << format_count(proposal.blocks.count, "block") << ", "
             << format_count(places.release_points, "release point") << " on ground of "
             << format_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
@@ -36,13 +36,14 @@ void print_proposal(const CampaignProposal& proposal) {
             << " m below, " << format_decimals(places.distance, 0) << " m away\n";
   TextTable ground{{"zone", "taken for", "e_n^2", "mu", "mu_R"}, {}};
   for (const ProposedGround& zone : proposal.ground) {
-    ground.rows.push_back({zone.zone, zone.type.name + (zone.by_name ? "" : " (a guess)"),
+    ground.rows.push_back({zone.zone,
+                           zone.type.name + (zone.identified_by_name ? "" : " (a guess)"),
                            format_significant(zone.type.energy_restitution.value, 3),
                            format_significant(zone.type.friction.value, 3),
                            format_significant(zone.type.rolling_friction.value, 3)});
   }
   std::cout << ground.text();
-  for (const std::string& doubt : proposal.doubts) {
+  for (const std::string& doubt : proposal.proposal_warnings) {
     std::cout << "warning: " << format_for_terminal(doubt) << "\n";
   }
 }
@@ -60,7 +61,7 @@ void write_campaign(const NewCampaignArgs& args) {
 
 }  // namespace
 
-void add_new(CLI::App& app) {
+void add_new_command(CLI::App& app) {
   const auto args = std::make_shared<NewCampaignArgs>();
   CLI::App* parent = app.add_subcommand("new", "Write a first campaign file to edit");
   parent->require_subcommand(1);

@@ -56,7 +56,7 @@ void add_camera_options(CLI::App& command, PhotoArgs& args) {
   command
       .add_option("--colmap-minutes", args.colmap_minutes,
                   "Time limit for each colmap step, minutes")
-      ->check(within(kColmapMinutes))
+      ->check(number_in_range(kColmapMinutes))
       ->type_name("MIN")
       ->capture_default_str()
       ->group(kGroup);
@@ -106,7 +106,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
   command
       .add_option("--marker-size", args.marker_size,
                   "Side of the black square of every marker, m: sets the scale, or checks the bars")
-      ->check(within(kMarkerSideRange))
+      ->check(number_in_range(kMarkerSideRange))
       ->type_name("M")
       ->group(kGroup);
   std::vector<std::string> dictionaries = marker_dictionary_names();

@@ -120,7 +120,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
   command
       .add_option("--scale-factor", args.scale_factor,
                   "Factor for all lengths, applied after --units or --scale-length")
-      ->check(within(kScaleFactorRange))
+      ->check(number_in_range(kScaleFactorRange))
       ->type_name("F")
       ->capture_default_str();
   command
@@ -152,17 +152,17 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
       .add_option("--vertices", options.vertices,
                   "Largest number of vertices of a block, 4 or more; default: the smallest number "
                   "up to 2000 that meets the tolerance")
-      ->check(whole_number(4, 1000000))
+      ->check(integer_in_range(4, 1000000))
       ->type_name("N");
   CLI::Option* radius =
       command.add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
-          ->check(within(kMinkowskiRadiusRange))
+          ->check(number_in_range(kMinkowskiRadiusRange))
           ->type_name("M");
   command
       .add_option("--radius-share", options.block.radius_fraction,
                   "Minkowski radius as a fraction of S, the shortest side, 0 to 0.25; default: "
                   "0.02, without --vertices halved down to 0.0025 if the tolerance requires it")
-      ->check(within(kRadiusFractionRange))
+      ->check(number_in_range(kRadiusFractionRange))
       ->excludes(radius)
       ->type_name("SHARE")
       ->capture_default_str();
@@ -177,26 +177,26 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
                 "Use the convex hull of each scan, for example to compare with simpler models")
       ->excludes("--core");
   command.add_option("--density", options.block.density, "Density, kg/m3")
-      ->check(within(kBlockDensityRange))
+      ->check(number_in_range(kBlockDensityRange))
       ->type_name("KG/M3")
       ->capture_default_str();
   command
       .add_option("--mass", options.block.mass,
                   "Weighed mass of the block, kg: sets the density, or checks the volume if "
                   "--density is also given")
-      ->check(within(kBlockMassRange))
+      ->check(number_in_range(kBlockMassRange))
       ->type_name("KG");
   command
       .add_option("--accuracy", options.block.accuracy,
                   "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
-      ->check(within(kMassAccuracyRange))
+      ->check(number_in_range(kMassAccuracyRange))
       ->type_name("REL")
       ->capture_default_str();
   command
       .add_option("--tolerance", options.block.tolerance,
                   "Largest Hausdorff distance between a block and its scan, as a fraction of L, "
                   "the longest side; a larger distance gives a warning")
-      ->check(within(kScanToleranceRange))
+      ->check(number_in_range(kScanToleranceRange))
       ->type_name("SHARE")
       ->capture_default_str();
   command
@@ -218,7 +218,7 @@ void add_batch_options(CLI::App& command, ReconstructArgs& args) {
       .add_option("--jobs", args.batch.jobs,
                   "Number of scans processed at the same time, 0: one per core; memory use grows "
                   "with the number, the results are the same")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--resume", args.batch.resume,
@@ -235,7 +235,7 @@ void add_batch_options(CLI::App& command, ReconstructArgs& args) {
 
 }  // namespace
 
-void add_reconstruct(CLI::App& app) {
+void add_reconstruct_command(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
   CLI::App* command = app.add_subcommand("reconstruct", kReconstructSummary);
   command

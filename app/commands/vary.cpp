@@ -140,7 +140,7 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--least", args.least,
                   "Smallest ratio in the grid: S/L of sneed-folk, I/L and S/I of zingg")
-      ->check(within(kMinRatioRange))
+      ->check(number_in_range(kMinRatioRange))
       ->type_name("RATIO")
       ->capture_default_str();
   command
@@ -153,37 +153,37 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--convexity", args.steps.convexity,
                   "Fill hollows until the volume is this fraction of that of the convex hull")
-      ->check(within(kVariedConvexityRange))
+      ->check(number_in_range(kVariedConvexityRange))
       ->type_name("SHARE");
   command
       .add_option("--rounding", args.steps.rounding,
                   "Radius of edges and corners as a fraction of S, 0 to 0.4")
-      ->check(within(kVariedRadiusFractionRange))
+      ->check(number_in_range(kVariedRadiusFractionRange))
       ->type_name("SHARE");
   command
       .add_option("--roundness", args.steps.roundness,
                   "Choose the radius that gives this Wadell roundness")
-      ->check(within(kVariedRoundnessRange))
+      ->check(number_in_range(kVariedRoundnessRange))
       ->type_name("VALUE");
   command
       .add_option("--roundness-edge", args.steps.roundness_edge,
                   "Edge length of the mesh on which roundness is measured, as a fraction of the "
                   "diameter of a sphere of equal volume")
-      ->check(within(kRoundnessEdgeRange))
+      ->check(number_in_range(kRoundnessEdgeRange))
       ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--vertices", args.steps.vertices, "Simplify to this many vertices")
-      ->check(whole_number(kMinVariedVertices, kMaxVariedVertices))
+      ->check(integer_in_range(kMinVariedVertices, kMaxVariedVertices))
       ->type_name("N");
   command
       .add_option("--detail", args.steps.detail,
                   "Multiply the surface detail: 0 removes it, 1 keeps it, 2 doubles it")
-      ->check(within(kDetailGainRange))
+      ->check(number_in_range(kDetailGainRange))
       ->type_name("FACTOR");
   command
       .add_option("--degree", args.steps.degree,
                   "Degree of the spherical harmonics of the coarse form; detail is the remainder")
-      ->check(whole_number(kMinDegree, kMaxDegree))
+      ->check(integer_in_range(kMinDegree, kMaxDegree))
       ->type_name("N")
       ->capture_default_str();
 }
@@ -196,7 +196,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->check(CLI::IsMember(reference_shape_names()))
       ->type_name("FORM");
   command.add_option("--exponent", args.steps.exponent, "Exponent of the superellipsoid, 1 to 20")
-      ->check(within(kSuperellipsoidExponentRange))
+      ->check(number_in_range(kSuperellipsoidExponentRange))
       ->type_name("N")
       ->capture_default_str();
   command
@@ -209,7 +209,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
           .add_option("--draw", args.request.sampled_count,
                       "Draw this many bodies, with sizes and forms distributed like those of the "
                       "blocks, or of the table of --from")
-          ->check(whole_number(1, kMaxSeriesBodies))
+          ->check(integer_in_range(1, kMaxSeriesBodies))
           ->type_name("N");
   command
       .add_option("--from", args.table,
@@ -223,7 +223,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->type_name("UNIT")
       ->needs(draw);
   command.add_option("--seed", args.request.seed, "Random seed of --draw")
-      ->check(whole_number())
+      ->check(integer_in_range())
       ->type_name("N")
       ->capture_default_str();
   command
@@ -235,7 +235,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
 
 }  // namespace
 
-void add_vary(CLI::App& app) {
+void add_vary_command(CLI::App& app) {
   const auto args = std::make_shared<VaryArgs>();
   CLI::App* command =
       app.add_subcommand("vary", "Make variants and series of blocks that differ in one property");
@@ -256,7 +256,7 @@ void add_vary(CLI::App& app) {
   command
       ->add_option("--threads", args->request.options.threads,
                    "Threads to use; 0: one for each core")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--json", args->json, "Print the bodies as JSON");

@@ -91,7 +91,7 @@ std::string term(const std::string& name, const std::string& value) {
 /// Everything the library holds of a block, for the large view.
 std::string details(const Block& block) {
   const Block* const one = &block;
-  const TextTable table = block_table({&one, 1});
+  const TextTable table = make_block_table({&one, 1});
   std::string html = "<dl class=\"facts\">";
   for (std::size_t i = 1; i < table.headings.size(); ++i) {
     html += format_fact(table.headings[i], table.rows.front()[i]);
@@ -155,7 +155,7 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
   std::string body = "<h1>" + escape_html(title) + "</h1>\n<p class=\"lead\">" +
                      format_count(blocks.size(), "block") +
                      "; click a picture to see the block in 3-D with all its properties</p>\n";
-  if (const std::string note = describe_unscaled(blocks); !note.empty())
+  if (const std::string note = describe_unscaled_blocks(blocks); !note.empty())
     body += format_paragraph(note);
   body +=
       format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";

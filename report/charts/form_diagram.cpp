@@ -75,11 +75,11 @@ std::string blocks_svg(const Population& population, std::size_t number,
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
-    svg +=
-        draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.axes_in_table_unit), true,
-                        "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
-                        format_block_title(block, options)) +
-        "\n";
+    svg += draw_shape_mark(
+               places[i].x(), places[i].y(), garcia_class(block.axes_in_table_unit), true,
+               "class=\"block\" data-block=\"" + block_highlight_attribute(number, i) + "\"",
+               format_block_tooltip(block, options)) +
+           "\n";
   }
   return svg;
 }
@@ -153,11 +153,11 @@ std::vector<Field> triangle_fields(const std::array<double, 4>& limits) {
 
 }  // namespace
 
-std::string block_element_id(std::size_t number, std::size_t block) {
+std::string block_highlight_attribute(std::size_t number, std::size_t block) {
   return std::to_string(number) + "-" + std::to_string(block);
 }
 
-std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options) {
+std::string format_block_tooltip(const MeasuredBlock& block, const PopulationOptions& options) {
   const Axes& axes = block.axes;
   std::string title = block.name + "\nL " + format_significant_digits(axes.L, 3) + ", I " +
                       format_significant_digits(axes.I, 3) + ", S " +

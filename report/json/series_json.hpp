@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Returns the output of `clast vary --json` (docs/formats.md).
+/// Returns a series of varied blocks as JSON (docs/formats.md).
 nlohmann::ordered_json series_json(const VariedBlockSeries& series,
                                    const std::optional<CopulaFit>& fit);
 

@@ -19,10 +19,10 @@ constexpr const char* kDash = "\xE2\x80\x93";  // en dash, for ranges
 std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& comparison,
                                                         std::size_t line) {
   std::vector<const BarrierGroupStatistics*> shown;
-  for (const GroupKind kind :
-       {GroupKind::kGarcia, GroupKind::kBlock, GroupKind::kSneedFolk, GroupKind::kAll}) {
+  for (const RunGroupKind kind : {RunGroupKind::kGarcia, RunGroupKind::kBlock,
+                                  RunGroupKind::kSneedFolk, RunGroupKind::kAll}) {
     for (const BarrierGroupStatistics& group : comparison.barriers) {
-      const Group& runs = comparison.groups[group.group_index];
+      const RunGroup& runs = comparison.groups[group.group_index];
       if (group.line == line && runs.kind == kind &&
           runs.file.has_value() == has_several_files(comparison)) {
         shown.push_back(&group);
@@ -35,7 +35,7 @@ std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& compar
 /// Appends the mean, p95 and maximum of a summary.
 void append_summary(std::vector<std::string>& cells, const SampleSummary& summary, int decimals) {
   for (const double value : {summary.mean, summary.p95, summary.max}) {
-    cells.push_back(format_measured(value, summary, decimals));
+    cells.push_back(format_summary_value(value, summary, decimals));
   }
 }
 
@@ -54,7 +54,7 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
                  : "-"};
     append_summary(cells, group->height, 2);
     for (const double top : {group->top.p95, group->top.max}) {
-      cells.push_back(format_measured(top, group->top, 2));
+      cells.push_back(format_summary_value(top, group->top, 2));
     }
     append_summary(cells, group->clearance, 2);
     table.row(std::move(cells));
@@ -91,13 +91,13 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
 /// Describes which crossings of the line count, and how many had each direction.
 std::string directions_of(const Comparison& comparison, std::size_t line) {
   const BarrierLine& barrier = comparison.lines[line];
-  if (barrier.of_ring()) {
+  if (barrier.belongs_to_ring()) {
     return std::string(barrier.counts == BarrierLine::Counts::kEntries ? "entries" : "exits") +
            " are counted";
   }
   std::size_t crossed = 0, backward = 0;
   for (const BarrierGroupStatistics& group : comparison.barriers) {
-    if (group.line != line || comparison.groups[group.group_index].kind != GroupKind::kAll)
+    if (group.line != line || comparison.groups[group.group_index].kind != RunGroupKind::kAll)
       continue;
     if (comparison.groups[group.group_index].file) continue;
     crossed = group.crossed;
@@ -115,7 +115,7 @@ std::string directions_of(const Comparison& comparison, std::size_t line) {
 /// "from (16.25, 50) to (16.25, 110) m"
 std::string barrier_ends(const BarrierLine& barrier) {
   std::string points;
-  for (const Vec2& point : barrier.through) {
+  for (const Vec2& point : barrier.vertices) {
     points += (points.empty() ? "From (" : " to (") + format_fixed(point.x(), 2) + ", " +
               format_fixed(point.y(), 2) + ")";
   }
@@ -127,7 +127,7 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
     return draw_plotly_chart(
         {title, label, "fraction of crossings", true},
-        make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
+        make_cumulative_traces(make_value_series(comparison, RunGroupKind::kGarcia,
                                                  [&](std::size_t row) -> std::optional<double> {
                                                    if (first[row] == nullptr) {
                                                      return std::nullopt;
@@ -170,7 +170,7 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
         " draws of the ground parameters; their intervals cover release points only. The ranges at "
         "the top of the report show the effect of the ground parameters.");
   }
-  const std::vector<RealisationCrossings>& passages = analyses.passages();
+  const std::vector<RealisationCrossings>& passages = analyses.barrier_crossings();
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostPairs = 6;
 
 std::string with_unit(const DepositQuantity& figure) {
-  return figure.words + (figure.unit.empty() ? "" : ", " + figure.unit);
+  return figure.phrase + (figure.unit.empty() ? "" : ", " + figure.unit);
 }
 
 std::string interval_text(const std::optional<Interval>& interval, int decimals) {
@@ -45,12 +45,12 @@ std::string figures_table(const Comparison& comparison, const DepositQuantityCom
     for (const std::uint32_t file : files) {
       DepositQuantitySummary found;
       for (const DepositQuantitySummary& one : figures.files) {
-        if (one.file == file && one.figure == i) found = one;
+        if (one.file == file && one.quantity == i) found = one;
       }
       cells.push_back(format_mean_and_deviation(found.summary, figure.decimals));
       cells.push_back(interval_text(found.interval, figure.decimals));
-      cells.push_back(format_measured(found.least, found.summary, figure.decimals));
-      cells.push_back(format_measured(found.summary.max, found.summary, figure.decimals));
+      cells.push_back(format_summary_value(found.minimum, found.summary, figure.decimals));
+      cells.push_back(format_summary_value(found.summary.max, found.summary, figure.decimals));
     }
     table.row(std::move(cells));
   }
@@ -63,17 +63,17 @@ std::string describe_pair(const Comparison& comparison,
   std::map<ContrastVerdict, std::string> lists;
   std::size_t fewest = pair.front()->first.summary.count, tests = 0;
   for (const DepositQuantityDifference* one : pair) {
-    const std::string& words = deposit_quantities()[one->first.figure].words;
+    const std::string& words = deposit_quantities()[one->first.quantity].phrase;
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
-    tests = std::max(tests, one->family_size);
+    tests = std::max(tests, one->tests);
     const ContrastVerdict verdict = one->verdict();
     const bool with_gap = verdict == ContrastVerdict::kSignificant ||
                           verdict == ContrastVerdict::kInsignificantAfterCorrection;
-    append_item(lists[verdict],
-                words + (with_gap ? " " + describe_difference(*one) : std::string()));
+    append_list_item(lists[verdict],
+                     words + (with_gap ? " " + describe_difference(*one) : std::string()));
   }
-  const std::string names = capitalized(file_name(comparison, pair.front()->first.file)) +
-                            " against " + file_name(comparison, pair.front()->second.file);
+  const std::string names = capitalized(results_file_label(comparison, pair.front()->first.file)) +
+                            " against " + results_file_label(comparison, pair.front()->second.file);
   if (tests == 0) {
     return format_paragraph(names + ": no interval of the difference can be given, " +
                             (fewest < 2 ? "because it requires two realisations of each file."
@@ -99,9 +99,9 @@ std::string differences_table(const Comparison& comparison,
                    "difference", "95 % interval", "p", "p (Holm)", "significant"},
                   3);
   for (const DepositQuantityDifference& one : figures.differences) {
-    const DepositQuantity& figure = deposit_quantities()[one.first.figure];
-    table.row({with_unit(figure), file_name(comparison, one.first.file),
-               file_name(comparison, one.second.file),
+    const DepositQuantity& figure = deposit_quantities()[one.first.quantity];
+    table.row({with_unit(figure), results_file_label(comparison, one.first.file),
+               results_file_label(comparison, one.second.file),
                std::to_string(one.first.summary.count) + " and " +
                    std::to_string(one.second.summary.count),
                format_fixed(one.first.summary.mean, figure.decimals),
@@ -122,10 +122,10 @@ std::string differences_of_files(const Comparison& comparison,
                                  const DepositQuantityComparison& figures) {
   if (figures.differences.empty()) {
     std::size_t files = 0;
-    for (const DepositQuantitySummary& one : figures.files) files += one.figure == 0;
+    for (const DepositQuantitySummary& one : figures.files) files += one.quantity == 0;
     return files < 2 ? ""
                      : format_paragraph(std::to_string(files) + " files are too many: at most " +
-                                        std::to_string(kMaxGroups) +
+                                        std::to_string(kMaxComparedGroups) +
                                         " are compared pair by pair. Compare a selection.");
   }
   std::vector<std::vector<const DepositQuantityDifference*>> pairs;
@@ -163,14 +163,15 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
   for (const DepositMobility& one : all) {
     if (one.group == "all") {
       html += format_paragraph(
-          "Runout of " + file_name(comparison, one.file) + " against single blocks of " +
-          file_name(comparison, one.alone) + ", " + describe_effect(one) +
+          "Runout of " + results_file_label(comparison, one.file) + " against single blocks of " +
+          results_file_label(comparison, one.single_block_file) + ", " + describe_effect(one) +
           ". The farthest block of a realisation stops after " +
           format_fixed(one.together_toe.mean, 1) +
           " m on average; the farthest of the same number of single runs would stop after " +
           format_fixed(one.alone_toe, 1) + " m.");
     }
-    table.row({one.group, file_name(comparison, one.file), file_name(comparison, one.alone),
+    table.row({one.group, results_file_label(comparison, one.file),
+               results_file_label(comparison, one.single_block_file),
                std::to_string(one.together_runout.count), std::to_string(one.runs),
                format_fixed(one.together_runout.mean, 2), format_fixed(one.alone_runout.mean, 2),
                format_fixed(one.difference.estimate, 2), interval_text(one.difference.interval, 2),
@@ -188,15 +189,16 @@ std::string mobility_of(const Comparison& comparison, const std::vector<DepositM
 }  // namespace
 
 std::string format_deposit_section(const ComparisonAnalyses& analyses) {
-  if (analyses.deposits().realisations.empty()) return "";
+  if (analyses.deposit_results().realisations.empty()) return "";
   const Comparison& comparison = analyses.comparison();
-  const DepositQuantityComparison& figures = analyses.figures();
+  const DepositQuantityComparison& figures = analyses.deposit_comparison();
   return format_section(
       "The deposit",
       format_paragraph("Thickness of the deposit, averaged over the realisations" +
                        std::string(has_several_files(comparison) ? " of all files" : "") + ", m.") +
-          format_deposit_map(comparison, analyses.deposits().rasters) +
-          differences_of_files(comparison, figures) + mobility_of(comparison, analyses.mobility()) +
+          format_deposit_map(comparison, analyses.deposit_results().rasters) +
+          differences_of_files(comparison, figures) +
+          mobility_of(comparison, analyses.deposit_mobility()) +
           format_folded_section(
               "Statistics of the deposit",
               format_paragraph(

@@ -15,18 +15,18 @@ namespace {
 /// Kinds of groups that are too many to be compared pair by pair.
 std::string too_many_groups(const Comparison& comparison) {
   std::map<std::string, std::size_t> count;
-  for (const Group& group : comparison.groups) {
-    if (group.file || group.kind == GroupKind::kAll) continue;
-    ++count[group.kind == GroupKind::kBlock    ? "blocks"
-            : group.kind == GroupKind::kColumn ? "values of " + group.column
-                                               : "classes"];
+  for (const RunGroup& group : comparison.groups) {
+    if (group.file || group.kind == RunGroupKind::kAll) continue;
+    ++count[group.kind == RunGroupKind::kBlock    ? "blocks"
+            : group.kind == RunGroupKind::kColumn ? "values of " + group.column
+                                                  : "classes"];
   }
   std::string html;
   for (const auto& [kind, number_of] : count) {
-    if (number_of <= kMaxGroups) continue;
+    if (number_of <= kMaxComparedGroups) continue;
     html +=
         format_paragraph(std::to_string(number_of) + " " + kind + " are too many: at most " +
-                         std::to_string(kMaxGroups) +
+                         std::to_string(kMaxComparedGroups) +
                          " are compared pair by pair. Compare a selection, or group by a column.");
   }
   return html;
@@ -35,17 +35,17 @@ std::string too_many_groups(const Comparison& comparison) {
 /// One picture: the pairs of one kind, each quantity a row.
 struct Picture {
   std::string title;  ///< "compact against elongated"
-  std::vector<const Difference*> rows;
+  std::vector<const GroupDifference*> rows;
 };
 
 /// Classes in all quantities, values of columns in runout.
 std::vector<Picture> pictures_of(const Comparison& comparison) {
   std::vector<Picture> pictures;
-  for (const Difference& one : comparison.differences) {
-    const Group& first = comparison.groups[one.first];
-    const Group& second = comparison.groups[one.second];
-    const bool classes = first.kind == GroupKind::kGarcia;
-    if (!classes && !(first.kind == GroupKind::kColumn && one.quantity == "runout_m")) continue;
+  for (const GroupDifference& one : comparison.differences) {
+    const RunGroup& first = comparison.groups[one.first];
+    const RunGroup& second = comparison.groups[one.second];
+    const bool classes = first.kind == RunGroupKind::kGarcia;
+    if (!classes && !(first.kind == RunGroupKind::kColumn && one.quantity == "runout_m")) continue;
     const std::string title =
         classes ? first.key + " against " + second.key : "runout by " + first.column;
     if (pictures.empty() || pictures.back().title != title) pictures.push_back({title, {}});
@@ -54,15 +54,15 @@ std::vector<Picture> pictures_of(const Comparison& comparison) {
   return pictures;
 }
 
-std::string row_name(const Comparison& comparison, const Difference& one) {
-  const Group &first = comparison.groups[one.first], &second = comparison.groups[one.second];
-  return first.kind == GroupKind::kGarcia ? quantity_text(one.quantity).name
-                                          : first.key + " against " + second.key;
+std::string row_name(const Comparison& comparison, const GroupDifference& one) {
+  const RunGroup &first = comparison.groups[one.first], &second = comparison.groups[one.second];
+  return first.kind == RunGroupKind::kGarcia ? quantity_label(one.quantity).name
+                                             : first.key + " against " + second.key;
 }
 
 std::string difference_chart(const Comparison& comparison, const Picture& picture) {
-  std::vector<IntervalMark> marks;
-  for (const Difference* one : picture.rows) {
+  std::vector<IntervalRow> marks;
+  for (const GroupDifference* one : picture.rows) {
     // An angle to either side has no size to be a share of.
     const double size = 0.5 * (std::abs(one->first_mean) + std::abs(one->second_mean));
     if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
@@ -78,13 +78,14 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
 std::string words_for(const Comparison& comparison, const Picture& picture) {
   std::map<ContrastVerdict, std::string> lists;
   std::size_t tests = 0;
-  for (const Difference* one : picture.rows) {
+  for (const GroupDifference* one : picture.rows) {
     const ContrastVerdict verdict = one->verdict();
     const bool with_gap =
         verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kUntested;
-    append_item(lists[verdict], row_name(comparison, *one) +
-                                    (with_gap ? " " + describe_difference(*one) : std::string()));
-    tests = std::max(tests, one->family_size);
+    append_list_item(
+        lists[verdict],
+        row_name(comparison, *one) + (with_gap ? " " + describe_difference(*one) : std::string()));
+    tests = std::max(tests, one->tests);
   }
   return format_headed_list(picture.title + ", significant differences:",
                             lists[ContrastVerdict::kSignificant]) +
@@ -104,10 +105,10 @@ std::string make_table(const Comparison& comparison) {
       {"first", "second", "quantity", "first mean", "second mean", "difference", "95 % from",
        "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "significant"},
       3);
-  for (const Difference& one : comparison.differences) {
-    const Group& first = comparison.groups[one.first];
+  for (const GroupDifference& one : comparison.differences) {
+    const RunGroup& first = comparison.groups[one.first];
     // Pairs of blocks are many; the table differences.csv has them.
-    if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
+    if (first.kind != RunGroupKind::kGarcia && first.kind != RunGroupKind::kColumn) continue;
     table.row({first.name, comparison.groups[one.second].name, one.quantity,
                format_significant(one.first_mean, 3), format_significant(one.second_mean, 3),
                format_significant(one.estimate, 3),
@@ -126,11 +127,12 @@ std::string make_table(const Comparison& comparison) {
 
 /// Describes the methods of intervals and tests.
 std::string method_of(const Comparison& comparison) {
-  const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
-                                [](const CampaignResults& results) { return results.stay; });
+  const bool stay =
+      std::any_of(comparison.results.begin(), comparison.results.end(),
+                  [](const CampaignResults& results) { return results.persistent_blocks; });
   const bool tested =
       std::any_of(comparison.differences.begin(), comparison.differences.end(),
-                  [](const Difference& one) { return one.holm_p_value.has_value(); });
+                  [](const GroupDifference& one) { return one.holm_p_value.has_value(); });
   if (!tested) {
     return format_paragraph(
         "With one realisation, significance cannot be tested, so there are no intervals and no "

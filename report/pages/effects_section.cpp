@@ -12,11 +12,11 @@ namespace {
 
 /// Pictures of the outcomes over the forms, each with a link to a file of its own.
 std::string triangles(const ComparisonAnalyses& analyses) {
-  const std::vector<ResponseFigure> pictures =
-      draw_response_figures(analyses.forms(), has_several_files(analyses.comparison()));
+  const std::vector<ResponseDiagram> pictures =
+      draw_response_diagrams(analyses.shape_outcomes(), has_several_files(analyses.comparison()));
   if (pictures.empty()) return "";
   std::string html, links;
-  for (const ResponseFigure& picture : pictures) {
+  for (const ResponseDiagram& picture : pictures) {
     html += format_figure(picture.svg, picture.caption);
     links += (links.empty() ? "" : ", ") + ("<a href=\"" + format_link_target(picture.file) +
                                             "\" download>" + escape_html(picture.file) + "</a>");
@@ -29,7 +29,7 @@ std::string triangles(const ComparisonAnalyses& analyses) {
 std::string trends(const ComparisonAnalyses& analyses) {
   std::string html;
   for (const std::string& sentence :
-       describe_trends(analyses.trends(), analyses.comparison().margin)) {
+       describe_trends(analyses.shape_trends(), analyses.comparison().margin)) {
     html += format_paragraph(sentence);
   }
   return html;
@@ -48,12 +48,12 @@ bool few_blocks(const std::vector<DesignEffects>& effects) {
 }  // namespace
 
 std::string format_effects_section(const ComparisonAnalyses& analyses) {
-  std::vector<DesignEffects> effects = analyses.effects();
+  std::vector<DesignEffects> effects = analyses.design_effects();
   bool any = false;
   for (DesignEffects& file : effects) {
     const bool has_forms = file.factors.size() > 1 && !file.outcomes.empty();
     any = any || has_forms;
-    file.refusal.clear();  // most campaigns are no such design, and need not be
+    file.refusal_reason.clear();  // most campaigns are no such design, and need not be
   }
   if (!any) return "";
   std::string shares;

@@ -28,7 +28,7 @@ std::string runs_of(const Comparison& comparison, const ParameterEffect& effect)
 }
 
 std::string describe_parameter(const std::string& parameter) {
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     if (parameter == field.name) return field.words;
   }
   return parameter;
@@ -48,17 +48,18 @@ std::string effect_sentence(const Comparison& comparison,
   const auto size = [](const ParameterEffect& effect) {
     return effect.correlation ? std::abs(effect.correlation->statistic) : 0.0;
   };
-  const auto most = std::max_element(
+  const auto maximum = std::max_element(
       effects.begin(), effects.end(),
       [&](const ParameterEffect& a, const ParameterEffect& b) { return size(a) < size(b); });
   // Bonferroni correction for several parameters.
   const double limit = kSignificanceLevel / static_cast<double>(effects.size());
-  if (!most->correlation || most->correlation->p_value > limit) {
+  if (!maximum->correlation || maximum->correlation->p_value > limit) {
     text += "; no single parameter has a significant effect on it";
   } else {
-    text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +
-            " most strongly with the " + describe_parameter(most->parameter) + " of " + most->zone +
-            " (rank correlation " + format_fixed(most->correlation->statistic, 2) + ")";
+    text += std::string("; it ") + (maximum->correlation->statistic > 0.0 ? "grows" : "falls") +
+            " most strongly with the " + describe_parameter(maximum->parameter) + " of " +
+            maximum->zone + " (rank correlation " +
+            format_fixed(maximum->correlation->statistic, 2) + ")";
   }
   return capitalized(text) + ".";
 }
@@ -67,7 +68,7 @@ std::string effect_sentence(const Comparison& comparison,
 
 std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
-  const std::vector<ParameterEffect>& effects = analyses.ensemble();
+  const std::vector<ParameterEffect>& effects = analyses.ensemble_effects();
   if (effects.empty()) return "";
   HtmlTable table({"outcome", "zone", "parameter", "drawn from", "to", "rank correlation", "p",
                    "fraction of variance"},

@@ -12,24 +12,25 @@ constexpr const char* kSimulatedColour = kDataColours[0];
 constexpr const char* kFieldColour = kDataColours[3];
 
 /// A curve over its band, if it has one.
-void add_curve(const StopCurve& curve, const std::string& name, const std::string& colour,
-               const std::string& dash, std::vector<Trace>& traces) {
+void add_curve(const RunoutDistributionCurve& curve, const std::string& name,
+               const std::string& colour, const std::string& dash,
+               std::vector<ChartTrace>& traces) {
   if (!curve.low.empty()) {
-    Trace low{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.low};
+    ChartTrace low{name, colour, "", ChartTrace::Kind::kSteps, curve.runout, curve.low};
     low.named = false;
-    Trace high{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.high};
+    ChartTrace high{name, colour, "", ChartTrace::Kind::kSteps, curve.runout, curve.high};
     high.named = false;
     high.filled = true;
     traces.push_back(std::move(low));
     traces.push_back(std::move(high));
   }
-  traces.push_back({name, colour, dash, Trace::Kind::kSteps, curve.runout, curve.share});
+  traces.push_back({name, colour, dash, ChartTrace::Kind::kSteps, curve.runout, curve.fraction});
 }
 
-std::string group_title(const Group& group) {
-  return group.kind == GroupKind::kAll      ? "All blocks"
-         : group.kind == GroupKind::kGarcia ? group.key + " blocks"
-                                            : "Block " + group.key;
+std::string group_title(const RunGroup& group) {
+  return group.kind == RunGroupKind::kAll      ? "All blocks"
+         : group.kind == RunGroupKind::kGarcia ? group.key + " blocks"
+                                               : "Block " + group.key;
 }
 
 std::string measured_table(const Comparison& comparison) {
@@ -38,7 +39,7 @@ std::string measured_table(const Comparison& comparison) {
        "measured median, m", "simulated median, m", "difference of medians, m", "95 % from",
        "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
       1);
-  for (const MeasuredGroup& group : comparison.measured->groups) {
+  for (const MeasuredStopGroup& group : comparison.measured->groups) {
     const std::optional<Interval>& interval = group.medians.interval;
     table.row(
         {comparison.groups[group.group].name, std::to_string(group.measured),
@@ -68,8 +69,8 @@ std::string format_measured_section(const Comparison& comparison) {
     html += "<p class=\"verdict\">" + escape_html(sentence) + "</p>\n";
   }
   html += "<div class=\"charts\">\n";
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    std::vector<Trace> traces;
+  for (const MeasuredStopGroup& group : comparison.measured->groups) {
+    std::vector<ChartTrace> traces;
     add_curve(group.simulated_curve, "simulated (" + std::to_string(group.simulated) + ")",
               kSimulatedColour, "", traces);
     add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",

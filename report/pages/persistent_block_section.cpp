@@ -15,7 +15,7 @@ std::vector<const PersistentBlockRecord*> stays_of_rows(const Comparison& compar
   std::vector<const PersistentBlockRecord*> stays;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    const bool one_by_one = results.stay && !results.stay->at_once;
+    const bool one_by_one = results.persistent_blocks && !results.persistent_blocks->at_once;
     stays.push_back(one_by_one ? results.find_persistent_block(row.record->run) : nullptr);
   }
   return stays;
@@ -27,7 +27,7 @@ std::string count_and_share(std::size_t count, std::size_t all) {
 }
 
 /// The cells of a group without its name; empty where none of its blocks stayed among others.
-std::vector<std::string> cells_of(const Comparison& comparison, const Group& group,
+std::vector<std::string> cells_of(const Comparison& comparison, const RunGroup& group,
                                   const std::vector<const PersistentBlockRecord*>& stays) {
   std::size_t runs = 0, hitting = 0, removed = 0;
   bool known = true;  // whether blocks that were hit are
@@ -51,8 +51,8 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
           known ? count_and_share(hitting, runs) : "not known",
           known ? format_fixed(hit / static_cast<double>(runs), 2) : "not known",
           count_and_share(moved.size(), runs),
-          format_measured(summary.median, summary, 2),
-          format_measured(summary.max, summary, 2),
+          format_summary_value(summary.median, summary, 2),
+          format_summary_value(summary.max, summary, 2),
           count_and_share(removed, runs)};
 }
 
@@ -64,8 +64,9 @@ std::string format_persistent_blocks_section(const Comparison& comparison) {
                    "displacement, median, m", "displacement, max, m", "removed"},
                   1);
   bool any = false;
-  for (const GroupKind kind : {GroupKind::kGarcia, GroupKind::kSneedFolk, GroupKind::kAll}) {
-    for (const std::size_t g : select_groups(comparison, kind)) {
+  for (const RunGroupKind kind :
+       {RunGroupKind::kGarcia, RunGroupKind::kSneedFolk, RunGroupKind::kAll}) {
+    for (const std::size_t g : select_groups_of_kind(comparison, kind)) {
       std::vector<std::string> cells = cells_of(comparison, comparison.groups[g], stays);
       if (cells.empty()) continue;
       any = true;

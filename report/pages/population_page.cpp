@@ -78,13 +78,13 @@ std::string comparison_section(const PopulationReport& report) {
   return format_section(comparison.name_a + " against " + comparison.name_b, html);
 }
 
-std::string classes_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string classes_section(const PopulationReport& report, const PopulationDiagrams& diagrams) {
   std::string html;
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escape_html(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
     html += "<div class=\"beside\">" +
-            format_figure(diagrams.at(fractions_file_name(report, scheme))) + "<div>";
+            format_figure(diagrams.at(class_fractions_diagram_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
       const bool weighed = reported.summary.blocks_with_mass > 0;
       std::vector<std::string> heads = {"class", "blocks", "fraction", "95 % interval"};
@@ -116,7 +116,7 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
           html);
 }
 
-std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string diagrams_section(const PopulationReport& report, const PopulationDiagrams& diagrams) {
   std::string html = "<div class=\"charts\">\n";
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     html += format_figure(diagrams.at("sneed_folk" + population_file_suffix(report, i)));
@@ -143,7 +143,7 @@ std::string boxes_section(const PopulationReport& report) {
     if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMaxRows) continue;
-    std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_text(reported.population.name, kMaxHeadLength)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
@@ -175,7 +175,7 @@ std::string blocks_section(const PopulationReport& report) {
                            "; all of them are in classes.csv.");
       continue;
     }
-    std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_text(reported.population.name, kMaxHeadLength)};
     for (const SchemeFractions& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
     heads.push_back("certainty (" + first + ")");
@@ -222,7 +222,8 @@ std::string sources_section(const PopulationReport& report) {
 
 }  // namespace
 
-std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams) {
+std::string make_population_page(const PopulationReport& report,
+                                 const PopulationDiagrams& diagrams) {
   std::string title = "Blocks";
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;

@@ -22,12 +22,13 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
 
 }  // namespace
 
-std::string format_size_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string format_size_section(const PopulationReport& report,
+                                const PopulationDiagrams& diagrams) {
   std::string html;
   if (diagrams.contains("sizes")) {
     std::string medians;
     for (const ReportedPopulation& reported : report.populations) {
-      if (!has_sizes(reported)) continue;
+      if (!has_scaled_blocks(reported)) continue;
       medians += format_paragraph(
           "Half of the blocks of " + reported.population.name + " are smaller than " +
           format_significant_digits(reported.summary.size.by_number.d50, 3) + " m.");
@@ -38,14 +39,14 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
-    if (!has_sizes(reported)) {
+    if (!has_scaled_blocks(reported)) {
       html += format_paragraph(reported.population.name +
                                ": all blocks are unscaled, so there are no sizes.");
       continue;
     }
-    HtmlTable percentiles(
-        {shorten_text(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
-        1);
+    HtmlTable percentiles({shorten_text(reported.population.name, kMaxHeadLength), "blocks",
+                           "d10, m", "d50, m", "d90, m"},
+                          1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
       percentiles.row({name, std::to_string(curve.blocks), format_significant_digits(curve.d10, 3),
                        format_significant_digits(curve.d50, 3),

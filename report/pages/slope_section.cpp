@@ -48,11 +48,11 @@ std::vector<LabelledLine> barrier_places(const Comparison& comparison,
 std::string share_against_distance(const Comparison& comparison,
                                    const std::vector<ProfileBin>& bins,
                                    std::optional<std::uint32_t> file, const ChartAxes& axes) {
-  std::vector<Trace> traces;
-  for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
-    const Group& group = comparison.groups[g];
+  std::vector<ChartTrace> traces;
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kGarcia)) {
+    const RunGroup& group = comparison.groups[g];
     if (group.file != file) continue;
-    Trace trace{group.key, class_colour(group.key), {}, Trace::Kind::kSteps, {}, {}};
+    ChartTrace trace{group.key, class_colour(group.key), {}, ChartTrace::Kind::kSteps, {}, {}};
     const Bins along = bins_of_group(bins, g);
     for (const ProfileBin* bin : along) {
       trace.x.push_back(bin->from);
@@ -76,9 +76,9 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
                std::to_string(bin->runs), format_percent(static_cast<double>(bin->runs) / runs, 0),
                format_significant_digits(bin->energy.p95 / 1000.0),
                format_significant_digits(bin->energy.max / 1000.0),
-               format_measured(bin->height.p95, bin->height, 2),
-               format_measured(bin->height.max, bin->height, 2),
-               format_measured(bin->speed.p95, bin->speed, 1)});
+               format_summary_value(bin->height.p95, bin->height, 2),
+               format_summary_value(bin->height.max, bin->height, 2),
+               format_summary_value(bin->speed.p95, bin->speed, 1)});
   }
   return table.html();
 }
@@ -88,7 +88,7 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
 std::string least_demand(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                          std::size_t group) {
   const std::size_t runs = comparison.groups[group].rows.size();
-  const ProfileBin* place = find_least_energy_position(bins, group, runs);
+  const ProfileBin* place = find_least_energy_bin(bins, group, runs);
   if (place == nullptr || runs < kMinPassages) return {};
   return "Where at least half of the " + std::to_string(runs) +
          " runs arrive, the energy is lowest " + format_significant(place->from, 4) + " to " +
@@ -102,15 +102,15 @@ std::string least_demand(const Comparison& comparison, const std::vector<Profile
 std::string against_distance(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                              std::optional<std::uint32_t> file, const ChartAxes& axes,
                              SampleSummary ProfileBin::*quantity, double unit) {
-  std::vector<Trace> traces;
-  for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
-    const Group& group = comparison.groups[g];
+  std::vector<ChartTrace> traces;
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kGarcia)) {
+    const RunGroup& group = comparison.groups[g];
     if (group.file != file) continue;
     const Bins along = bins_of_group(bins, g);
     const auto add = [&](const char* name, const char* dash, double SampleSummary::*value,
                          bool shown) {
-      Trace trace{
-          group.key + ", " + name, class_colour(group.key), dash, Trace::Kind::kLine, {}, {}};
+      ChartTrace trace{
+          group.key + ", " + name, class_colour(group.key), dash, ChartTrace::Kind::kLine, {}, {}};
       for (const ProfileBin* bin : along) {
         const SampleSummary& summary = bin->*quantity;
         trace.x.push_back(0.5 * (bin->from + bin->to));
@@ -134,30 +134,32 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   const CampaignResults& results = comparison.results[comparison.groups[group].file.value_or(0)];
   const TerrainSurface surface = make_terrain_surface(results.terrain);
   const double highest = bounds(results.terrain.surface).high.z();
-  Trace ground{"ground", "#7a6245", {}, Trace::Kind::kLine, {}, {}};
-  Trace most{"height that 95 % of the runs pass below", "#0072B2", {}, Trace::Kind::kLine, {}, {}};
-  Trace all{"highest passage", "#0072B2", "2 2", Trace::Kind::kLine, {}, {}};
+  ChartTrace ground{"ground", "#7a6245", {}, ChartTrace::Kind::kLine, {}, {}};
+  ChartTrace maximum{
+      "height that 95 % of the runs pass below", "#0072B2", {}, ChartTrace::Kind::kLine, {}, {}};
+  ChartTrace all{"highest passage", "#0072B2", "2 2", ChartTrace::Kind::kLine, {}, {}};
   const Bins along = bins_of_group(bins, group);
   for (const ProfileBin* bin : along) {
-    const Vec2 place = bin->place - results.frame.origin.head<2>();
+    const Vec2 place = bin->position - results.frame.origin.head<2>();
     const double z =
         surface.height_at(place.x(), place.y(), highest).value_or(NAN) + results.frame.origin.z();
-    for (Trace* trace : {&ground, &most, &all}) trace->x.push_back(0.5 * (bin->from + bin->to));
+    for (ChartTrace* trace : {&ground, &maximum, &all})
+      trace->x.push_back(0.5 * (bin->from + bin->to));
     ground.y.push_back(z);
-    most.y.push_back(bin->height.count > 0 ? z + bin->height.p95 : NAN);
+    maximum.y.push_back(bin->height.count > 0 ? z + bin->height.p95 : NAN);
     all.y.push_back(bin->height.count > 0 ? z + bin->height.max : NAN);
   }
-  most.filled = true;
-  most.notes = all.notes = bin_counts(along);
+  maximum.filled = true;
+  maximum.notes = all.notes = bin_counts(along);
   ChartAxes axes{title, "distance along downslope, m", "elevation, m"};
   axes.equal_scales = true;
-  return draw_plotly_chart(axes, {ground, most, all});
+  return draw_plotly_chart(axes, {ground, maximum, all});
 }
 
 /// Groups of which each has a path of its own: one for each file, or for each release set of one.
 std::vector<std::size_t> groups_with_a_path(const Comparison& comparison) {
   std::vector<std::size_t> found;
-  for (const std::size_t g : select_groups(comparison, GroupKind::kAll)) {
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kAll)) {
     const CampaignResults& results = comparison.results[comparison.groups[g].file.value_or(0)];
     if (results.release_sets.size() < 2) found.push_back(g);
   }
@@ -180,7 +182,7 @@ std::string format_slope_section(const Comparison& comparison,
                          "above zero to see energies and passing heights against distance."));
   }
   std::string words, charts, tables;
-  for (const std::size_t all : select_groups(comparison, GroupKind::kAll)) {
+  for (const std::size_t all : select_groups_of_kind(comparison, RunGroupKind::kAll)) {
     const std::optional<std::uint32_t> file = comparison.groups[all].file;
     const std::string where = file ? ", file " + std::to_string(*file + 1) : std::string();
     const auto axes = [&](const std::string& what, const std::string& label) {
@@ -188,9 +190,9 @@ std::string format_slope_section(const Comparison& comparison,
       chart.places = barrier_places(comparison, file);
       return chart;
     };
-    const std::string least = least_demand(comparison, bins, all);
-    if (!least.empty())
-      words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + least;
+    const std::string minimum = least_demand(comparison, bins, all);
+    if (!minimum.empty())
+      words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + minimum;
     ChartAxes share = axes("Runs that reach a distance", "fraction of runs");
     share.y_in_percent = true;
     charts += share_against_distance(comparison, bins, file, share);

@@ -174,29 +174,31 @@ std::string provenance(const Block& block) {
 }
 
 /// The surface as it was read beside what it became, what was repaired, and the photographs.
-std::string scan_sections(const Block& block, const ScanOfBlock& scan) {
-  if (scan.found == nullptr) return {};
+std::string scan_sections(const Block& block, const BlockPageContents& scan) {
+  if (scan.field_block == nullptr) return {};
   const std::string unit = is_unscaled(block) ? "u" : "m";
-  const RepairReport& report = scan.found->scan.report;
+  const RepairReport& report = scan.field_block->scan.report;
   ScanOptions options = scan.options;
   options.up = scan.up;
-  std::string html = draw_before_and_after(*scan.raw, options, *scan.found,
+  std::string html = draw_before_and_after(*scan.raw, options, *scan.field_block,
                                            find_repair_marks(report), !is_unscaled(block));
   html += format_repair_section(report, scan.raw->triangles.empty(),
-                                scan.found->underside.has_value(), unit);
-  if (scan.found->underside) html += format_underside_section(*scan.found->underside, unit);
+                                scan.field_block->underside.has_value(), unit);
+  if (scan.field_block->underside)
+    html += format_underside_section(*scan.field_block->underside, unit);
   if (scan.photos != nullptr) {
-    html += format_photo_section(
-        *scan.photos,
-        scan.evidence ? *scan.evidence : summarise_photos(*scan.photos, *scan.found, scan.up),
-        scan.found->scan.mesh);
+    html += format_photo_section(*scan.photos,
+                                 scan.photo_summary
+                                     ? *scan.photo_summary
+                                     : summarise_photos(*scan.photos, *scan.field_block, scan.up),
+                                 scan.field_block->scan.mesh);
   }
   return html;
 }
 
 }  // namespace
 
-std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
+std::string make_block_page(const Block& block, const BlockPageContents& scan) {
   std::string body = "<h1>Block " + escape_html(block.id) +
                      "</h1>\n<p class=\"lead\">from the scan " + escape_html(block.source.file) +
                      "</p>\n";
@@ -208,7 +210,8 @@ std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
   }
   body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
   body += notes(block) + format_turntable_section(block) + scan_sections(block, scan);
-  if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
+  if (scan.field_block != nullptr && !block.from_core)
+    body += certificate(block, *scan.field_block);
   body += mass_check(block, scan.density_given) + provenance(block);
   body += "<footer>clast " + escape_html(version()) + "</footer>\n";
   return make_scan_page("Block " + block.id, body);

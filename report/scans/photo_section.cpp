@@ -24,7 +24,7 @@ constexpr const char* kOrange = "#C77700";
 
 /// Colours of triangles by how many photos see them, and the words for them.
 struct ViewColour {
-  std::uint16_t least;
+  std::uint16_t minimum;
   Rgb colour;
   const char* words;
 };
@@ -155,7 +155,7 @@ std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surfa
   const auto colour = [&](std::uint32_t triangle) {
     Rgb found = kViewColours[0].colour;
     for (const ViewColour& one : kViewColours) {
-      if (evidence.views.photos[triangle] >= one.least) found = one.colour;
+      if (evidence.views.photos[triangle] >= one.minimum) found = one.colour;
     }
     return found;
   };

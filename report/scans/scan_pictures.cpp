@@ -82,8 +82,8 @@ std::string view(const Canvas& canvas, const std::string& name,
   svg += "<image " + size + " href=\"" +
          png_data_uri(encode_rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
   for (const PositionMark& mark : marks) {
-    if (!canvas.is_visible(mark.place)) continue;
-    const Vec3 at = camera.seen(mark.place);
+    if (!canvas.is_visible(mark.position)) continue;
+    const Vec3 at = camera.projected(mark.position);
     svg += "<circle cx=\"" + format_fixed(at.x(), 1) + "\" cy=\"" + format_fixed(at.y(), 1) +
            "\" r=\"10\" fill=\"#fff\" fill-opacity=\".85\" stroke=\"#0072B2\" "
            "stroke-width=\"2\"/>" +
@@ -219,15 +219,16 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   TriangleMesh read = raw;
   for (Vec3& v : read.vertices) v = to_block(v);
   std::vector<PositionMark> placed = marks;
-  for (PositionMark& mark : placed) mark.place = to_block(mark.place);
+  for (PositionMark& mark : placed) mark.position = to_block(mark.position);
   const bool cloud = read.triangles.empty();
   if (!cloud) read = weld_vertices(read, options.repair.weld_tolerance * bounds(read).diagonal());
 
   const std::vector<std::array<Vec3, 2>> border = border_of(read);
   const auto draw_read = [&](Canvas& canvas) {
     if (cloud) return canvas.draw(read.vertices, kPoints);
-    canvas.draw(read,
-                [](std::uint32_t, const Vec3&, bool behind) { return behind ? kInside : kRock; });
+    canvas.draw(read, [](std::uint32_t, const Vec3&, bool behind) {
+      return behind ? kInside : kBlockColour;
+    });
     canvas.draw(border, kBorder);
   };
   const std::string colours =
@@ -251,7 +252,7 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
       near,
       [&](Canvas& canvas) {
         canvas.draw(block.scan.mesh, [&](std::uint32_t t, const Vec3&, bool) {
-          return invented(t) ? kFilled : kRock;
+          return invented(t) ? kFilled : kBlockColour;
         });
       },
       "The closed and repaired scan. Orange: surface that was not scanned but filled, or moved by "

@@ -52,7 +52,7 @@ struct ScanReport::Impl {
 ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<Impl>()) {
   impl_->folder = std::move(folder);
   impl_->replace = replace;
-  impl_->blocks.as_cards();
+  impl_->blocks.show_as_cards();
   const fs::path summary = impl_->folder / "summary.csv";
   std::error_code code;
   if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
@@ -70,7 +70,7 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
 
 ScanReport::~ScanReport() = default;
 
-void ScanReport::prepare(const Block& block, const ScanOfBlock& scan) {
+void ScanReport::prepare(const Block& block, const BlockPageContents& scan) {
   std::string page = make_block_page(block, scan);
   const std::lock_guard lock(impl_->mutex);
   impl_->pages[block.id] = std::move(page);
@@ -114,17 +114,17 @@ void ScanReport::Impl::add_page_row(const Block& block) {
     volume += "<div class=\"range\">" + cubed(unseen->lower_volume) + " to " +
               (unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known") + "</div>";
   }
-  blocks.html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
-                   render_thumbnail(block.surface, block.id),
-                   escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
-                   metric ? format_significant_digits(block.mass.mass, 4) : "-",
-                   format_significant_digits(axes.L, 3) + u,
-                   format_significant_digits(axes.I, 3) + u,
-                   format_significant_digits(axes.S, 3) + u,
-                   format_significant_digits(elongation_index(axes), 3), volume,
-                   unseen ? format_fixed(100.0 * unseen->filled_fraction, 1) : "",
-                   format_fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
-                   std::to_string(block.warnings.size())});
+  blocks.add_html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
+                       render_thumbnail(block.surface, block.id),
+                       escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
+                       metric ? format_significant_digits(block.mass.mass, 4) : "-",
+                       format_significant_digits(axes.L, 3) + u,
+                       format_significant_digits(axes.I, 3) + u,
+                       format_significant_digits(axes.S, 3) + u,
+                       format_significant_digits(elongation_index(axes), 3), volume,
+                       unseen ? format_fixed(100.0 * unseen->filled_fraction, 1) : "",
+                       format_fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+                       std::to_string(block.warnings.size())});
 }
 
 void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcome) {

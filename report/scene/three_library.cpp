@@ -14,7 +14,7 @@ std::filesystem::path orbit() {
 }  // namespace
 
 std::filesystem::path find_three_folder() {
-  return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER);
+  return find_javascript_folder("CLAST_THREE", CLAST_THREE_FOLDER);
 }
 
 bool three_is_installed() {

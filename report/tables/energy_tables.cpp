@@ -44,7 +44,7 @@ std::vector<EnergyOfFile> energy_rows(const Comparison& comparison) {
 }  // namespace
 
 std::vector<ComparisonTable> report_detail::make_energy_tables() {
-  return {make_table("energies", energy_columns(), energy_rows)};
+  return {make_comparison_table("energies", energy_columns(), energy_rows)};
 }
 
 }  // namespace clast

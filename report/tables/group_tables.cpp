@@ -14,7 +14,7 @@ namespace {
 
 /// A group and where its runs came to rest.
 struct GroupDeposit {
-  const Group& group;
+  const RunGroup& group;
   const DepositStatistics& deposit;
 };
 
@@ -100,8 +100,8 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   return columns;
 }
 
-const TableColumns<ComparisonRow<Difference>>& difference_columns() {
-  using Row = ComparisonRow<Difference>;
+const TableColumns<ComparisonRow<GroupDifference>>& difference_columns() {
+  using Row = ComparisonRow<GroupDifference>;
   const char* interval =
       "95 % confidence interval of the difference; empty if a group has a "
       "single realisation";
@@ -115,30 +115,30 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
        "`runout_m`, `lateral_deg`, `path_length_m` of runs that came to rest, `max_speed_m_s` of "
        "runs that did not fail, and, per barrier, `NAME speed_m_s`, `NAME total_energy_j`, "
        "`NAME height_m` of first crossings",
-       &Difference::quantity},
-      {"first_runs", "", "number of values of each group", &Difference::first_runs},
-      {"second_runs", "", "number of values of each group", &Difference::second_runs},
+       &GroupDifference::quantity},
+      {"first_runs", "", "number of values of each group", &GroupDifference::first_runs},
+      {"second_runs", "", "number of values of each group", &GroupDifference::second_runs},
       {"release_points", "",
        "number of clusters for interval and test: release points, or "
        "realisations of persistent blocks",
-       &Difference::points},
-      {"first_mean", unit, "mean of each group", &Difference::first_mean},
-      {"second_mean", unit, "mean of each group", &Difference::second_mean},
-      {"difference", unit, "first minus second", &Difference::estimate},
+       &GroupDifference::points},
+      {"first_mean", unit, "mean of each group", &GroupDifference::first_mean},
+      {"second_mean", unit, "mean of each group", &GroupDifference::second_mean},
+      {"difference", unit, "first minus second", &GroupDifference::estimate},
       {"difference_low", unit, interval,
-       [](const Row& row) { return bounds_of(row->interval)[0]; }},
+       [](const Row& row) { return interval_bounds(row->interval)[0]; }},
       {"difference_high", unit, interval,
-       [](const Row& row) { return bounds_of(row->interval)[1]; }},
-      {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
+       [](const Row& row) { return interval_bounds(row->interval)[1]; }},
+      {"cliffs_delta", "", "effect sizes", &GroupDifference::cliffs_delta},
       {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
-      {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
+      {"ks_distance", "", "Kolmogorov-Smirnov distance", &GroupDifference::ks_distance},
       {"p_value", "",
        "p-value from random permutations by release point, uncorrected; empty "
        "if a group has a single realisation",
        [](const Row& row) { return row->p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
        [](const Row& row) { return row->holm_p_value.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::family_size},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &GroupDifference::tests},
       {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
          if (!row->holm_p_value) return NAN;
@@ -149,14 +149,14 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
   return columns;
 }
 
-const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
-  using Row = ComparisonRow<MeasuredGroup>;
-  using Measured = MeasuredGroup;
+const TableColumns<ComparisonRow<MeasuredStopGroup>>& measured_columns() {
+  using Row = ComparisonRow<MeasuredStopGroup>;
+  using Measured = MeasuredStopGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
                          std::optional<Interval> (*interval)(const Row&)) {
-    return array_columns<Row>({low, high}, unit,
-                              "95 % confidence interval; empty for a single realisation",
-                              [interval](const Row& row) { return bounds_of(interval(row)); });
+    return array_columns<Row>(
+        {low, high}, unit, "95 % confidence interval; empty for a single realisation",
+        [interval](const Row& row) { return interval_bounds(interval(row)); });
   };
   static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<Measured>},
@@ -231,7 +231,7 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
     return set(row).zones[row->zone];
   };
   TableColumns<Row> parameters;
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     parameters.push_back({field.name, field.unit, field.meaning,
                           [=](const Row& row) { return ground(row).*field.value; }});
   }
@@ -296,7 +296,7 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
         {"probability", "", "`crossings` / `runs`", &Row::probability}},
        array_columns<Row>({"probability_low", "probability_high"}, "",
                           "95 % confidence interval; empty for a single realisation",
-                          [](const Row& row) { return bounds_of(row.interval); }),
+                          [](const Row& row) { return interval_bounds(row.interval); }),
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
@@ -319,14 +319,14 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
 
 std::vector<ComparisonTable> report_detail::make_group_tables() {
   const auto measured_groups = [](const Comparison& comparison) {
-    return comparison.measured ? comparison.measured->groups : std::vector<MeasuredGroup>();
+    return comparison.measured ? comparison.measured->groups : std::vector<MeasuredStopGroup>();
   };
-  return {make_table("barriers", barrier_table_columns(), &Comparison::barriers),
-          make_table("deposits", deposit_columns(), deposit_rows),
-          make_table("ground_sets", ground_set_columns(), ground_set_rows),
-          make_table("differences", difference_columns(), &Comparison::differences),
-          make_table("profiles", profile_columns(), &ComparisonAnalyses::profiles),
-          make_table("measured", measured_columns(), measured_groups)};
+  return {make_comparison_table("barriers", barrier_table_columns(), &Comparison::barriers),
+          make_comparison_table("deposits", deposit_columns(), deposit_rows),
+          make_comparison_table("ground_sets", ground_set_columns(), ground_set_rows),
+          make_comparison_table("differences", difference_columns(), &Comparison::differences),
+          make_comparison_table("profiles", profile_columns(), &ComparisonAnalyses::profiles),
+          make_comparison_table("measured", measured_columns(), measured_groups)};
 }
 
 }  // namespace clast

@@ -73,7 +73,7 @@ std::string format_block_line(const Block& block) {
          format_rounded(100.0 * block.deviation.hausdorff / axes.L, 2) + " % of L)";
 }
 
-TextTable block_table(std::span<const Block* const> blocks) {
+TextTable make_block_table(std::span<const Block* const> blocks) {
   TextTable table{{"id", "vertices", "L m", "I m", "S m", "s_c", "volume m3", "density kg/m3",
                    "mass kg", "sneed_folk", "zingg", "shape", "radius m", "hausdorff m"},
                   {}};
@@ -92,7 +92,7 @@ TextTable block_table(std::span<const Block* const> blocks) {
   return table;
 }
 
-std::string describe_unscaled(std::span<const Block* const> blocks) {
+std::string describe_unscaled_blocks(std::span<const Block* const> blocks) {
   std::string names;
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) names += (names.empty() ? "" : ", ") + block->id;

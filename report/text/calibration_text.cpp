@@ -20,7 +20,7 @@ constexpr double kRidge = 0.6;  ///< rank correlation from which two parameters 
 std::string calibrated_value(double value) { return format_rounded(value, 3); }
 
 std::string unit_of(const std::string& parameter) {
-  const std::string unit = parameter_range(parameter).unit;
+  const std::string unit = calibratable_range(parameter).unit;
   return unit.empty() ? "" : " " + unit;
 }
 
@@ -35,7 +35,7 @@ std::string join_with_and(const std::vector<std::string>& parts) {
 std::string check_sentence(const PredictiveCheck& check, bool fitted) {
   const std::string covered =
       std::to_string(check.covered) + " of " +
-      format_count(check.figures, fitted ? "fitted statistic" : "kept statistic");
+      format_count(check.statistics, fitted ? "fitted statistic" : "kept statistic");
   std::string text = covered + (check.covered == 1 ? " lies" : " lie") +
                      " within the 95 % interval of the prediction";
   if (!check.p_value) {
@@ -56,8 +56,8 @@ std::vector<std::string> contradicted(const Calibration& calibration) {
   std::vector<std::string> names;
   const CalibrationPosterior& posterior = calibration.posterior;
   for (std::size_t i = 0; i < posterior.nearest.unknowns.size(); ++i) {
-    const Marginal& near = posterior.nearest.unknowns[i];
-    const Marginal& found = posterior.marginals[i];
+    const MarginalPosterior& near = posterior.nearest.unknowns[i];
+    const MarginalPosterior& found = posterior.marginals[i];
     if (found.high < near.low || found.low > near.high) {
       names.push_back(describe_unknown(calibration.study.unknowns[i].parameter));
     }
@@ -66,7 +66,7 @@ std::vector<std::string> contradicted(const Calibration& calibration) {
 }
 
 void add_ridges(const Calibration& calibration, std::vector<std::string>& findings) {
-  const std::vector<Unknown>& unknowns = calibration.study.unknowns;
+  const std::vector<UnknownParameter>& unknowns = calibration.study.unknowns;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     for (std::size_t k = i + 1; k < unknowns.size(); ++k) {
       const double together = calibration.posterior.correlation(static_cast<Eigen::Index>(i),
@@ -88,11 +88,12 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
   std::vector<std::string> poor, none;
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
-    for (const SummaryStatistic& figure : observation.figures) {
+    for (const SummaryStatistic& statistic : observation.statistics) {
       const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at++];
-      const std::string name = figure.name + " of " + observation.name;
+      const std::string name = statistic.name + " of " + observation.name;
       if (!quality) none.push_back(name);
-      if (quality && quality->explained < kPoor && observation.fitted) poor.push_back(name);
+      if (quality && quality->explained_variance < kPoor && observation.fitted)
+        poor.push_back(name);
     }
   }
   if (!poor.empty()) {
@@ -111,12 +112,12 @@ void add_surrogate_warnings(const Calibration& calibration, std::vector<std::str
 std::string describe_unknown(const std::string& parameter) {
   const std::size_t point = parameter.rfind('.');
   const std::string field = parameter.substr(point + 1);
-  for (const GroundParameterField& one : ground_fields()) {
+  for (const GroundParameterField& one : ground_parameter_fields()) {
     if (field != one.name || !is_ground_parameter(parameter)) continue;
     const std::size_t begin = std::string("ground.").size();
     return std::string(one.words) + " of " + parameter.substr(begin, point - begin);
   }
-  if (const std::string name = fraction_class(parameter); !name.empty()) {
+  if (const std::string name = class_of_fraction_parameter(parameter); !name.empty()) {
     return "fraction of " + name + " blocks";
   }
   std::string words = field.substr(0, field.find("_n_m"));
@@ -127,16 +128,16 @@ std::string describe_unknown(const std::string& parameter) {
     }
   }
   std::replace(words.begin(), words.end(), '_', ' ');
-  return words + (is_of_release(parameter)        ? " of release"
+  return words + (is_release_parameter(parameter) ? " of release"
                   : is_block_parameter(parameter) ? " of blocks"
                                                   : " of contacts");
 }
 
 std::string describe_calibration_result(const Calibration& calibration) {
   std::vector<std::string> determined, undetermined;
-  const std::vector<Unknown>& unknowns = calibration.study.unknowns;
+  const std::vector<UnknownParameter>& unknowns = calibration.study.unknowns;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const Marginal& marginal = calibration.posterior.marginals[i];
+    const MarginalPosterior& marginal = calibration.posterior.marginals[i];
     const std::string name = describe_unknown(unknowns[i].parameter);
     if (marginal.is_undetermined()) {
       undetermined.push_back(name);
@@ -167,10 +168,12 @@ std::string describe_calibration_result(const Calibration& calibration) {
 std::vector<std::string> describe_calibration_findings(const Calibration& calibration) {
   const CalibrationPosterior& posterior = calibration.posterior;
   std::vector<std::string> findings = {check_sentence(posterior.fitted, true)};
-  if (posterior.kept.figures > 0) findings.push_back(check_sentence(posterior.kept, false));
+  if (posterior.held_out.statistics > 0)
+    findings.push_back(check_sentence(posterior.held_out, false));
   for (std::size_t i = 0; i < posterior.marginals.size(); ++i) {
     if (!posterior.marginals[i].is_cut_off_by_range()) continue;
-    const bool low = posterior.marginals[i].at_low > posterior.marginals[i].at_high;
+    const bool low =
+        posterior.marginals[i].fraction_at_low > posterior.marginals[i].fraction_at_high;
     findings.push_back(
         "the posterior of " + describe_unknown(calibration.study.unknowns[i].parameter) +
         " is cut off at the " + (low ? "low" : "high") + " end of its range: widen the range");
@@ -189,28 +192,29 @@ std::vector<std::string> describe_calibration_findings(const Calibration& calibr
 
 std::string format_study_summary(const CalibrationStudy& study) {
   TextTable unknowns{{"parameter", "from", "to"}, {}};
-  for (const Unknown& unknown : study.unknowns) {
+  for (const UnknownParameter& unknown : study.unknowns) {
     unknowns.rows.push_back(
         {unknown.parameter, calibrated_value(unknown.low), calibrated_value(unknown.high)});
   }
-  TextTable figures{{"observation", "use", "figure", "observed"}, {}};
+  TextTable statistics{{"observation", "use", "figure", "observed"}, {}};
   for (const Observation& observation : study.observations) {
-    for (const SummaryStatistic& figure : observation.figures) {
-      figures.rows.push_back({observation.name, observation.fitted ? "fit" : "keep", figure.name,
-                              calibrated_value(figure.observed)});
+    for (const SummaryStatistic& statistic : observation.statistics) {
+      statistics.rows.push_back({observation.name, observation.fitted ? "fit" : "keep",
+                                 statistic.name, calibrated_value(statistic.observed)});
     }
   }
-  return std::to_string(study.runs()) + " runs: " + format_count(study.design.members, "member") +
-         " of " + format_count(study.design.releases, "release") + " at " +
+  return std::to_string(study.run_count()) +
+         " runs: " + format_count(study.design.member_count, "member") + " of " +
+         format_count(study.design.releases_per_member, "release") + " at " +
          format_count(study.sites.size(), "site") + "\n\n" + unknowns.text() + "\n" +
-         figures.text() + "\n";
+         statistics.text() + "\n";
 }
 
 std::string format_unknowns_table(const Calibration& calibration) {
   TextTable table{{"parameter", "from", "to", "median", "95 % from", "95 % to", "width left"}, {}};
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
-    const Unknown& unknown = calibration.study.unknowns[i];
-    const Marginal& marginal = calibration.posterior.marginals[i];
+    const UnknownParameter& unknown = calibration.study.unknowns[i];
+    const MarginalPosterior& marginal = calibration.posterior.marginals[i];
     table.rows.push_back({unknown.parameter, calibrated_value(unknown.low),
                           calibrated_value(unknown.high), calibrated_value(marginal.median),
                           calibrated_value(marginal.low), calibrated_value(marginal.high),
@@ -225,14 +229,15 @@ std::string format_statistics_table(const Calibration& calibration) {
                   {}};
   const std::vector<Observation>& observations = calibration.study.observations;
   for (std::size_t o = 0, at = 0; o < observations.size(); ++o) {
-    for (std::size_t i = 0; i < observations[o].figures.size(); ++i, ++at) {
-      const SummaryStatistic& figure = observations[o].figures[i];
+    for (std::size_t i = 0; i < observations[o].statistics.size(); ++i, ++at) {
+      const SummaryStatistic& statistic = observations[o].statistics[i];
       std::vector<std::string> row = {observations[o].name, observations[o].fitted ? "fit" : "keep",
-                                      figure.name, calibrated_value(figure.observed)};
-      const std::vector<PredictedStatistic>& predicted = calibration.posterior.predicted;
-      const auto found = std::find_if(
-          predicted.begin(), predicted.end(),
-          [&](const PredictedStatistic& one) { return one.observation == o && one.figure == i; });
+                                      statistic.name, calibrated_value(statistic.observed)};
+      const std::vector<PredictedStatistic>& predicted = calibration.posterior.predictions;
+      const auto found =
+          std::find_if(predicted.begin(), predicted.end(), [&](const PredictedStatistic& one) {
+            return one.observation == o && one.statistic == i;
+          });
       if (found == predicted.end()) {
         row.insert(row.end(), 6, "-");
       } else {
@@ -240,8 +245,8 @@ std::string format_statistics_table(const Calibration& calibration) {
              {found->median, found->low, found->high, found->prior.low, found->prior.high}) {
           row.push_back(calibrated_value(value));
         }
-        row.push_back(
-            format_percent(std::max(0.0, calibration.posterior.surrogates[at]->explained), 0));
+        row.push_back(format_percent(
+            std::max(0.0, calibration.posterior.surrogates[at]->explained_variance), 0));
       }
       table.rows.push_back(row);
     }
@@ -249,7 +254,7 @@ std::string format_statistics_table(const Calibration& calibration) {
   return table.text();
 }
 
-std::string format_ground_block(const Calibration& calibration) {
+std::string format_ground_tables(const Calibration& calibration) {
   const CalibrationStudy& study = calibration.study;
   std::string text = "# Medians of the posterior of clast calibrate from " +
                      study.file.filename().string() + ".\n";
@@ -264,8 +269,8 @@ std::string format_ground_block(const Calibration& calibration) {
     for (const auto& [zone, ground] : site.campaign.ground) {
       if (!written.insert(zone).second) continue;
       text += "[ground." + format_toml_key(zone) + "]\n";
-      for (const GroundParameterField& field : ground_fields()) {
-        const std::optional<Distribution>& asked = ground.*field.asked;
+      for (const GroundParameterField& field : ground_parameter_fields()) {
+        const std::optional<Distribution>& asked = ground.*field.distribution;
         if (asked)
           text += std::string(field.name) + " = " + format_significant(asked->first, 4) + "\n";
       }
@@ -277,9 +282,9 @@ std::string format_ground_block(const Calibration& calibration) {
     text += "# " + parameter + " = " +
             format_significant(calibration.posterior.marginals[i].median, 4) + "\n";
   }
-  const bool all_ground =
-      std::all_of(study.unknowns.begin(), study.unknowns.end(),
-                  [](const Unknown& unknown) { return is_ground_parameter(unknown.parameter); });
+  const bool all_ground = std::all_of(
+      study.unknowns.begin(), study.unknowns.end(),
+      [](const UnknownParameter& unknown) { return is_ground_parameter(unknown.parameter); });
   if (all_ground) {
     text +=
         "# To include the uncertainty, each member uses one draw of the "

@@ -11,7 +11,7 @@ constexpr int kMaxDecimals = 4;
 
 }  // namespace
 
-QuantityLabel quantity_text(const std::string& quantity) {
+QuantityLabel quantity_label(const std::string& quantity) {
   const std::size_t blank = quantity.rfind(' ');
   const std::string barrier = blank == quantity.npos ? "" : " at " + quantity.substr(0, blank);
   const std::string name = blank == quantity.npos ? quantity : quantity.substr(blank + 1);
@@ -39,17 +39,17 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
          format_decimals(low, decimals) + " to " + format_decimals(high, decimals) + of_unit + ")";
 }
 
-std::string describe_difference(const Difference& difference) {
-  const QuantityLabel words = quantity_text(difference.quantity);
+std::string describe_difference(const GroupDifference& difference) {
+  const QuantityLabel words = quantity_label(difference.quantity);
   return describe_difference(difference, words.unit, words.factor);
 }
 
 std::string describe_difference(const DepositQuantityDifference& difference) {
-  return describe_difference(difference, deposit_quantities()[difference.first.figure].unit);
+  return describe_difference(difference, deposit_quantities()[difference.first.quantity].unit);
 }
 
-std::string describe_effect(const Difference& difference, const Comparison& comparison) {
-  const QuantityLabel words = quantity_text(difference.quantity);
+std::string describe_effect(const GroupDifference& difference, const Comparison& comparison) {
+  const QuantityLabel words = quantity_label(difference.quantity);
   const auto mean = [&](double value) {
     return format_significant(words.factor * value, 3) + " " + words.unit;
   };
@@ -72,13 +72,13 @@ std::string describe_effect(const Difference& difference, const Comparison& comp
 }
 
 std::string describe_effect(const DepositQuantityDifference& difference) {
-  const DepositQuantity& figure = deposit_quantities()[difference.first.figure];
+  const DepositQuantity& figure = deposit_quantities()[difference.first.quantity];
   const auto mean = [&](const DepositQuantitySummary& of_file) {
     return "file " + std::to_string(of_file.file + 1) + " " +
            format_decimals(of_file.summary.mean, figure.decimals) +
            (figure.unit.empty() ? "" : " " + figure.unit);
   };
-  const std::string text = figure.words + ": " + mean(difference.first) + ", " +
+  const std::string text = figure.phrase + ": " + mean(difference.first) + ", " +
                            mean(difference.second) + "; " + describe_difference(difference) +
                            ", from " + std::to_string(difference.first.summary.count) + " and " +
                            format_count(difference.second.summary.count, "realisation");
@@ -107,10 +107,11 @@ std::string describe_effect(const DepositMobility& mobility) {
   } else if (!mobility.difference.excludes_zero()) {
     text += ", not significant";
   }
-  if (mobility.starts_apart > kSameStart) {
-    text += "; their release points are " + format_decimals(mobility.starts_apart, 0) + " m apart";
+  if (mobility.start_distance > kMaxSameStartDistance) {
+    text +=
+        "; their release points are " + format_decimals(mobility.start_distance, 0) + " m apart";
   }
-  if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
+  if (std::abs(mobility.mass_ratio - 1.0) > kMaxSameMassDifference) {
     text += "; the mean mass together is " + format_significant(mobility.mass_ratio, 3) +
             " times that alone";
   }

@@ -49,9 +49,9 @@ std::vector<std::string> describe_effects(const std::vector<DesignEffects>& effe
   for (const DesignEffects& file : effects) {
     const std::string where =
         effects.size() > 1 ? "file " + std::to_string(file.file + 1) + ": " : "";
-    if (!file.refusal.empty()) {
-      sentences.push_back(capitalized(
-          where + "the variance cannot be divided among the factors: " + file.refusal + "."));
+    if (!file.refusal_reason.empty()) {
+      sentences.push_back(capitalized(where + "the variance cannot be divided among the factors: " +
+                                      file.refusal_reason + "."));
     }
     if (!file.estimated.empty()) {
       sentences.push_back(capitalized(

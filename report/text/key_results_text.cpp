@@ -21,17 +21,17 @@ constexpr std::size_t kMinRunsForFraction = 20;  // runs for "95 % stop before"
 
 /// Who runs: "compact blocks", "block B01", "the blocks".
 std::string blocks_of(const Comparison& comparison, std::size_t group) {
-  const Group& runs = comparison.groups[group];
+  const RunGroup& runs = comparison.groups[group];
   const std::string& first = comparison.rows[runs.rows.front()].block->library_block();
   const bool alone = std::all_of(runs.rows.begin(), runs.rows.end(), [&](std::size_t row) {
     return comparison.rows[row].block->library_block() == first;
   });
   if (alone) return "block " + first;
-  return runs.kind == GroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
+  return runs.kind == RunGroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
 }
 
 /// "3 to 12 m": " over draws of the ground parameters" where the range is over draws, and "" else.
-std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
+std::string by_draw(std::size_t draws) { return draws > 0 ? kOverDrawsText : ""; }
 
 /// Describes what a range covers, such as ", for runs of these 3 blocks only".
 /// @param named  the sentence names the one block there is
@@ -100,13 +100,13 @@ std::string few_run_on(const RunoutEstimate& farther, const RunoutEstimate& near
 }
 
 std::string describe_difference(const Comparison& comparison, const FileSummary& statement) {
-  const RunoutContrast& gap = *statement.gap;
+  const RunoutContrast& gap = *statement.class_contrast;
   const auto of = [&](std::size_t group) -> const RunoutEstimate& {
     return statement.classes[statement.classes[0].group == group ? 0 : 1];
   };
   const RunoutEstimate &farther = of(gap.farther), &nearer = of(gap.nearer);
   const std::string &a = comparison.groups[gap.farther].key, &b = comparison.groups[gap.nearer].key;
-  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const int decimals = decimals_of_length(gap.mean_difference, gap.interval);
   const std::string interval = gap.interval
                                    ? " (" + format_length_interval(*gap.interval, decimals) +
                                          covered_by(statement, false) + ")"
@@ -117,9 +117,9 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
                             format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
     case ContrastVerdict::kSignificant:
-      return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " + b +
-             " ones" + (gap.of_few ? " on average" : "") + interval +
-             (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
+      return prefix + a + " blocks run " + format_length(gap.mean_difference, decimals) +
+             " farther than " + b + " ones" + (gap.due_to_few_runs ? " on average" : "") +
+             interval + (gap.due_to_few_runs ? few_run_on(farther, nearer, a, b, decimals) : "");
     case ContrastVerdict::kDistributionDiffers:
       return prefix + means + ", a difference that is not significant" + interval +
              "; but the distributions of their runouts differ";
@@ -169,12 +169,12 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
            with_interval(passage.all, draws);
   }
   if (passage.classes.size() < 2) {
-    return format_percentage(passage.all.share) + " of the blocks " + words.pass + " " +
-           words.name + with_interval(passage.all, draws);
+    return format_percentage(passage.all.passing_probability) + " of the blocks " + words.pass +
+           " " + words.name + with_interval(passage.all, draws);
   }
-  return format_percentage(passage.classes[0].share) + " of " +
+  return format_percentage(passage.classes[0].passing_probability) + " of " +
          comparison.groups[passage.classes[0].group].key + " and " +
-         format_percentage(passage.classes[1].share) + " of " +
+         format_percentage(passage.classes[1].passing_probability) + " of " +
          comparison.groups[passage.classes[1].group].key + " blocks " + words.pass + " " +
          words.name;
 }
@@ -233,10 +233,10 @@ std::string describe_ground(const Comparison& comparison, const FileSummary& sta
 }
 
 std::string sentence_of(const Comparison& comparison, const FileSummary& statement) {
-  const std::string runout = statement.gap ? describe_difference(comparison, statement)
-                                           : mean_runout(comparison, statement);
+  const std::string runout = statement.class_contrast ? describe_difference(comparison, statement)
+                                                      : mean_runout(comparison, statement);
   const std::string prefix =
-      statement.file ? capitalized(file_name(comparison, *statement.file)) + ": " : "";
+      statement.file ? capitalized(results_file_label(comparison, *statement.file)) + ": " : "";
   const std::string passages = describe_passages(comparison, statement);
   return prefix + (prefix.empty() ? capitalized(runout) : runout) + "." +
          (passages.empty() ? "" : " " + passages) + describe_ground(comparison, statement);
@@ -244,28 +244,28 @@ std::string sentence_of(const Comparison& comparison, const FileSummary& stateme
 
 std::string describe_files(const Comparison& comparison, const KeyResults& answer) {
   const RunoutContrast& gap = *answer.files;
-  const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
-  const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
-  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const std::string a = results_file_label(comparison, *comparison.groups[gap.farther].file);
+  const std::string b = results_file_label(comparison, *comparison.groups[gap.nearer].file);
+  const int decimals = decimals_of_length(gap.mean_difference, gap.interval);
   const std::string interval = gap.interval
                                    ? " (" + format_length_interval(*gap.interval, decimals) +
-                                         (answer.has_draws() ? kByDraw : "") + ")"
+                                         (answer.has_draws() ? kOverDrawsText : "") + ")"
                                    : "";
   if (gap.verdict == ContrastVerdict::kSignificant) {
-    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-           interval + ".";
+    return "Blocks run " + format_length(gap.mean_difference, decimals) + " farther in " + a +
+           " than in " + b + interval + ".";
   }
   if (gap.verdict == ContrastVerdict::kTooFewValues) return "";
   if (gap.verdict == ContrastVerdict::kUntested) {
-    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-           "; with one realisation, significance cannot be tested.";
+    return "Blocks run " + format_length(gap.mean_difference, decimals) + " farther in " + a +
+           " than in " + b + "; with one realisation, significance cannot be tested.";
   }
   if (gap.verdict == ContrastVerdict::kGroundDependent) {
     return "Whether blocks run farther in " + a + " or in " + b +
            " depends on the ground parameters" + interval + ".";
   }
-  return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-         "; the difference is not significant" + interval + ".";
+  return "Blocks run " + format_length(gap.mean_difference, decimals) + " farther in " + a +
+         " than in " + b + "; the difference is not significant" + interval + ".";
 }
 
 /// "330 to 580 kg".
@@ -288,22 +288,23 @@ std::vector<std::string> describe_key_results(const Comparison& comparison,
     const std::string between = describe_files(comparison, answer);
     if (!between.empty()) sentences.push_back(between);
   }
-  const std::size_t shown = std::min(answer.statements.size(), kMaxStatements);
+  const std::size_t shown = std::min(answer.file_summaries.size(), kMaxStatements);
   for (std::size_t i = 0; i < shown; ++i) {
-    sentences.push_back(sentence_of(comparison, answer.statements[i]));
+    sentences.push_back(sentence_of(comparison, answer.file_summaries[i]));
   }
-  if (shown < answer.statements.size()) {
-    sentences.push_back(format_count(answer.statements.size() - shown, "more file") + " below.");
+  if (shown < answer.file_summaries.size()) {
+    sentences.push_back(format_count(answer.file_summaries.size() - shown, "more file") +
+                        " below.");
   }
   return sentences;
 }
 
 std::string describe_runs(const Comparison& comparison) {
   std::size_t blocks = 0, classes = 0;
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     if (group.file) continue;
-    blocks += group.kind == GroupKind::kBlock;
-    classes += group.kind == GroupKind::kGarcia;
+    blocks += group.kind == RunGroupKind::kBlock;
+    classes += group.kind == RunGroupKind::kGarcia;
   }
   std::string text = format_count(comparison.rows.size(), "run") + " of " +
                      format_count(blocks, "block") + " (" + describe_masses(comparison) + ") in " +
@@ -315,12 +316,12 @@ std::string describe_runs(const Comparison& comparison) {
 std::string describe_intervals(const KeyResults& answer) {
   std::size_t fewest = SIZE_MAX, draws = 0;
   bool realisations = false, all_drawn = true;
-  for (const FileSummary& statement : answer.statements) {
+  for (const FileSummary& statement : answer.file_summaries) {
     draws = std::max(draws, statement.draws);
     if (statement.draws > 0) continue;
     all_drawn = false;
     fewest = std::min(fewest, statement.clusters);
-    realisations = realisations || statement.of_realisations;
+    realisations = realisations || statement.clusters_are_realisations;
   }
   const std::string over_draws =
       draws == 0
@@ -341,23 +342,23 @@ std::string describe_intervals(const KeyResults& answer) {
   return ranges + (over_draws.empty() ? "" : " " + over_draws);
 }
 
-std::string describe_limits(const Comparison& comparison, const KeyResults& answer) {
+std::string describe_validity_limits(const Comparison& comparison, const KeyResults& answer) {
   double heaviest = 0.0;
   for (const RunRow& row : comparison.rows) heaviest = std::max(heaviest, row.block->mass);
   std::string text = "Not run: blocks above " + format_mass(heaviest);
-  const auto& statements = answer.statements;
-  const bool one_ground = std::all_of(statements.begin(), statements.end(),
+  const auto& file_summaries = answer.file_summaries;
+  const bool one_ground = std::all_of(file_summaries.begin(), file_summaries.end(),
                                       [](const FileSummary& one) { return one.draws == 0; });
-  const bool one_point =
-      std::any_of(statements.begin(), statements.end(),
-                  [](const FileSummary& one) { return one.clusters == 1 && !one.of_realisations; });
+  const bool one_point = std::any_of(
+      file_summaries.begin(), file_summaries.end(),
+      [](const FileSummary& one) { return one.clusters == 1 && !one.clusters_are_realisations; });
   if (one_ground) text += ", other ground";
   if (one_point) text += ", other release points";
   return text + ".";
 }
 
-std::vector<std::string> describe_first_screen(const Comparison& comparison,
-                                               const KeyResults& answer) {
+std::vector<std::string> describe_results_and_warnings(const Comparison& comparison,
+                                                       const KeyResults& answer) {
   std::vector<std::string> lines = {describe_runs(comparison), ""};
   const auto add = [&](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
@@ -373,7 +374,7 @@ std::vector<std::string> describe_first_screen(const Comparison& comparison,
                     (figure.more.empty() ? "" : "; " + figure.more));
   }
   lines.push_back(describe_intervals(answer));
-  lines.push_back(describe_limits(comparison, answer));
+  lines.push_back(describe_validity_limits(comparison, answer));
   const std::vector<std::string> measured = describe_measured_stops(comparison);
   if (!measured.empty()) add({"", "Measured against simulated stops:"});
   add(measured);

@@ -11,11 +11,11 @@ using namespace report_detail;
 std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
   std::vector<std::string> sentences;
   if (!comparison.measured) return sentences;
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    const Group& runs = comparison.groups[group.group];
-    const std::string who = runs.kind == GroupKind::kAll      ? "all blocks"
-                            : runs.kind == GroupKind::kGarcia ? runs.key + " blocks"
-                                                              : "block " + runs.key;
+  for (const MeasuredStopGroup& group : comparison.measured->groups) {
+    const RunGroup& runs = comparison.groups[group.group];
+    const std::string who = runs.kind == RunGroupKind::kAll      ? "all blocks"
+                            : runs.kind == RunGroupKind::kGarcia ? runs.key + " blocks"
+                                                                 : "block " + runs.key;
     const double gap = group.medians.estimate;
     const int decimals = decimals_of_length(gap, group.medians.interval);
     const std::string medians =
@@ -24,7 +24,7 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
         " simulated";
     const Interval interval = group.medians.interval.value_or(Interval{});
     std::string verdict;
-    switch (judge_agreement(group)) {
+    switch (judge_stop_agreement(group)) {
       case ContrastVerdict::kTooFewValues:
         verdict =
             format_count(group.measured, "measured stop") + ", too few for a test; " + medians;

@@ -64,7 +64,7 @@ std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>
                      : ", but it is not shown to be within +-" + limit + p;
   }
   text += "; a campaign of this size detects a difference of " +
-          trend_value(trend.smallest, trend.unit) + " in 80 % of cases";
+          trend_value(trend.detectable_difference, trend.unit) + " in 80 % of cases";
   if (trend.runs_needed) {
     text += ", and " + trend_value(*margin, trend.unit) + " with " + about(*trend.runs_needed) +
             " runs, with more blocks and release points in proportion";
@@ -81,10 +81,10 @@ std::string why_not_known(const PlannedPower& plan) {
            ": blocks are persistent, so the runs depend on each other; compare the realisations of "
            "two campaigns";
   }
-  if (plan.blocks < kMinBlocksOfPower) {
+  if (plan.blocks < kMinBlocksForPower) {
     return begin + " with " + format_count(plan.blocks, "block") +
            ": it compares two halves of the blocks, which requires " +
-           std::to_string(kMinBlocksOfPower) + " or more";
+           std::to_string(kMinBlocksForPower) + " or more";
   }
   if (plan.trial_runs < 2) {
     return begin + ": " + (plan.trial_runs == 0 ? "no trial run" : "only one trial run") +
@@ -120,12 +120,12 @@ std::vector<std::string> describe_trends(const std::vector<ShapeTrends>& trends,
 
 std::string describe_planned_power(const PlannedPower& plan) {
   if (!plan.is_known()) return plan.margin ? why_not_known(plan) : "";
-  std::string text = "a difference in runout of " + trend_value(plan.smallest(), "m") +
+  std::string text = "a difference in runout of " + trend_value(plan.detectable_difference(), "m") +
                      " between two halves of the blocks is detected in 80 % of such campaigns, if "
                      "the standard deviation of runout is " +
-                     trend_value(plan.scatter, "m") + " as in " +
+                     trend_value(plan.runout_deviation, "m") + " as in " +
                      format_count(plan.trial_runs, "trial run") + " and " +
-                     format_significant(100.0 * kAssumedBlockFraction, 2) +
+                     format_significant(100.0 * kAssumedIntraclassCorrelation, 2) +
                      " % of its variance is explained by the block (design effect " +
                      format_significant(plan.design_effect(), 2) + ")";
   if (plan.margin) {

@@ -43,15 +43,15 @@ ObservedTrajectorySet read_trajectories(const std::filesystem::path& file) {
   return read;
 }
 
-TrajectoryPoint point_at(const ObservedTrajectory& trajectory, double time) {
+TrajectoryPoint interpolate_trajectory(const ObservedTrajectory& trajectory, double time) {
   const auto next = std::find_if(trajectory.begin(), trajectory.end(),
                                  [&](const TrajectoryPoint& point) { return point.time >= time; });
   if (next == trajectory.end()) return trajectory.back();
   if (next == trajectory.begin()) return *next;
   const TrajectoryPoint &a = *(next - 1), &b = *next;
   const double share = (time - a.time) / (b.time - a.time);
-  return {time, a.place + share * (b.place - a.place), a.speed + share * (b.speed - a.speed),
-          a.spin + share * (b.spin - a.spin)};
+  return {time, a.position + share * (b.position - a.position),
+          a.speed + share * (b.speed - a.speed), a.spin + share * (b.spin - a.spin)};
 }
 
 }  // namespace clast::study_detail

@@ -23,7 +23,7 @@ constexpr double kNormTolerance = 1e-3;
 
 }  // namespace
 
-std::vector<Vec3> read_points(const std::filesystem::path& file) {
+std::vector<Vec3> read_point_table(const std::filesystem::path& file) {
   std::vector<Vec3> points;
   const auto find = [](const std::vector<std::string_view>& headings) {
     const auto found = find_coordinate_columns(headings);
@@ -40,7 +40,7 @@ std::vector<Vec3> read_points(const std::filesystem::path& file) {
   return points;
 }
 
-std::vector<Quat> read_orientations(const std::filesystem::path& file) {
+std::vector<Quat> read_orientation_table(const std::filesystem::path& file) {
   std::vector<Quat> orientations;
   constexpr NumberRange kComponent{-2.0, 2.0};
   const NumericTableSpec table{

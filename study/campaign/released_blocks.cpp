@@ -54,7 +54,7 @@ RockMassBlocks cut_released_mass(const ReleasedMass& mass, const BeforeAfterTerr
   return cut_rock_masses(masses, source, cutting);
 }
 
-TriangleMesh make_mass_mesh(const ReleasedMass& mass) {
+TriangleMesh make_released_mass_mesh(const ReleasedMass& mass) {
   TriangleMesh mesh;
   for (const ReleasedBody& body : mass.bodies) mesh = merged(std::move(mesh), body.mesh);
   return mesh;

@@ -93,7 +93,7 @@ void warn_of_reassigned(Comparison& comparison) {
   const RunRow* worst = nullptr;
   for (const RunRow& row : comparison.rows) {
     const std::optional<double> share = reassigned_energy_fraction(row.record->result.energy);
-    if (!share || !(*share > kNotableReassigned)) continue;
+    if (!share || !(*share > kNotableReassignedFraction)) continue;
     ++count;
     if (*share > largest) worst = &row;
     largest = std::max(largest, *share);
@@ -333,12 +333,12 @@ void warn_of_measured(Comparison& comparison) {
   name("lie outside the terrain; check their map system and units", true,
        [&](const MeasuredStop& stop) {
          const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
-           return (stop.place.array() >= ground.low.head<2>().array()).all() &&
-                  (stop.place.array() <= ground.high.head<2>().array()).all();
+           return (stop.position.array() >= ground.low.head<2>().array()).all() &&
+                  (stop.position.array() <= ground.high.head<2>().array()).all();
          });
          return over ? std::string()
-                     : "x " + format_significant(stop.place.x(), 9) + ", y " +
-                           format_significant(stop.place.y(), 9);
+                     : "x " + format_significant(stop.position.x(), 9) + ", y " +
+                           format_significant(stop.position.y(), 9);
        });
 }
 
@@ -346,19 +346,20 @@ void warn_of_measured(Comparison& comparison) {
 void warn_of_directions(Comparison& comparison) {
   for (const BarrierGroupStatistics& group : comparison.barriers) {
     const BarrierLine& line = comparison.lines[group.line];
-    const Group& runs = comparison.groups[group.group_index];
-    if (line.counts != BarrierLine::Counts::kForward || runs.kind != GroupKind::kAll || runs.file ||
-        group.backward <= group.crossed) {
+    const RunGroup& runs = comparison.groups[group.group_index];
+    if (line.counts != BarrierLine::Counts::kForward || runs.kind != RunGroupKind::kAll ||
+        runs.file || group.backward <= group.crossed) {
       continue;
     }
-    double most = 0.0;
+    double maximum = 0.0;
     for (const BarrierCrossing& row : comparison.crossings) {
       if (row.barrier != group.line || row.crossing->forward) continue;
-      most = std::max(most, row.crossing->translational_energy + row.crossing->rotational_energy);
+      maximum =
+          std::max(maximum, row.crossing->translational_energy + row.crossing->rotational_energy);
     }
     const std::string crossed = of(group.backward, group.started) +
                                 " runs first crossed it in the opposite direction, with up to " +
-                                format_significant(most / 1000.0, 4) + " kJ";
+                                format_significant(maximum / 1000.0, 4) + " kJ";
     warn(comparison,
          "barrier " + line.name +
              " counts only crossings from the left side of its line to the right side, but " +
@@ -378,7 +379,7 @@ std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy) {
   return std::abs(energy.reassigned) / dissipated;
 }
 
-void add_warnings(Comparison& comparison) {
+void add_comparison_warnings(Comparison& comparison) {
   warn_of_directions(comparison);
   warn_of_unfinished(comparison);
   warn_of_lost_runs(comparison);

@@ -97,7 +97,7 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
        outcomes_of(comparison, file, runs_by_member(comparison, file, group))) {
     const std::vector<double> ordered = ascending(outcome.values);
     for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
-      for (const GroundParameterField& field : ground_fields()) {
+      for (const GroundParameterField& field : ground_parameter_fields()) {
         std::vector<double> drawn;
         for (const std::uint32_t member : outcome.members) {
           drawn.push_back(set_of[member]->zones[zone].*field.value);

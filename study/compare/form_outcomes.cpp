@@ -24,7 +24,7 @@ bool is_stretched(const std::string& name) {
 std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparison) {
   std::vector<OutcomeByShape> outcomes;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
-    if (comparison.results[file].stay) continue;
+    if (comparison.results[file].persistent_blocks) continue;
     std::map<std::string, Axes> axes;
     for (const BlockSummary& block : comparison.results[file].blocks) {
       axes.emplace(block.library_block(), block.axes);

@@ -18,7 +18,7 @@ StopReasonCounts count_stop_reasons(const CampaignResults& results) {
       outcome.largest_energy_error =
           std::max(outcome.largest_energy_error.value_or(0.0), run.result.energy.error);
       const double reassigned = reassigned_energy_fraction(run.result.energy).value_or(0.0);
-      if (reassigned > kNotableReassigned) ++outcome.reassigned;
+      if (reassigned > kNotableReassignedFraction) ++outcome.reassigned;
       outcome.largest_reassigned = std::max(outcome.largest_reassigned.value_or(0.0), reassigned);
     }
     if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
@@ -39,7 +39,7 @@ std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
   return warnings;
 }
 
-void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
+void check_no_failed_runs(const CampaignResults& results, const std::filesystem::path& file) {
   const StopReasonCounts outcome = count_stop_reasons(results);
   if (outcome.errors() == 0) return;
   // A mass that does not settle says itself what to do.

@@ -117,13 +117,13 @@ std::map<MapCell, Passed> cell_passages(const Comparison& comparison, double siz
 
 MapRasterSet compute_path_rasters(const Comparison& comparison) {
   MapRasterSet rasters;
-  rasters.cell = path_cell_size(comparison);
-  const std::map<MapCell, Passed> cells = cell_passages(comparison, rasters.cell);
+  rasters.cell_size = path_cell_size(comparison);
+  const std::map<MapCell, Passed> cells = cell_passages(comparison, rasters.cell_size);
   if (cells.empty()) return rasters;
   std::vector<MapCell> covered;
   for (const auto& [cell, passed] : cells) covered.push_back(cell);
   rasters = rasterize_cells(
-      covered, rasters.cell,
+      covered, rasters.cell_size,
       {{"Reach_probability", "fraction of the runs that pass the cell", {}},
        {"Nr_passages", "runs that pass the cell", {}},
        {"E_mean", "mean over runs of the largest kinetic energy in the cell, J", {}},
@@ -140,7 +140,7 @@ MapRasterSet compute_path_rasters(const Comparison& comparison) {
     const double values[] = {count / started, count,  energy.mean, energy.p95,
                              energy.max,      height, passed.speed};
     for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
-      rasters.layers[i].value[at] = static_cast<float>(values[i]);
+      rasters.layers[i].values[at] = static_cast<float>(values[i]);
     }
   }
   return rasters;

@@ -84,18 +84,18 @@ std::vector<ProfileBin> compute_profiles(const Comparison& comparison) {
   return bins;
 }
 
-const ProfileBin* find_least_energy_position(const std::vector<ProfileBin>& bins, std::size_t group,
-                                             std::size_t started) {
-  const ProfileBin *least = nullptr, *before = nullptr;
+const ProfileBin* find_least_energy_bin(const std::vector<ProfileBin>& bins, std::size_t group,
+                                        std::size_t started) {
+  const ProfileBin *minimum = nullptr, *before = nullptr;
   bool past_peak = false;
   for (const ProfileBin& bin : bins) {
     if (bin.group != group) continue;
     past_peak = past_peak || (before != nullptr && bin.energy.p95 < before->energy.p95);
     before = &bin;
     if (!past_peak || 2 * bin.runs < started) continue;
-    if (least == nullptr || bin.energy.p95 < least->energy.p95) least = &bin;
+    if (minimum == nullptr || bin.energy.p95 < minimum->energy.p95) minimum = &bin;
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace clast

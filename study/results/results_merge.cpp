@@ -87,7 +87,7 @@ std::vector<RunPlace> places_of(const std::vector<Part>& parts) {
       places.push_back({run, part, row, crossing, impact, stay, energy});
       crossing += events_of(results.crossings, run, crossing).size();
       impact += events_of(results.impacts, run, impact).size();
-      stay += events_of(results.stays, run, stay).size();
+      stay += events_of(results.persistent_block_records, run, stay).size();
       energy += events_of(results.energies, run, energy).size();
     }
   }
@@ -135,8 +135,9 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     run.crossings.assign(crossings.begin(), crossings.end());
     const auto impacts = events_of(part.results.impacts, place.run, place.first_impact);
     run.impacts.assign(impacts.begin(), impacts.end());
-    const auto stays = events_of(part.results.stays, place.run, place.first_stay);
-    run.stays.assign(stays.begin(), stays.end());
+    const auto stays =
+        events_of(part.results.persistent_block_records, place.run, place.first_stay);
+    run.persistent_block_records.assign(stays.begin(), stays.end());
     const auto energies = events_of(part.results.energies, place.run, place.first_energy);
     run.energies.assign(energies.begin(), energies.end());
     if (part.trajectories.frame_count(place.run) > 0)

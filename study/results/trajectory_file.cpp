@@ -46,9 +46,10 @@ Trajectory TrajectoryFile::read(std::uint32_t run) const {
   trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
   trajectory.states.resize(count);
   auto value = rows.begin() + static_cast<std::ptrdiff_t>(count);
-  visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
-    for (RigidState& state : trajectory.states) field(state) = *value++;
-  });
+  visit_columns(kRowType<RigidState>,
+                [&](const auto&, const auto&, const auto&, const auto& field) {
+                  for (RigidState& state : trajectory.states) field(state) = *value++;
+                });
   return trajectory;
 }
 

@@ -54,7 +54,7 @@ TEST(EffectsText, GivesNoMiddleOfAnIntervalThatIsTooWide) {
 TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
   DesignEffects second;
   second.file = 1;
-  second.refusal = "its 11 runs are not every combination once";
+  second.refusal_reason = "its 11 runs are not every combination once";
   const std::vector<std::string> sentences = describe_effects({effects(), second});
   ASSERT_EQ(sentences.size(), 3u);
   EXPECT_TRUE(sentences[0].starts_with("File 1: form explains"));

@@ -64,16 +64,16 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
   CampaignResults results = made_up_results();
   add_barrier(results, "EC22", 38.0);
   const Comparison comparison = compared(std::move(results));
-  const FileSummary statement = summarise_key_results(comparison).statements.at(0);
-  const RunoutContrast& gap = *statement.gap;
+  const FileSummary statement = summarise_key_results(comparison).file_summaries.at(0);
+  const RunoutContrast& gap = *statement.class_contrast;
   const BarrierSummary& passage = statement.passages.at(0);
-  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const int decimals = decimals_of_length(gap.mean_difference, gap.interval);
   EXPECT_EQ(sentences(comparison),
-            "Compact blocks run " + format_length(gap.gap, decimals) +
+            "Compact blocks run " + format_length(gap.mean_difference, decimals) +
                 " farther than elongated ones (" + format_length_interval(*gap.interval, decimals) +
                 ", for runs of these 2 blocks only). " +
-                format_percentage(passage.classes[0].share) + " of compact and " +
-                format_percentage(passage.classes[1].share) +
+                format_percentage(passage.classes[0].passing_probability) + " of compact and " +
+                format_percentage(passage.classes[1].passing_probability) +
                 " of elongated blocks pass EC22. Of the blocks that pass, 95 % carry less than " +
                 format_energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
                 format_height_limit(passage.all.top) + ".\n");
@@ -164,7 +164,7 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
   for (const KeyFigure& figure : figures) {
     EXPECT_TRUE(contains(figure.range, " over draws of the ground parameters")) << figure.label;
   }
-  const CrossingEstimate& all = found.statements[0].passages[0].all;
+  const CrossingEstimate& all = found.file_summaries[0].passages[0].all;
   EXPECT_EQ(figures[2].range, format_energy_limit(all.energy_range->low) + " to " +
                                   format_energy_limit(all.energy_range->high) +
                                   " over draws of the ground parameters");
@@ -187,12 +187,15 @@ TEST(AnswerText, DifferenceMadeByFewIsCalledSo) {
     if (run.block == 0 && run.run % 4 == 0) run.result.final_state.position.x() += 60.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_TRUE(summarise_key_results(comparison).statements.at(0).gap->of_few);
+  EXPECT_TRUE(
+      summarise_key_results(comparison).file_summaries.at(0).class_contrast->due_to_few_runs);
   EXPECT_TRUE(contains(sentences(comparison), " farther than elongated ones on average ("));
   EXPECT_TRUE(
       contains(sentences(comparison),
                ": the means differ because more of the compact blocks run far beyond the median"));
-  EXPECT_FALSE(summarise_key_results(compared(made_up_results())).statements.at(0).gap->of_few);
+  EXPECT_FALSE(summarise_key_results(compared(made_up_results()))
+                   .file_summaries.at(0)
+                   .class_contrast->due_to_few_runs);
 }
 
 TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
@@ -202,10 +205,10 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   const KeyResults said = summarise_key_results(comparison);
   const std::vector<KeyFigure> figures = select_key_figures(comparison, said);
   ASSERT_EQ(figures.size(), 4u);
-  const RunoutEstimate& compact = said.statements[0].classes[0];
+  const RunoutEstimate& compact = said.file_summaries[0].classes[0];
   EXPECT_TRUE(figures[0].more.starts_with("half stop before " + format_decimals(compact.median, 0)))
       << figures[0].more;
-  const BarrierSummary& road = said.statements[0].passages[0];
+  const BarrierSummary& road = said.file_summaries[0].passages[0];
   EXPECT_EQ(figures[2].more, "compact " + format_energy_limit(road.classes[0].energy) +
                                  ", elongated " + format_energy_limit(road.classes[1].energy) +
                                  "; largest " + format_energy(road.all.largest_energy));
@@ -232,7 +235,7 @@ TEST(AnswerText, NamesThatAreNounsHaveAnArticle) {
 TEST(AnswerText, SaysWhatWasNotRun) {
   const auto limits = [](CampaignResults results) {
     const Comparison comparison = compared(std::move(results));
-    return describe_limits(comparison, summarise_key_results(comparison));
+    return describe_validity_limits(comparison, summarise_key_results(comparison));
   };
   EXPECT_EQ(limits(made_up_results({.points = 1, .runs_each = 12})),
             "Not run: blocks above 300 kg, other ground, other release points.");
@@ -331,7 +334,7 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
   EXPECT_EQ(sentences(one), "Block round<1> runs 10.0 m (1 run).\n");
   EXPECT_TRUE(contains(sentences(hand_made_results()),
                        "There are too few runs to compare runouts (4 compact, 2 elongated)."));
-  for (const std::string& line : describe_first_screen(one, summarise_key_results(one))) {
+  for (const std::string& line : describe_results_and_warnings(one, summarise_key_results(one))) {
     EXPECT_EQ(line.find("nan"), std::string::npos) << line;
   }
   results.runs[0].result = ReleaseResult();
@@ -345,7 +348,7 @@ TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
   const Comparison comparison = compared(hand_made_results());
   std::string text;
   for (const std::string& line :
-       describe_first_screen(comparison, summarise_key_results(comparison)))
+       describe_results_and_warnings(comparison, summarise_key_results(comparison)))
     text += line + "\n";
   EXPECT_TRUE(contains(text, "- The classes differ in mass (compact 300 kg, elongated 500 kg)"));
   for (const char* setting : {"k_n", "1e-05", "clast 0"}) {

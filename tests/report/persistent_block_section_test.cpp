@@ -19,16 +19,17 @@ using namespace report_detail;
 TEST(StaySection, SaysHowBlocksWereInEachOthersWay) {
   EXPECT_EQ(format_persistent_blocks_section(compared(hand_made_results())), "");
   CampaignResults results = hand_made_results();
-  results.stay = {3, {0.01, 0.5, 0.3}};
+  results.persistent_blocks = {3, {0.01, 0.5, 0.3}};
   results.planned_runs = 6;
-  for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
+  for (std::uint32_t run = 0; run < 6; ++run)
+    results.persistent_block_records.push_back({.run = run});
   const double side = results.blocks[results.runs[2].block].axes.S;
-  results.stays[2].later_displacement = 0.09 * side;  // its contacts yielded
-  results.stays[3].later_displacement = 2.5;
-  results.stays[4].later_displacement = 1.25;
-  results.stays[4].blocks_hit = 2;
-  results.stays[5].blocks_hit = 1;
-  results.stays[5].removed_at = 12.0;
+  results.persistent_block_records[2].later_displacement = 0.09 * side;  // its contacts yielded
+  results.persistent_block_records[3].later_displacement = 2.5;
+  results.persistent_block_records[4].later_displacement = 1.25;
+  results.persistent_block_records[4].blocks_hit = 2;
+  results.persistent_block_records[5].blocks_hit = 1;
+  results.persistent_block_records[5].removed_at = 12.0;
   const Comparison comparison = compared(std::move(results));
   const std::string head = format_provenance_section(comparison);
   EXPECT_TRUE(contains(head, "2 realisations of 3 blocks"));
@@ -45,9 +46,10 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   const Comparison single = compared(hand_made_results());
   EXPECT_EQ(format_deposit_section(single), "");
   CampaignResults results = hand_made_results();
-  results.stay = {3, {0.01, 0.5, 0.3}, true};
+  results.persistent_blocks = {3, {0.01, 0.5, 0.3}, true};
   results.planned_runs = 6;
-  for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
+  for (std::uint32_t run = 0; run < 6; ++run)
+    results.persistent_block_records.push_back({.run = run});
   results.runs[5].result.stop_reason = StopReason::kLeftTerrain;
   results.runs[4].result.final_state.position.z() += 0.75;
   CampaignResults gone = results;
@@ -63,21 +65,21 @@ TEST(DepositSection, GivesMeansOverRealisationsForEachFile) {
   EXPECT_EQ(format_persistent_blocks_section(comparison), "");
   const DepositResults deposits = measure_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 4u);
-  const double least = deposits.realisations[0].thickness;
-  const double most = deposits.realisations[1].thickness;
-  ASSERT_GT(most, least + 0.5);
+  const double minimum = deposits.realisations[0].thickness;
+  const double maximum = deposits.realisations[1].thickness;
+  ASSERT_GT(maximum, minimum + 0.5);
   const std::string html = format_deposit_section(comparison);
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "file 2: least"));
   const std::string thickness = html.substr(html.find(">largest thickness"));
-  for (const std::string& cell : {">" + format_decimals(least, 2) + "<",
-                                  ">" + format_decimals(most, 2) + "<", std::string(">-<")}) {
+  for (const std::string& cell : {">" + format_decimals(minimum, 2) + "<",
+                                  ">" + format_decimals(maximum, 2) + "<", std::string(">-<")}) {
     EXPECT_TRUE(contains(thickness.substr(0, thickness.find("</tr>")), cell))
         << cell << " in " << thickness;
   }
   const std::string figures = html.substr(html.find("Statistics of the deposit"));
-  const std::string lying = figures.substr(figures.find("blocks in the deposit"));
-  EXPECT_TRUE(contains(lying.substr(0, lying.find("</tr>")), ">2.0<"));
+  const std::string deposited_blocks = figures.substr(figures.find("blocks in the deposit"));
+  EXPECT_TRUE(contains(deposited_blocks.substr(0, deposited_blocks.find("</tr>")), ">2.0<"));
 }
 
 TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
@@ -89,7 +91,7 @@ TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
                        "20 % and rolling resistance 10 %; 40 % was dissipated in contacts between "
                        "blocks, the rest in contacts with the ground."));
   EXPECT_FALSE(contains(one_by_one, "Dissipated and kinetic energy against time"));
-  results.stay->at_once = true;
+  results.persistent_blocks->at_once = true;
   const std::string html = format_energy_section(compared(results, results));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "file 2: smallest fraction"));
@@ -106,9 +108,9 @@ TEST(EnergySection, SaysWhatTheEnergyWasDissipatedBy) {
 /// Files of two realisations whose blocks stop as far as given.
 CampaignResults realisations_that_stop_at(const std::vector<double>& distances) {
   CampaignResults results = hand_made_results();
-  results.stay = {3, {0.01, 0.5, 0.3}, true};
+  results.persistent_blocks = {3, {0.01, 0.5, 0.3}, true};
   for (std::uint32_t run = 0; run < 6; ++run) {
-    results.stays.push_back({.run = run});
+    results.persistent_block_records.push_back({.run = run});
     const double x = distances[run / 3];
     results.runs[run].result.final_state.position = {x, 0.0, -0.5 * x};
   }
@@ -140,7 +142,7 @@ TEST(DepositSection, SaysWhatFilesDifferIn) {
 
 TEST(DepositSection, WithOneRealisationSaysWhatAnIntervalTakes) {
   CampaignResults single = realisations_that_stop_at({30.0, 30.0});
-  single.stay->blocks_each = 6;
+  single.persistent_blocks->blocks_per_realisation = 6;
   const Comparison comparison = compared(single, single);
   EXPECT_TRUE(contains(format_deposit_section(comparison),
                        "because it requires two realisations of each file"));
@@ -156,7 +158,7 @@ TEST(DepositSection, SetsBlocksTogetherAgainstTheSameAlone) {
                        "(hand-made), all: 30.5 m together, "));
   // Of three single runs each with the runouts 10, 20, 30, 40, 10, 20 m.
   const double largest =
-      expected_largest(std::vector<double>{10.0, 20.0, 30.0, 40.0, 10.0, 20.0}, 3.0);
+      expected_maximum(std::vector<double>{10.0, 20.0, 30.0, 40.0, 10.0, 20.0}, 3.0);
   EXPECT_TRUE(
       contains(html,
                "The farthest block of a realisation stops after 30.5 m on average; the farthest "
@@ -169,8 +171,9 @@ TEST(BarrierSection, SaysWhatPassesTogether) {
   EXPECT_EQ(format_barrier_section(compared(hand_made_results())).find("within 1 s"),
             std::string::npos);
   CampaignResults results = hand_made_results();
-  results.stay = {3, {0.01, 0.5, 0.3}, true};
-  for (std::uint32_t run = 0; run < 6; ++run) results.stays.push_back({.run = run});
+  results.persistent_blocks = {3, {0.01, 0.5, 0.3}, true};
+  for (std::uint32_t run = 0; run < 6; ++run)
+    results.persistent_block_records.push_back({.run = run});
   const std::string at_once = format_barrier_section(compared(results));
   EXPECT_EQ(unbalanced(at_once), "");
   // Runs 3 and 5: 150 v^2 + 50 J at 6 and 3 m/s, of 300 and 500 kg.
@@ -180,7 +183,7 @@ TEST(BarrierSection, SaysWhatPassesTogether) {
                "the largest energy of a single block is 5.5 kJ. From 2 "
                "realisations."));
   EXPECT_TRUE(contains(at_once, "most energy in 1 s, kJ"));
-  results.stay->at_once = false;
+  results.persistent_blocks->at_once = false;
   EXPECT_TRUE(contains(format_barrier_section(compared(std::move(results))),
                        "From 2 realisations with blocks released one after another."));
 }

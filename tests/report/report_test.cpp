@@ -217,9 +217,9 @@ TEST(HtmlReport, SharesOfFewBlocksAreFolded) {
 }
 
 TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
-  Series sample{"many", "#000000", "", {}};
+  ChartSeries sample{"many", "#000000", "", {}};
   for (int i = 0; i < 100'000; ++i) sample.values.push_back(i);
-  const std::vector<Trace> traces = make_cumulative_traces({sample});
+  const std::vector<ChartTrace> traces = make_cumulative_traces({sample});
   ASSERT_EQ(traces.size(), 1u);
   EXPECT_LT(traces[0].x.size(), 2000u);
   EXPECT_EQ(traces[0].x.front(), 0.0);
@@ -292,15 +292,15 @@ TEST(Relief, ShowsTheUpperOfTwoSurfaces) {
   EXPECT_EQ(relief.zone[corner], 1);
 }
 
-TEST(Ticks, AreRoundAndInside) {
-  const Ticks marks = choose_ticks(-3.2, 47.9, 7);
+TEST(AxisTicks, AreRoundAndInside) {
+  const AxisTicks marks = choose_ticks(-3.2, 47.9, 7);
   EXPECT_EQ(marks.step, 10.0);
   EXPECT_EQ(marks.values, (std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0}));
   EXPECT_EQ(choose_ticks(0.0, 0.5, 5).decimals, 1);
   EXPECT_EQ(choose_ticks(6500000.0, 6500100.0, 5).values.front(), 6500000.0);
 }
 
-TEST(Ticks, EndOnRangesThatHaveNoWidth) {
+TEST(AxisTicks, EndOnRangesThatHaveNoWidth) {
   EXPECT_EQ(choose_ticks(3.0, 3.0, 5).values.size(), 1u);
   EXPECT_EQ(choose_ticks(1e9, std::nextafter(1e9, 2e9), 5).values.size(), 1u);
   EXPECT_EQ(choose_ticks(0.0, INFINITY, 5).values.size(), 1u);

@@ -21,7 +21,7 @@ ShapeTrend trend(const std::string& property, double correlation, double p) {
   found.corrected_p = p;
   found.halves.estimate = 5.2;
   found.halves.interval = Interval{3.1, 7.3};
-  found.smallest = 3.0;
+  found.detectable_difference = 3.0;
   return found;
 }
 
@@ -60,7 +60,7 @@ TEST(TrendsText, SaysWhetherADifferenceIsWithinTheMargin) {
 TEST(TrendsText, SaysBeforeACampaignWhatItCouldTellApart) {
   PlannedPower plan{1600, 16, 30, 5.0, 1.0};
   EXPECT_NEAR(plan.design_effect(), 10.9, 1e-12);
-  EXPECT_NEAR(plan.smallest(), 5.0 * std::sqrt(4.0 * 10.9 * 7.8489 / 1600.0), 1e-3);
+  EXPECT_NEAR(plan.detectable_difference(), 5.0 * std::sqrt(4.0 * 10.9 * 7.8489 / 1600.0), 1e-3);
   const std::string text = describe_planned_power(plan);
   EXPECT_TRUE(contains(text, "a difference in runout of 2.3 m between two halves")) << text;
   EXPECT_TRUE(contains(text, "the standard deviation of runout is 5 m as in 30 trial runs"))
@@ -82,7 +82,8 @@ TEST(TrendsText, SaysWhyNothingCanBeSaidOfAMargin) {
   EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.trial_runs = 0; }), "no trial run came"));
   EXPECT_TRUE(
       contains(said([](PlannedPower& plan) { plan.trial_runs = 1; }), "only one trial run"));
-  EXPECT_TRUE(contains(said([](PlannedPower& plan) { plan.scatter = 0.0; }), "are all equal"));
+  EXPECT_TRUE(
+      contains(said([](PlannedPower& plan) { plan.runout_deviation = 0.0; }), "are all equal"));
   EXPECT_TRUE(contains(said([](PlannedPower& plan) {
                          plan = {};
                          plan.margin = 2.0;

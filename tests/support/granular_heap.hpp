@@ -125,7 +125,7 @@ inline Heap heap_on_disc(const HeapScene& scene) {
   StiffnessOptions options;
   options.multi_block = true;
   options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * radius /
-                   (0.01 * ground_requirements(zones, ContactLaw()).static_stiffness_ratio);
+                   (0.01 * ground_stiffness_inputs(zones, ContactLaw()).static_stiffness_ratio);
   WorldSettings settings;
   settings.between_bodies = zones[0];
   settings.stiffness =

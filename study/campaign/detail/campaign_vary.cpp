@@ -29,13 +29,13 @@ const MemberTable<FormGrid>& grid_keys() {
   static const MemberTable<FormGrid> keys(
       {"blocks.vary.grid", "A grid of forms over a diagram"},
       {{"diagram", "", "form diagram",
-        required("\"sneed-folk\" or \"zingg\"", words(form_grid_diagram_names())),
+        required_format("\"sneed-folk\" or \"zingg\"", word_format(form_grid_diagram_names())),
         &FormGrid::diagram},
        {"steps", "", "number of steps along each side",
-        required("a whole number of steps along each side", count(1, kMaxGridSteps)),
+        required_format("a whole number of steps along each side", count_format(1, kMaxGridSteps)),
         &FormGrid::steps},
        {"least", "", "smallest S/L of sneed-folk, smallest I/L and S/I of zingg",
-        number(kMinRatioRange), &FormGrid::min_ratio}});
+        number_format(kMinRatioRange), &FormGrid::least}});
   return keys;
 }
 
@@ -49,13 +49,13 @@ const MemberTable<VariationSeriesRequest>& population_keys() {
   static const MemberTable<VariationSeriesRequest> keys(
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "number of bodies",
-        required("a whole number of bodies", count(1, kMaxSeriesBodies)),
-        &VariationSeriesRequest::sampled_count},
-       {"seed", "", "seed of the draw", seed(), &VariationSeriesRequest::seed},
-       {"table", "", "table of measured blocks, with columns L, I and S", text(),
+        required_format("a whole number of bodies", count_format(1, kMaxSeriesBodies)),
+        &VariationSeriesRequest::draw},
+       {"seed", "", "seed of the draw", seed_format(), &VariationSeriesRequest::seed},
+       {"table", "", "table of measured blocks, with columns L, I and S", text_format(),
         &VariationSeriesRequest::table},
-       {"units", "", "length unit of the table", text(), &VariationSeriesRequest::units},
-       {"prefix", "", "prefix of the ids, which are numbered", text(),
+       {"units", "", "length unit of the table", text_format(), &VariationSeriesRequest::units},
+       {"prefix", "", "prefix of the ids, which are numbered", text_format(),
         &VariationSeriesRequest::prefix}});
   return keys;
 }
@@ -97,15 +97,16 @@ const MemberTable<VariationSeriesRequest>& vary_keys() {
   using Steps = VariationTargets;
   constexpr auto kSteps = &VariationSeriesRequest::targets;
   const auto numbers = [](const NumberRange& range) {
-    return one_or_more(number(range), kMaxSeriesBodies);
+    return one_or_more_format(number_format(range), kMaxSeriesBodies);
   };
   static const MemberTable<VariationSeriesRequest> keys(
       {"blocks.vary", "Bodies made from the blocks, which replace them"},
       {{"to", "", "stretch to these ratios, [I/L, S/L] each",
-        list(list(number(kVariedRatioRange), 2, 2), 1), &read_ratios, kSteps, &Steps::ratios},
-       {"grid", "", "stretch to a grid of forms over a diagram", table(grid_keys().keys),
+        list_format(list_format(number_format(kVariedRatioRange), 2, 2), 1), &read_ratios, kSteps,
+        &Steps::ratios},
+       {"grid", "", "stretch to a grid of forms over a diagram", table_format(grid_keys().keys),
         &read_grid, kSteps, &Steps::grid},
-       {"like", "", "stretch to the ratios of these blocks of the library", texts(),
+       {"like", "", "stretch to the ratios of these blocks of the library", texts_format(),
         &VariationSeriesRequest::target_ratio_ids},
        {"convexity", "", "fill hollows until the volume is this fraction of that of the hull",
         numbers(kVariedConvexityRange), kSteps, &Steps::convexity},
@@ -116,31 +117,32 @@ const MemberTable<VariationSeriesRequest>& vary_keys() {
        {"roundness_edge", "",
         "edge length of the mesh on which roundness is measured, as a fraction of the diameter of "
         "a sphere of equal volume",
-        number(kRoundnessEdgeRange), kSteps, &Steps::roundness_edge},
+        number_format(kRoundnessEdgeRange), kSteps, &Steps::roundness_edge},
        {"vertices", "", "simplify the core to this number of vertices",
-        one_or_more(count(kMinVariedVertices, kMaxVariedVertices), kMaxSeriesBodies), kSteps,
-        &Steps::vertices},
+        one_or_more_format(count_format(kMinVariedVertices, kMaxVariedVertices), kMaxSeriesBodies),
+        kSteps, &Steps::vertices},
        {"detail", "",
         "factor for the deviation of the surface from the coarse form: 0 smooths, 2 roughens",
         numbers(kDetailGainRange), kSteps, &Steps::detail},
        {"degree", "", "degree of the spherical harmonics of the coarse form",
-        count(kMinDegree, kMaxDegree), kSteps, &Steps::degree},
+        count_format(kMinDegree, kMaxDegree), kSteps, &Steps::degree},
        {"reference", "", "simple bodies with the block's I/L and S/L",
-        one_or_more(words(reference_shape_names())), kSteps, &Steps::reference},
-       {"exponent", "", "exponent of the superellipsoid", number(kSuperellipsoidExponentRange),
-        kSteps, &Steps::exponent},
+        one_or_more_format(word_format(reference_shape_names())), kSteps, &Steps::reference},
+       {"exponent", "", "exponent of the superellipsoid",
+        number_format(kSuperellipsoidExponentRange), kSteps, &Steps::exponent},
        {"inertia", "", "bodies with the block's mass and principal moments",
-        one_or_more(words(inertia_body_names())), kSteps, &Steps::inertia},
+        one_or_more_format(word_format(inertia_body_names())), kSteps, &Steps::inertia},
        {"population", "",
         "bodies with sizes and forms drawn from the distribution of the blocks, or of a table",
-        table(population_keys().keys), &read_population},
+        table_format(population_keys().keys), &read_population},
        {"keep", "", "quantity that is equal for a body and its block",
-        words({"mass", "volume", "L"}), &parse_preserved_size, &VariationSeriesRequest::options,
-        &VariationSeriesOptions::variation, &VariationOptions::preserved_size}});
+        word_format({"mass", "volume", "L"}), &parse_preserved_size,
+        &VariationSeriesRequest::options, &VariationSeriesOptions::variation,
+        &VariationOptions::keep}});
   return keys;
 }
 
-VariationSeriesRequest read_vary(const DeclaredTable& blocks) {
+VariationSeriesRequest read_variation_request(const DeclaredTable& blocks) {
   if (blocks.find("draw")) {
     blocks.refuse("vary",
                   "blocks are either varied or drawn; leave draw out (population = { count = N } "

@@ -48,40 +48,40 @@ std::string refused(const CampaignResults& results) {
   return refused(std::vector<CampaignResults>{results});
 }
 
-TEST(RunoutDistances, IsMeasuredAlongDownslope) {
+TEST(RunoutMeasures, IsMeasuredAlongDownslope) {
   const Vec2 down = Vec2(3.0, 4.0).normalized();
-  const RunoutDistances measured = runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
+  const RunoutMeasures measured = compute_runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
   EXPECT_NEAR(measured.along, 10.0, 1e-12);
   EXPECT_NEAR(measured.lateral, 0.0, 1e-12);
 }
 
-TEST(RunoutDistances, LateralIsPositiveToTheRightLookingDownslope) {
+TEST(RunoutMeasures, LateralIsPositiveToTheRightLookingDownslope) {
   // Looking along +x with z up, the right hand is -y; looking along +y it is +x.
-  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, -5, 0), Vec2::UnitX()).lateral, kPi / 4, 1e-15);
-  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitX()).lateral, -kPi / 4, 1e-15);
-  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitY()).lateral, kPi / 4, 1e-15);
+  EXPECT_NEAR(compute_runout(Vec3::Zero(), Vec3(5, -5, 0), Vec2::UnitX()).lateral, kPi / 4, 1e-15);
+  EXPECT_NEAR(compute_runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitX()).lateral, -kPi / 4, 1e-15);
+  EXPECT_NEAR(compute_runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitY()).lateral, kPi / 4, 1e-15);
 }
 
-TEST(RunoutDistances, UphillIsNegativeAndBehind) {
-  const RunoutDistances measured = runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
+TEST(RunoutMeasures, UphillIsNegativeAndBehind) {
+  const RunoutMeasures measured = compute_runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
   EXPECT_DOUBLE_EQ(measured.along, -2.0);
   EXPECT_NEAR(std::abs(measured.lateral), kPi, 1e-15);
 }
 
-TEST(RunoutDistances, OfABlockThatStaysIsZero) {
-  const RunoutDistances measured = runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
+TEST(RunoutMeasures, OfABlockThatStaysIsZero) {
+  const RunoutMeasures measured = compute_runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
   EXPECT_EQ(measured.along, 0.0);
   EXPECT_EQ(measured.lateral, 0.0);
 }
 
-TEST(RunoutDistances, TurnsWithTheSite) {
+TEST(RunoutMeasures, TurnsWithTheSite) {
   Random random(7);
   for (int i = 0; i < 50; ++i) {
     const Vec3 start = 10.0 * random.unit_vector(), stop = 50.0 * random.unit_vector();
     const Eigen::Rotation2Dd turn(random.uniform(-kPi, kPi));
     const Eigen::AngleAxisd turn3(turn.angle(), Vec3::UnitZ());
-    const RunoutDistances before = runout(start, stop, Vec2::UnitX());
-    const RunoutDistances after = runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
+    const RunoutMeasures before = compute_runout(start, stop, Vec2::UnitX());
+    const RunoutMeasures after = compute_runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
     EXPECT_NEAR(after.along, before.along, 1e-12);
     EXPECT_NEAR(std::sin(after.lateral - before.lateral), 0.0, 1e-12);
   }
@@ -90,7 +90,7 @@ TEST(RunoutDistances, TurnsWithTheSite) {
 TEST(Compare, GroupsAreAllBlocksAndClassesThatOccur) {
   std::vector<std::string> names;
   const Comparison comparison = compared(hand_made_results());
-  for (const Group& group : comparison.groups) names.push_back(group.name);
+  for (const RunGroup& group : comparison.groups) names.push_back(group.name);
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names,
             (std::vector<std::string>{"all", "block long, \"2\"", "block round<1>", "class compact",
@@ -100,8 +100,8 @@ TEST(Compare, GroupsAreAllBlocksAndClassesThatOccur) {
 TEST(Compare, OneSneedFolkClassGetsNoGroupOfItsOwn) {
   CampaignResults results = hand_made_results();
   results.blocks[1].sneed_folk = "C";
-  for (const Group& group : compared(std::move(results)).groups) {
-    EXPECT_NE(group.kind, GroupKind::kSneedFolk);
+  for (const RunGroup& group : compared(std::move(results)).groups) {
+    EXPECT_NE(group.kind, RunGroupKind::kSneedFolk);
   }
 }
 
@@ -146,13 +146,13 @@ TEST(Compare, DownslopeDefaultsToTheMeanLineFromReleaseToStop) {
   results.downslope.reset();
   // Offsets sum to (130, 10).
   const Comparison comparison = compared(std::move(results));
-  EXPECT_FALSE(comparison.downslope_asked);
+  EXPECT_FALSE(comparison.downslope_given);
   EXPECT_LT((comparison.downslope - Vec2(13.0, 1.0).normalized()).norm(), 1e-9);
 }
 
 TEST(Compare, AskedDownslopeIsMadeUnit) {
   const Comparison comparison = compared(hand_made_results());
-  EXPECT_TRUE(comparison.downslope_asked);
+  EXPECT_TRUE(comparison.downslope_given);
   EXPECT_EQ(comparison.downslope, Vec2(1.0, 0.0));
 }
 
@@ -337,7 +337,7 @@ TEST(Compare, ARunThatFailedDoesNotCountAtBarriers) {
 
 TEST(Compare, BarrierOfOneFileCountsOnlyThatFilesRuns) {
   CampaignResults second = hand_made_results();
-  second.barriers[0].through[0].y() = -5.0;  // another line under the same name
+  second.barriers[0].vertices[0].y() = -5.0;  // another line under the same name
   const Comparison comparison = compared(hand_made_results(), std::move(second));
   EXPECT_EQ(comparison.lines.size(), 3u);
   EXPECT_EQ(at_barrier(comparison, "B<1>", "all").started, 6u);

@@ -26,16 +26,16 @@ DepositMeasures realisation(std::uint32_t file, std::uint32_t number, double len
   deposit.file = file;
   deposit.realisation = number;
   deposit.blocks = 10;
-  deposit.lying = 9;
+  deposit.deposited_blocks = 9;
   deposit.volume = 6.0;
   deposit.crest = {1000.0, 2000.0, 50.0};
   deposit.toe = deposit.crest + Vec3(0.6 * length, 0.8 * length, -5.0);
-  deposit.first_centre = {1000.0, 2000.0, 49.0};
-  deposit.centre = deposit.first_centre + Vec3(3.0, -4.0, -2.0);
+  deposit.start_centre = {1000.0, 2000.0, 49.0};
+  deposit.centre = deposit.start_centre + Vec3(3.0, -4.0, -2.0);
   deposit.area = 8.0;
   deposit.bulk_volume = 12.0;
-  deposit.first_volume = 10.0;
-  deposit.first_bulk_volume = 16.0;
+  deposit.start_volume = 10.0;
+  deposit.start_bulk_volume = 16.0;
   deposit.thickness = 2.5;
   deposit.energy = {{.normal = 0.3, .friction = 0.4}, {.friction = 0.2, .rolling = 0.1}, 5000.0};
   return deposit;
@@ -44,7 +44,7 @@ DepositMeasures realisation(std::uint32_t file, std::uint32_t number, double len
 const DepositQuantityDifference& named(const DepositQuantityComparison& figures,
                                        const std::string& name) {
   for (const DepositQuantityDifference& one : figures.differences) {
-    if (one.first.figure == figure_named(name)) return one;
+    if (one.first.quantity == figure_named(name)) return one;
   }
   throw std::out_of_range(name);
 }
@@ -78,7 +78,7 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_EQ(length.first.file, 0u);
   EXPECT_EQ(length.second.file, 2u);
   EXPECT_EQ(length.first.summary.count, 2u);
-  EXPECT_NEAR(length.first.least, 20.0, 1e-9);
+  EXPECT_NEAR(length.first.minimum, 20.0, 1e-9);
   EXPECT_NEAR(length.estimate, 10.0, 1e-9);
   ASSERT_TRUE(length.interval);
   // 95 % of Student's t with two degrees of freedom; the standard error is sqrt(2).
@@ -133,7 +133,7 @@ TEST(RealisationFigures, WithoutADepositAreLeftOut) {
   other.file = 1;
   const DepositQuantityComparison figures = compare_deposit_quantities({empty, other});
   for (const DepositQuantitySummary& one : figures.files) {
-    EXPECT_TRUE(std::isfinite(one.summary.mean)) << deposit_quantities()[one.figure].name;
+    EXPECT_TRUE(std::isfinite(one.summary.mean)) << deposit_quantities()[one.quantity].name;
   }
   EXPECT_THROW(named(figures, "area_m2"), std::out_of_range);
 }

@@ -48,9 +48,9 @@ CampaignResults synthetic_results(std::uint64_t seed, double shift, int runs_per
   return results;
 }
 
-const Difference& between_classes(const Comparison& comparison, const std::string& quantity) {
-  for (const Difference& one : comparison.differences) {
-    if (comparison.groups[one.first].kind == GroupKind::kGarcia && one.quantity == quantity) {
+const GroupDifference& between_classes(const Comparison& comparison, const std::string& quantity) {
+  for (const GroupDifference& one : comparison.differences) {
+    if (comparison.groups[one.first].kind == RunGroupKind::kGarcia && one.quantity == quantity) {
       return one;
     }
   }
@@ -62,9 +62,9 @@ TEST(Differences, OneBlockEnteredAsTwoClassesIsSeldomCalledDifferent) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Comparison comparison = compared(synthetic_results(seed, 0.0));
     bool any = false;
-    for (const Difference& one : comparison.differences) {
-      any =
-          any || (comparison.groups[one.first].kind == GroupKind::kGarcia && one.is_significant());
+    for (const GroupDifference& one : comparison.differences) {
+      any = any ||
+            (comparison.groups[one.first].kind == RunGroupKind::kGarcia && one.is_significant());
     }
     flagged += any ? 1 : 0;
   }
@@ -76,7 +76,7 @@ TEST(Differences, OneThatIsThereIsFoundWithItsSize) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Comparison comparison = compared(synthetic_results(seed, -3.0));
-    const Difference& runout = between_classes(comparison, "runout_m");
+    const GroupDifference& runout = between_classes(comparison, "runout_m");
     EXPECT_TRUE(runout.is_significant()) << seed;
     EXPECT_EQ(runout.points, 8u);
     EXPECT_EQ(runout.family_size, 4u);
@@ -95,8 +95,9 @@ CampaignResults in_realisations(CampaignResults results, std::uint32_t realisati
   std::stable_sort(results.runs.begin(), results.runs.end(),
                    [](const RunRecord& a, const RunRecord& b) { return a.point < b.point; });
   for (std::uint32_t i = 0; i < results.runs.size(); ++i) results.runs[i].run = i;
-  results.stay = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
-  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  results.persistent_blocks = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
+  for (const RunRecord& run : results.runs)
+    results.persistent_block_records.push_back({.run = run.run});
   return results;
 }
 
@@ -104,7 +105,7 @@ CampaignResults in_realisations(CampaignResults results, std::uint32_t realisati
 TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   const Comparison one = compared(in_realisations(synthetic_results(3, -30.0), 1));
   ASSERT_FALSE(one.differences.empty());
-  for (const Difference& difference : one.differences) {
+  for (const GroupDifference& difference : one.differences) {
     EXPECT_FALSE(difference.interval);
     EXPECT_FALSE(difference.p_value);
     EXPECT_FALSE(difference.holm_p_value);
@@ -170,7 +171,7 @@ TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
     }
   }
   const CsvTable table = read_csv(table_csv(comparison, "differences"));
-  const Difference& runout = between_classes(comparison, "runout_m");
+  const GroupDifference& runout = between_classes(comparison, "runout_m");
   std::size_t row = 0;
   while (table.rows.at(row).at("quantity") != "runout_m" ||
          table.rows[row].at("first") != "class compact") {
@@ -200,7 +201,7 @@ TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
 
 TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
-  const Difference& runout = between_classes(comparison, "runout_m");
+  const GroupDifference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
   const int decimals = significant_decimals(interval, 4);
   EXPECT_EQ(describe_effect(runout, comparison),
@@ -213,7 +214,7 @@ TEST(Differences, AreSaidInASentence) {
   EXPECT_TRUE(describe_effect(between_classes(same, "runout_m"), same)
                   .ends_with(", which is not significant among 4 differences"));
   // The other way round: less, with an interval that rises all the same.
-  Difference back = runout;
+  GroupDifference back = runout;
   std::swap(back.first, back.second);
   std::swap(back.first_mean, back.second_mean);
   back.estimate = -runout.estimate;
@@ -225,8 +226,8 @@ TEST(Differences, AreSaidInASentence) {
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {
-  EXPECT_EQ(quantity_text("path_length_m").name, "path length");
-  const QuantityLabel energy = quantity_text("lower road total_energy_j");
+  EXPECT_EQ(quantity_label("path_length_m").name, "path length");
+  const QuantityLabel energy = quantity_label("lower road total_energy_j");
   EXPECT_EQ(energy.name, "energy at lower road");
   EXPECT_EQ(energy.unit, "kJ");
   EXPECT_EQ(energy.factor * 5000.0, 5.0);
@@ -243,7 +244,7 @@ TEST(Columns, GroupRunsByValueOrQuarter) {
   const Comparison comparison =
       compare(std::move(all), {.by = {"point", "max_speed_m_s"}, .measured = {}, .margin = {}});
   std::size_t points = 0, quarters = 0;
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     if (group.column == "point") {
       EXPECT_EQ(group.name, "point " + std::to_string(points++));
       EXPECT_EQ(group.rows.size(), 24u);

@@ -91,7 +91,7 @@ TEST(MeasuredStops, TablesOfAnyProgramAreReadAlike) {
         "x y block\n900050,5 6500000,25 round<1>\n"}) {
     const Comparison comparison = against(table, folder);
     ASSERT_EQ(comparison.measured->stops.size(), 1u) << table;
-    EXPECT_EQ(comparison.measured->stops[0].place, Vec2(900050.5, 6500000.25)) << table;
+    EXPECT_EQ(comparison.measured->stops[0].position, Vec2(900050.5, 6500000.25)) << table;
     EXPECT_EQ(comparison.measured->stops[0].block, "round<1>") << table;
   }
 }

@@ -51,7 +51,7 @@ TEST(Results, StraightBarriersOfSchema2AreRead) {
   }
   const CampaignResults results = read_results(folder / "old.h5");
   ASSERT_EQ(results.barriers.size(), 2u);
-  EXPECT_EQ(results.barriers[1].through, (std::vector<Vec2>{{36, -400}, {36, -340}}));
+  EXPECT_EQ(results.barriers[1].vertices, (std::vector<Vec2>{{36, -400}, {36, -340}}));
 }
 
 TEST(Results, DamageIsNamed) {

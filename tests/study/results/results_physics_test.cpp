@@ -23,7 +23,8 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
   other.physics_digest = std::string(64, 'b');
   { ResultsWriter writer = ResultsWriter::create(target, header); }
   EXPECT_EQ(refusal([&] { ResultsWriter::resume(target, other); }),
-            journal_path(target).string() + ": was begun with clast " + header.program_version +
+            results_journal_path(target).string() + ": was begun with clast " +
+                header.program_version +
                 " too, but this version of clast computes different motions (physics digest "
                 "aaaaaaaaaa, here "
                 "bbbbbbbbbb); delete it and start without `resume`");
@@ -34,9 +35,9 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
     return read_results(file).physics_digest;
   };
   EXPECT_EQ(finished(target, header, 0), header.physics_digest);
-  EXPECT_TRUE(is_finished(target, header, 1));
-  EXPECT_TRUE(is_finished(target, sample_header(), 1));
-  EXPECT_TRUE(contains(refusal([&] { is_finished(target, other, 1); }),
+  EXPECT_TRUE(has_finished_results(target, header, 1));
+  EXPECT_TRUE(has_finished_results(target, sample_header(), 1));
+  EXPECT_TRUE(contains(refusal([&] { has_finished_results(target, other, 1); }),
                        "this version of clast computes different motions"));
   finished(folder / "b.h5", other, 1);
   EXPECT_EQ(refusal([&] {
@@ -52,7 +53,7 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
 // Their first record ends before the digest; what is not known of their runs is not said.
 TEST(Results, JournalsOfOlderProgramsGoOn) {
   const ScratchFolder folder;
-  const fs::path target = folder / "r.h5", part = journal_path(target);
+  const fs::path target = folder / "r.h5", part = results_journal_path(target);
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }
   const std::string begun = read_text_file(part);
   const std::size_t line = begun.find('\n') + 1, content = line + 8 + 64;
