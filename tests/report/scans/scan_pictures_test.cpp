@@ -58,7 +58,7 @@ TEST(MeshPicture, AFramedSceneIsInsideEveryPictureAtOneScale) {
     EXPECT_EQ(camera.pixel, cameras[0].pixel);
     Vec2 low(1e9, 1e9), high(-1e9, -1e9);
     for (const Vec3& v : rock.vertices) {
-      const Vec2 at = camera.seen(v).head<2>();
+      const Vec2 at = camera.projected(v).head<2>();
       low = low.cwiseMin(at), high = high.cwiseMax(at);
     }
     EXPECT_GT(low.minCoeff(), 0.0);
