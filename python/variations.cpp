@@ -54,8 +54,8 @@ VariationSeriesRequest series_request(Keywords& given) {
   given.read("library", request.library);
   request.ids = given.read_texts("ids");
   request.target_ratio_ids = given.read_texts("like");
-  request.steps = steps_from(given);
-  given.read("draw", request.draw);
+  request.targets = steps_from(given);
+  given.read("draw", request.sampled_count);
   given.read("table", request.table);
   given.read("units", request.units);
   given.read("prefix", request.prefix);

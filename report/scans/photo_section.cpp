@@ -272,7 +272,7 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evid
       format_count(scan.cloud.pairs.size(), "pair") + ", which gave " +
       format_count(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += format_note_box("Photos", notes);
-  html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
+  html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.block_centre) + "</div>\n" +
           photo_table(ring, unit) + "<h3>Coverage of the surface</h3>\n" +
           coverage_map(evidence, surface, scan.metric) + scale_part(scan, evidence, unit);
   return format_section("Photographs", html);

@@ -66,8 +66,9 @@ std::string describe_effect(const GroupDifference& difference, const Comparison&
       return means + ", which is not significant, but the distributions differ";
     default:
       return means + ", which is not significant" +
-             (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
-                                   : "");
+             (difference.family_size > 1
+                  ? " among " + std::to_string(difference.family_size) + " differences"
+                  : "");
   }
 }
 
@@ -86,7 +87,7 @@ std::string describe_effect(const DepositQuantityDifference& difference) {
     case ContrastVerdict::kSignificant:
       return text;
     case ContrastVerdict::kInsignificantAfterCorrection:
-      return text + "; one of " + std::to_string(difference.tests) +
+      return text + "; one of " + std::to_string(difference.family_size) +
              " differences tested can be this large by chance";
     case ContrastVerdict::kUntested:
       break;

@@ -141,7 +141,7 @@ UnknownParameter read_unknown(const DeclaredTable& table) {
   UnknownParameter unknown;
   unknown_keys().read(table, unknown);
   const NumberRange allowed =
-      table.checked("parameter", [&] { return calibratable_range(unknown.parameter); });
+      table.run_check("parameter", [&] { return calibratable_range(unknown.parameter); });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
       table.read_numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);

@@ -36,8 +36,8 @@ bool is_fitted(const std::string& use) { return use == "fit"; }
 std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
                                const std::string& expected) {
   const ValueFormat& form = table.value_format(key);
-  return table.numbers(key, table.require_key(key, expected), form.minimum, form.maximum, expected,
-                       form.innermost_format().range);
+  return table.read_numbers(key, table.require_key(key, expected), form.minimum, form.maximum,
+                            expected, form.innermost_format().range);
 }
 
 /// Returns the only one of the mutually exclusive keys.

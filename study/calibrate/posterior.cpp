@@ -259,7 +259,7 @@ CalibrationPosterior infer_posterior(const CalibrationStudy& study, const Calibr
   posterior.probabilities = std::move(sample.points);
   posterior.log_likelihood = std::move(sample.log_likelihood);
   posterior.log_evidence = sample.log_evidence;
-  posterior.temperature_count = sample.temperatures;
+  posterior.temperature_count = sample.tempering_steps;
   posterior.acceptance_rate = sample.acceptance_rate;
   posterior.member_statistics = statistics.values;
   posterior.draws = posterior.probabilities;

@@ -26,7 +26,7 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
   table.read("zones", terrain.zones);
   if (std::optional<ZoneFile> file =
-          table.checked("zones", [&] { return parse_zone_file(terrain.zones); })) {
+          table.run_check("zones", [&] { return parse_zone_file(terrain.zones); })) {
     file->path =
         resolve_input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
     terrain.zones = file->zone_option_values();
@@ -202,7 +202,7 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
     Barrier barrier;
     barrier_keys().read(table, barrier);
     barrier.vertices = read_barrier_line(table, barrier.name);
-    if (const std::optional<std::string> direction = table.text("direction")) {
+    if (const std::optional<std::string> direction = table.read_text("direction")) {
       if (is_ring(barrier.vertices)) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }

@@ -81,11 +81,11 @@ void DeclaredTable::check_required_keys() const {
 
 std::optional<std::string> DeclaredTable::word(const std::string& key) const {
   const std::vector<std::string>& words = value_format(key).innermost_format().words;
-  return words.empty() ? text(key) : read_choice(*this, key, words);
+  return words.empty() ? read_text(key) : read_choice(*this, key, words);
 }
 
 std::optional<std::vector<std::string>> DeclaredTable::word_or_words(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = text_list(key);
+  const std::optional<std::vector<std::string>> names = read_text_list(key);
   const std::vector<std::string>& words = value_format(key).innermost_format().words;
   for (std::size_t i = 0; names && !words.empty() && i < names->size(); ++i) {
     if (std::find(words.begin(), words.end(), (*names)[i]) == words.end()) {
@@ -99,9 +99,10 @@ std::optional<std::vector<double>> DeclaredTable::number_or_numbers(
     const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
-  if (node->kind != TomlNode::Kind::kList) return std::vector{*number(key, range)};
+  if (node->kind != TomlNode::Kind::kList) return std::vector{*read_number(key, range)};
   const ValueFormat& list = value_format(key).items.back();
-  return numbers(key, *node, list.minimum, list.maximum, "a number or a list of numbers", range);
+  return read_numbers(key, *node, list.minimum, list.maximum, "a number or a list of numbers",
+                      range);
 }
 
 std::optional<std::vector<std::size_t>> DeclaredTable::count_or_counts(
@@ -127,15 +128,15 @@ std::optional<std::vector<Vec2>> DeclaredTable::places(const std::string& key) c
   std::vector<Vec2> places;
   for (const TomlNode& row : node->list) {
     const std::vector<double> values =
-        numbers(key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]",
-                value_format(key).innermost_format().range);
+        read_numbers(key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]",
+                     value_format(key).innermost_format().range);
     places.emplace_back(values[0], values[1]);
   }
   return places;
 }
 
 std::optional<fs::path> DeclaredTable::file_of(const std::string& key) const {
-  if (!text(key)) return std::nullopt;
+  if (!read_text(key)) return std::nullopt;
   return resolve_input_file(*this, key, *find(key));
 }
 
@@ -182,7 +183,7 @@ DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared
 
 std::optional<std::string> read_choice(const TomlTable& table, const std::string& key,
                                        const std::vector<std::string>& words) {
-  const std::optional<std::string> text = table.text(key);
+  const std::optional<std::string> text = table.read_text(key);
   if (text && std::find(words.begin(), words.end(), *text) == words.end()) {
     std::string list;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -244,7 +245,7 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const std:
   }
   const double maximum = std::max(range.high, kLogSigmaRange.high);
   const std::vector<double> values =
-      table.numbers(key, value, 2, 2, "two numbers, as in " + law, {-maximum, maximum});
+      table.read_numbers(key, value, 2, 2, "two numbers, as in " + law, {-maximum, maximum});
   number.first = values[0];
   number.second = values[1];
   if (!range.contains(number.first)) {

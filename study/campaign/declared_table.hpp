@@ -117,10 +117,10 @@ std::optional<Value> DeclaredTable::value(const std::string& key) const {
     return read_boolean(key);
   } else if constexpr (std::is_integral_v<Value>) {
     const std::optional<std::uint64_t> number =
-        count(key, innermost_format.minimum, innermost_format.maximum);
+        read_count(key, innermost_format.minimum, innermost_format.maximum);
     return number ? std::optional(static_cast<Value>(*number)) : std::nullopt;
   } else if constexpr (std::is_same_v<Value, double>) {
-    return number(key, innermost_format.range);
+    return read_number(key, innermost_format.range);
   } else if constexpr (std::is_same_v<Value, Distribution>) {
     return read_distribution(*this, key, innermost_format.range);
   } else if constexpr (std::is_same_v<Value, std::string>) {
@@ -138,10 +138,10 @@ std::optional<Value> DeclaredTable::value(const std::string& key) const {
   } else if constexpr (std::is_same_v<Value, std::vector<Vec2>>) {
     return places(key);
   } else if constexpr (std::is_same_v<Value, Vec2>) {
-    return vec2(key, innermost_format.range);
+    return read_vec2(key, innermost_format.range);
   } else {
     static_assert(std::is_same_v<Value, Vec3>);
-    return vec3(key, innermost_format.range);
+    return read_vec3(key, innermost_format.range);
   }
 }
 

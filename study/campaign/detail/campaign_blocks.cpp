@@ -69,7 +69,7 @@ void read_shares(const DeclaredTable& table, BlockSampling& draw) {
   const TomlTable shares(node, table.file(), "[blocks] draw shares", class_names(draw.scheme));
   double sum = 0.0;
   for (const std::string& name : class_names(draw.scheme)) {
-    const std::optional<double> share = shares.number(name, kClassFractionRange);
+    const std::optional<double> share = shares.read_number(name, kClassFractionRange);
     if (!share || *share == 0.0) continue;
     draw.shares.emplace_back(name, *share);
     sum += *share;

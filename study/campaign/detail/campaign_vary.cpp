@@ -35,7 +35,7 @@ const MemberTable<FormGrid>& grid_keys() {
         required_format("a whole number of steps along each side", count_format(1, kMaxGridSteps)),
         &FormGrid::steps},
        {"least", "", "smallest S/L of sneed-folk, smallest I/L and S/I of zingg",
-        number_format(kMinRatioRange), &FormGrid::least}});
+        number_format(kMinRatioRange), &FormGrid::min_ratio}});
   return keys;
 }
 
@@ -50,7 +50,7 @@ const MemberTable<VariationSeriesRequest>& population_keys() {
       {"blocks.vary.population", "Bodies with drawn sizes and forms"},
       {{"count", "", "number of bodies",
         required_format("a whole number of bodies", count_format(1, kMaxSeriesBodies)),
-        &VariationSeriesRequest::draw},
+        &VariationSeriesRequest::sampled_count},
        {"seed", "", "seed of the draw", seed_format(), &VariationSeriesRequest::seed},
        {"table", "", "table of measured blocks, with columns L, I and S", text_format(),
         &VariationSeriesRequest::table},
@@ -138,7 +138,7 @@ const MemberTable<VariationSeriesRequest>& vary_keys() {
        {"keep", "", "quantity that is equal for a body and its block",
         word_format({"mass", "volume", "L"}), &parse_preserved_size,
         &VariationSeriesRequest::options, &VariationSeriesOptions::variation,
-        &VariationOptions::keep}});
+        &VariationOptions::preserved_size}});
   return keys;
 }
 
