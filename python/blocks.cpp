@@ -140,10 +140,10 @@ void bind_shape_class(py::module_& module) {
                              "it is certain within the error of the axes.")
       .def_readonly("name", &ClassCertainty::name,
                     "Name of the class, such as \"CB\" or \"compact\".")
-      .def_readonly("ratio", &ClassCertainty::ratio,
+      .def_readonly("ratio", &ClassCertainty::nearest_ratio,
                     "Name of the ratio that is nearest to a class limit.")
-      .def_readonly("value", &ClassCertainty::value, "Value of the ratio.")
-      .def_readonly("limit", &ClassCertainty::limit, "Limit nearest to the ratio.")
+      .def_readonly("value", &ClassCertainty::ratio_value, "Value of the ratio.")
+      .def_readonly("limit", &ClassCertainty::nearest_limit, "Limit nearest to the ratio.")
       .def_readonly("distance", &ClassCertainty::distance, "Distance between value and limit.")
       .def_readonly(
           "near_limit", &ClassCertainty::near_limit,

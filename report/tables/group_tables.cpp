@@ -138,7 +138,8 @@ const TableColumns<ComparisonRow<GroupDifference>>& difference_columns() {
        [](const Row& row) { return row->p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
        [](const Row& row) { return row->holm_p_value.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &GroupDifference::tests},
+      {"tests", "", "number of tests that `p_holm` is corrected for",
+       &GroupDifference::family_size},
       {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
          if (!row->holm_p_value) return NAN;
