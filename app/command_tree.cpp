@@ -72,14 +72,14 @@ nlohmann::json to_json(const CommandEntry& command) {
           {"commands", commands}};
 }
 
-CommandEntry command_from_json(const nlohmann::json& json) {
+CommandEntry parse_command_entry(const nlohmann::json& json) {
   CommandEntry command{json.at("name"), json.at("summary"), {}, {}};
   for (const nlohmann::json& option : json.at("options")) {
     command.options.push_back({option.at("names"), option.at("positional"), option.at("repeated"),
                                option.at("value"), option.at("choices"), option.at("description")});
   }
   for (const nlohmann::json& part : json.at("commands")) {
-    command.commands.push_back(command_from_json(part));
+    command.commands.push_back(parse_command_entry(part));
   }
   return command;
 }

@@ -9,12 +9,12 @@ namespace clast {
 
 /// Option, flag or positional argument.
 struct OptionEntry {
-  std::vector<std::string>
-      names;  ///< names, such as "-o" and "--output"; for a positional argument, its name
+  /// Names, such as "-o" and "--output", or the name of a positional argument.
+  std::vector<std::string> names;
   bool positional = false;
   bool repeated = false;  ///< true if any number of values is accepted
-  std::string
-      value;  ///< placeholder of the value in the help text, such as "FILE"; empty for flags
+  /// Placeholder of the value in the help text, such as "FILE"; empty for flags.
+  std::string value;
   std::vector<std::string> choices;  ///< allowed values; if empty, any value is allowed
   std::string description;
 };
@@ -26,12 +26,12 @@ struct CommandEntry {
   std::vector<CommandEntry> commands;
 };
 
-/// Builds the tree of a command-line parser.
+/// Builds the tree of the commands of a command-line parser.
 CommandEntry build_command_tree(const CLI::App& command);
 
 nlohmann::json to_json(const CommandEntry& command);
-/// Reads the JSON of `to_json`.
+/// Parses a command from the JSON that `to_json` returns.
 /// @throws nlohmann::json::exception  if it was not written by `to_json`
-CommandEntry command_from_json(const nlohmann::json& json);
+CommandEntry parse_command_entry(const nlohmann::json& json);
 
 }  // namespace clast

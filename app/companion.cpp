@@ -25,10 +25,9 @@ fs::path companion() {
   for (const fs::path& path : {beside, installed}) {
     if (fs::is_regular_file(path)) return path;
   }
-  throw InputError(
-      beside.string() + ": is missing, also in " + installed.parent_path().string() +
-      "; it does the work of clast reconstruct: install the package clast-reconstruct, "
-      "or move both programs together");
+  throw InputError(beside.string() + ": is missing, also in " + installed.parent_path().string() +
+                   "; clast reconstruct needs this program: install the package clast-reconstruct, "
+                   "or move both programs together");
 }
 
 [[noreturn]] void refuse_start(const fs::path& path) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Companion executable, which contains the command `reconstruct`.
+/// Companion executable with the command `reconstruct`.
 #include <string>
 
 namespace clast {
@@ -14,7 +14,7 @@ inline constexpr const char* kReconstructSummary =
 /// @throws InputError  if the companion is not installed
 [[noreturn]] void run_companion(char** argv);
 
-/// Command of the companion that prints its options as JSON (`to_json`), for `clast help`.
+/// Argument with which the companion executable prints its options as JSON.
 inline constexpr const char* kDescribeCommand = "describe";
 
 /// Runs the companion executable with one argument and returns its output.

@@ -24,9 +24,9 @@ void ask_to_stop(int) {
 
 }  // namespace
 
-InterruptionWatch::InterruptionWatch(const char* said) {
+InterruptionWatch::InterruptionWatch(const char* first_signal_message) {
   stop_asked = 0;
-  said_first = said;
+  said_first = first_signal_message;
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   hangup_ = std::signal(SIGHUP, ask_to_stop);

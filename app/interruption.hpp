@@ -3,13 +3,13 @@
 
 namespace clast {
 
-/// Handles signals while an object exists. The first SIGINT, SIGTERM or SIGHUP only sets a flag.
+/// Handles SIGINT, SIGTERM and SIGHUP while an object exists. The first signal only sets a flag.
 /// The second ends the program immediately.
 class InterruptionWatch {
  public:
   /// Installs the signal handlers.
-  /// @param said  message written to stderr at the first signal; may be empty; must outlive it
-  explicit InterruptionWatch(const char* said = "");
+  /// @param said  message written to stderr at the first signal; must outlive this object
+  explicit InterruptionWatch(const char* first_signal_message = "");
   ~InterruptionWatch();
   InterruptionWatch(const InterruptionWatch&) = delete;
   InterruptionWatch& operator=(const InterruptionWatch&) = delete;

@@ -18,7 +18,7 @@ clast::ReconstructHelp help_of_reconstruct(const char* program) {
           .options =
               [] {
                 const std::string text = clast::read_companion_output(clast::kDescribeCommand);
-                return clast::command_from_json(nlohmann::json::parse(text)).commands.front();
+                return clast::parse_command_entry(nlohmann::json::parse(text)).commands.front();
               }};
 }
 
@@ -26,20 +26,20 @@ void add_main_commands(CLI::App& app, char** argv) {
   app.add_subcommand("reconstruct", clast::kReconstructSummary)->callback([argv] {
     clast::run_companion(argv);
   });
-  clast::add_cut(app);
-  clast::add_vary(app);
-  clast::add_show(app);
-  clast::add_classify(app);
-  clast::add_export(app);
-  clast::add_library(app);
-  clast::add_terrain(app);
-  clast::add_new(app);
-  clast::add_check(app);
-  clast::add_simulate(app);
-  clast::add_compare(app);
-  clast::add_import(app);
-  clast::add_calibrate(app);
-  clast::add_help(app, help_of_reconstruct(argv[0]));
+  clast::add_cut_command(app);
+  clast::add_vary_command(app);
+  clast::add_show_command(app);
+  clast::add_classify_command(app);
+  clast::add_export_command(app);
+  clast::add_library_command(app);
+  clast::add_terrain_command(app);
+  clast::add_new_command(app);
+  clast::add_check_command(app);
+  clast::add_simulate_command(app);
+  clast::add_compare_command(app);
+  clast::add_import_command(app);
+  clast::add_calibrate_command(app);
+  clast::add_help_command(app, help_of_reconstruct(argv[0]));
 }
 
 }  // namespace

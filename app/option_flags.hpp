@@ -9,8 +9,8 @@ namespace clast {
 /// "--any-size". The backticks of other names are removed.
 std::string replace_keys_by_flags(std::string_view text);
 
-/// Formats a message for the terminal. Names of option fields are replaced, and non-printable
-/// characters are escaped.
+/// Formats a message for the terminal: names of option fields are replaced by options, and
+/// non-printable characters are escaped.
 std::string format_for_terminal(std::string_view text);
 
 }  // namespace clast

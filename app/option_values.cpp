@@ -9,7 +9,7 @@
 
 namespace clast {
 
-CLI::Validator within(const NumberRange& range) {
+CLI::Validator number_in_range(const NumberRange& range) {
   return {[range](const std::string& text) {
             const std::optional<double> number = parse_number(text);
             if (number && range.contains(*number)) return std::string();
@@ -18,7 +18,7 @@ CLI::Validator within(const NumberRange& range) {
           ""};
 }
 
-CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+CLI::Validator integer_in_range(std::uint64_t low, std::uint64_t high) {
   return {[low, high](const std::string& text) {
             std::uint64_t value = 0;
             const char* end = text.data() + text.size();

@@ -8,10 +8,10 @@
 
 namespace clast {
 
-/// Makes a validator that accepts the numbers of a range.
-CLI::Validator within(const NumberRange& range);
-/// Makes a validator that accepts decimal integers from `low` to `high`.
-CLI::Validator whole_number(std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
+/// Makes an option validator that accepts the numbers of a range.
+CLI::Validator number_in_range(const NumberRange& range);
+/// Makes an option validator that accepts decimal integers from `low` to `high`.
+CLI::Validator integer_in_range(std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
 
 /// Runs a check of option values and reports its errors as misuse.
 /// @throws CLI::ValidationError  if `check` throws InputError

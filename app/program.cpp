@@ -95,7 +95,7 @@ int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add
     std::cerr << "clast: " << escape_nonprintable(error.path1().string()) << ": "
               << error.code().message() << "; check the path and its permissions\n";
   } catch (const std::exception& error) {
-    std::cerr << "clast: unexpected failure, please report it with the command you gave: "
+    std::cerr << "clast: unexpected failure; please report it with the command that you used: "
               << escape_nonprintable(error.what()) << "\n";
   }
   return kFailed;

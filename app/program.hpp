@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// Adds the commands and parses the command line, which runs the given command. Returns the exit
-/// code: 0 for success, 1 for failure, 2 for misuse.
+/// Runs the command that the command line names. Returns the exit code: 0 for success, 1 for
+/// failure, 2 for misuse.
 int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add_commands);
 
 /// Returns all words of a command, such as "clast new campaign".

@@ -12,7 +12,7 @@ std::string format_duration(double seconds);
 
 class ProgressBar {
  public:
-  /// Starts the clock.
+  /// Starts the clock of a progress bar.
   /// @param what  items, such as "runs"
   /// @param total  number of items
   ProgressBar(std::string what, std::size_t total);
@@ -24,7 +24,7 @@ class ProgressBar {
   void start_from(std::size_t done);
   /// Updates the display.
   /// @param note  current activity, shown on a terminal
-  /// @param is_slow  true: shows the activity on a line of its own, with its duration when it ends
+  /// @param is_slow  true if the activity is shown on a line of its own
   void update(std::size_t done, const std::string& note = "", bool is_slow = false);
   /// Removes the bar from the terminal and ends an open line, so that other text can be printed.
   void clear();

@@ -9,7 +9,7 @@
 namespace {
 
 void add_reconstruct_commands(CLI::App& app) {
-  clast::add_reconstruct(app);
+  clast::add_reconstruct_command(app);
   app.add_subcommand(clast::kDescribeCommand, "")->group("")->callback([&app] {
     std::cout << clast::to_json(clast::build_command_tree(app)).dump() << "\n";
   });

@@ -102,7 +102,7 @@ std::string zsh_command(const CommandEntry& command) {
 
 }  // namespace
 
-std::string write_bash_completion(const CommandEntry& root) {
+std::string make_bash_completion(const CommandEntry& root) {
   const std::string& name = root.name;
   std::string text = "# Completion of " + name + " for bash, written by " + name +
                      " help --completion bash\n_" + name +
@@ -146,7 +146,7 @@ std::string write_bash_completion(const CommandEntry& root) {
          name + " " + name + "\n";
 }
 
-std::string write_zsh_completion(const CommandEntry& root) {
+std::string make_zsh_completion(const CommandEntry& root) {
   const std::string& name = root.name;
   std::string text = "#compdef " + name + "\n# Completion of " + name + " for zsh, written by " +
                      name + " help --completion zsh\n_" + name +

@@ -7,9 +7,9 @@
 namespace clast {
 
 /// Returns a bash 4 script that completes commands, options, their values and file names.
-std::string write_bash_completion(const CommandEntry& root);
+std::string make_bash_completion(const CommandEntry& root);
 
 /// Returns a zsh completion script with descriptions.
-std::string write_zsh_completion(const CommandEntry& root);
+std::string make_zsh_completion(const CommandEntry& root);
 
 }  // namespace clast

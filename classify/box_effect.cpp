@@ -27,7 +27,7 @@ std::vector<BoxConventionEffect> compare_box_conventions(std::span<const Measure
         if (block.axes_by_box.empty()) continue;
         ++effect.blocks;
         effect.reclassified += shape_class(scheme, block.axes_by_box[box], limits) !=
-                               shape_class(scheme, block.axes_as_written, limits);
+                               shape_class(scheme, block.axes_in_table_unit, limits);
       }
       if (effect.blocks > 0) effects.push_back(effect);
     }
@@ -35,7 +35,7 @@ std::vector<BoxConventionEffect> compare_box_conventions(std::span<const Measure
   return effects;
 }
 
-std::string describe_box_effect(const BoxConventionEffect& effect) {
+std::string describe_box_convention_effect(const BoxConventionEffect& effect) {
   return "By the " + name_of(effect.convention) + " box " +
          (effect.reclassified == 0 ? "none" : std::to_string(effect.reclassified)) + " of " +
          std::to_string(effect.blocks) + (effect.blocks == 1 ? " block" : " blocks") +

@@ -41,7 +41,7 @@ struct CellRange {
   const char* unit = "";
 };
 
-Cell positive_cell(const Record& record, std::size_t column, const TableLayout& layout,
+Cell positive_cell(const Record& record, std::size_t column, const DimensionTableLayout& layout,
                    const char* quantity, const CellRange& range) {
   const std::string name = quantity;
   const std::string_view field = record.fields[column];
@@ -65,11 +65,12 @@ Cell positive_cell(const Record& record, std::size_t column, const TableLayout& 
 }
 
 /// The label of a row that sums up the others: its name, or, where it has none, another text.
-std::optional<std::string_view> summary_in(const Record& record, const TableLayout& layout) {
+std::optional<std::string_view> summary_in(const Record& record,
+                                           const DimensionTableLayout& layout) {
   const auto counts = [&](std::string_view field) {
-    const SummaryLabel label = detect_summary_label(field);
-    return label == SummaryLabel::kCertain ||
-           (layout.has_summary && label == SummaryLabel::kAmbiguous);
+    const SummaryRowLabel label = detect_summary_row_label(field);
+    return label == SummaryRowLabel::kCertain ||
+           (layout.has_summary && label == SummaryRowLabel::kAmbiguous);
   };
   if (layout.name && !record.fields[*layout.name].empty()) {
     const std::string_view name = record.fields[*layout.name];
@@ -85,7 +86,7 @@ std::optional<std::string_view> summary_in(const Record& record, const TableLayo
 /// Finds out if rows are named means or sums in full. If so, short labels such as "SD" are
 /// summaries too. In a table without names, summaries are the last rows; elsewhere such words mean
 /// something else: "media" is also a degree of weathering.
-void find_summary_rows(const std::string& text, TableLayout& layout) {
+void find_summary_rows(const std::string& text, DimensionTableLayout& layout) {
   DelimitedTextReader rows(text, layout.file);
   Record record;
   bool labelled = false, followed = false;
@@ -98,11 +99,11 @@ void find_summary_rows(const std::string& text, TableLayout& layout) {
   layout.has_summary = labelled && (layout.name || !followed);
 }
 
-void read_row(const Record& record, const TableLayout& layout, DimensionTable& table) {
+void read_row(const Record& record, const DimensionTableLayout& layout, DimensionTable& table) {
   const auto row = [&] { return "row " + std::to_string(record.line); };
   const auto label = layout.has_summary ? summary_in(record, layout) : std::nullopt;
   if (label) {
-    ++table.skipped;
+    ++table.skipped_rows;
     table.notes.push_back(row() + " skipped: \"" + std::string(*label) +
                           "\" is a sum of other rows");
     return;
@@ -112,7 +113,7 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
     const Cell cell = positive_cell(record, layout.axes[axis], layout, kAxisNames[axis],
                                     {layout.units, kShortest, kLongest, "m"});
     if (!cell.trouble.empty()) {
-      ++table.skipped;
+      ++table.skipped_rows;
       table.notes.push_back(row() + " skipped: " + cell.trouble);
       return;
     }
@@ -120,12 +121,12 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
   }
   const auto& [L, I, S] = values;
   if (L < I || I < S) {
-    ++table.sorted;
+    ++table.reordered_rows;
     table.notes.push_back(row() + ": axes were not in the order L >= I >= S and were sorted");
   }
   MeasuredBlock block;
-  block.axes_as_written = Axes::sorted(L, I, S);
-  const Axes& sorted = block.axes_as_written;
+  block.axes_in_table_unit = Axes::sorted(L, I, S);
+  const Axes& sorted = block.axes_in_table_unit;
   block.axes = {sorted.L * layout.units, sorted.I * layout.units, sorted.S * layout.units};
   if (layout.mass) {
     const Cell mass = positive_cell(record, *layout.mass, layout, "mass",
@@ -133,7 +134,7 @@ void read_row(const Record& record, const TableLayout& layout, DimensionTable& t
     if (mass.trouble.empty()) {
       block.mass = mass.value * layout.mass_units;
     } else {
-      ++table.without_mass;
+      ++table.blocks_without_mass;
       table.notes.push_back(row() + ": " + mass.trouble +
                             "; the block counts by number, not by mass");
     }
@@ -199,8 +200,8 @@ std::string length_note(const DimensionTable& table, bool units_are_known) {
   const std::string half =
       "half of the blocks are " + format_significant(median, 3) + " m long or longer";
   if (units_are_known) return half + ": check the unit, which `units` or the header gives";
-  return "axes were read in metres, as neither the header nor `units` names a unit, and " + half +
-         in_other_units(median) + "; give the unit as `units`";
+  return "axes were read in metres, because neither the header nor `units` names a unit, and " +
+         half + in_other_units(median) + "; give the unit as `units`";
 }
 
 }  // namespace
@@ -212,7 +213,7 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
                      " m: must be positive, for example 0.01 for a table in centimetres");
   }
   const std::string file = path.string();
-  const DecodedText content = decode_text(read_text_file(path), file);
+  const DecodedText content = decode_table_text(read_text_file(path), file);
   DelimitedTextReader text(content.text, file);
   Record record;
   if (!text.read_record(record)) {
@@ -224,7 +225,8 @@ DimensionTable read_dimension_table(const std::filesystem::path& path,
         "the file is not UTF-8 and was read as Windows-1252 (Latin-1); if accented letters look "
         "wrong, save it as CSV (UTF-8)");
   }
-  TableLayout layout = find_table_layout(record, text.separator(), columns, file, table.notes);
+  DimensionTableLayout layout =
+      find_dimension_table_layout(record, text.separator(), columns, file, table.notes);
   find_summary_rows(content.text, layout);
   if (!layout.has_header) read_row(record, layout, table);
   while (text.read_record(record)) read_row(record, layout, table);

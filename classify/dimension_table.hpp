@@ -14,14 +14,14 @@ namespace clast {
 struct DimensionTable {
   std::vector<MeasuredBlock> blocks;
   std::vector<std::string>
-      notes;                ///< notes on the unit, skipped rows, sorted axes and ignored masses
-  std::size_t skipped = 0;  ///< number of rows without three valid axes
-  std::size_t sorted = 0;   ///< number of rows whose axes were not in the order L >= I >= S
-  std::size_t without_mass =
+      notes;  ///< notes on the unit, skipped rows, reordered axes and ignored masses
+  std::size_t skipped_rows = 0;    ///< number of rows without three valid axes
+  std::size_t reordered_rows = 0;  ///< number of rows whose axes were not in the order L >= I >= S
+  std::size_t blocks_without_mass =
       0;  ///< number of blocks without a valid mass, if the table has a mass column
 };
 
-/// Columns of the quantities, each given by name or by number from 1.
+/// Columns of a table of block axes, each given by name or by number from 1.
 struct DimensionColumns {
   std::string L = "L";
   std::string I = "I";
@@ -34,7 +34,7 @@ struct DimensionColumns {
       {};  ///< m per unit of L, I and S; if empty, that of the header, otherwise 1
 };
 
-/// Reads a table separated by commas, semicolons, tabs or blanks.
+/// Reads a table of block axes, separated by commas, semicolons, tabs or blanks.
 ///
 /// Column names are compared without case and without a unit suffix ("L_m", "l (cm)", "mass [t]").
 /// The suffix sets the unit unless `columns` does. If no column is called L, I or S, synonyms such

@@ -37,7 +37,7 @@ Polytope polytope(const TriangleMesh& hull) {
   // The hull is closed: two triangles at each edge, one of which runs along it from low to high.
   const auto each_edge = [&](const auto& use) {
     for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
-      const std::size_t left = edge[0].forward ? 0 : 1;
+      const std::size_t left = edge[0].is_forward ? 0 : 1;
       use(edge[0].low, edge[0].high, edge[left].triangle, edge[1 - left].triangle);
     });
   };
@@ -104,7 +104,7 @@ std::size_t count_saddles(const Polytope& p, const Vec3& centre) {
 
 }  // namespace
 
-Equilibria static_equilibria(const SpheroPolyhedron& body, const Vec3& centre) {
+StaticEquilibriumCounts count_static_equilibria(const SpheroPolyhedron& body, const Vec3& centre) {
   const Polytope hull = polytope(convex_hull(body.vertices));
   return {count_stable(hull, centre), count_unstable(hull, centre), count_saddles(hull, centre)};
 }

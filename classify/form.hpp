@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// Axes of a block, m.
+/// Axes L >= I >= S of a block, m.
 struct Axes {
   double L = 0.0;
   double I = 0.0;
@@ -57,10 +57,10 @@ struct FormIndex {
   std::optional<double> (*value)(const Axes&);
 };
 
-/// Returns the definitions of all indices, in the order of docs/theory.md.
+/// Returns the definitions of all form indices, in the order of docs/theory.md.
 std::span<const FormIndex> form_index_definitions();
 
-/// Computes all indices that are defined for these axes, by name.
+/// Computes all form indices that are defined for the axes. Returns their values by name.
 std::map<std::string, double> form_indices(const Axes& axes);
 
 }  // namespace clast

@@ -11,6 +11,7 @@
 
 namespace clast {
 
+/// Size and shape of a block.
 struct BlockForm {
   Axes axes;                        ///< m
   std::optional<double> convexity;  ///< empty if unknown
@@ -19,10 +20,10 @@ struct BlockForm {
 /// Rank correlation of two measures, in the population and in the sampled blocks.
 struct RankCorrelation {
   std::string first, second;
-  double population = 0.0, drawn = 0.0;  ///< Spearman's coefficient
+  double population = 0.0, sampled = 0.0;  ///< Spearman's coefficient
 };
 
-/// Agreement of sampled blocks with their population.
+/// Measures of the agreement of sampled blocks with their population.
 struct CopulaFit {
   std::vector<RankCorrelation> correlations;
   /// Largest difference between the distribution functions of population and sampled blocks

@@ -10,9 +10,9 @@ namespace clast {
 
 struct MeasuredBlock {
   std::string name;
-  Axes axes;             ///< m
-  Axes axes_as_written;  ///< sorted axes in the unit of the table, whose ratios have no rounding
-                         ///< error from a unit conversion
+  Axes axes;                ///< m
+  Axes axes_in_table_unit;  ///< sorted axes in the unit of the table, whose ratios have no rounding
+                            ///< error from a unit conversion
   std::optional<double> mass;  ///< kg
   double axis_error = 0.0;     ///< error bound of each axis, m
   std::vector<Axes>

@@ -33,10 +33,10 @@ void set_mass_share(ClassFraction& share, const MassSums& of_class, const MassSu
 
 }  // namespace
 
-std::vector<Axes> axis_proportions(const Population& population) {
+std::vector<Axes> axes_for_ratios(const Population& population) {
   std::vector<Axes> result;
   result.reserve(population.blocks.size());
-  for (const MeasuredBlock& block : population.blocks) result.push_back(block.axes_as_written);
+  for (const MeasuredBlock& block : population.blocks) result.push_back(block.axes_in_table_unit);
   return result;
 }
 

@@ -16,9 +16,10 @@ struct Population {
   std::vector<MeasuredBlock> blocks;
 };
 
-/// Returns `axes_as_written` of all blocks, from which classes and ratios are computed.
-std::vector<Axes> axis_proportions(const Population& population);
-/// Returns the masses, kg; 0 if unknown.
+/// Returns the axes of all blocks in the units of their tables. Ratios of these axes have no
+/// rounding error from a unit conversion.
+std::vector<Axes> axes_for_ratios(const Population& population);
+/// Returns the mass of each block, kg; 0 if unknown.
 std::vector<double> block_masses(const Population& population);
 
 /// Fraction of one class in a population, with 95 % confidence intervals.

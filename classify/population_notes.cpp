@@ -51,7 +51,7 @@ std::vector<std::string> population_notes(std::span<const MeasuredBlock> blocks)
   std::vector<std::string> notes;
   const std::string repeated = repeated_names(blocks);
   if (!repeated.empty()) {
-    notes.push_back("several blocks have the same name, and each is counted: " + repeated);
+    notes.push_back("several blocks have the same name; each of them is counted: " + repeated);
   }
   const std::string unscaled = unscaled_names(blocks);
   if (!unscaled.empty()) {

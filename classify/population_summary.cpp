@@ -21,11 +21,11 @@ SizeShapeCorrelation size_shape(const Population& population, const ShapeMeasure
                                 SizeMeasure size) {
   std::vector<double> sizes, shapes;
   for (const MeasuredBlock& block : population.blocks) {
-    const auto shape = measure.value(block.axes_as_written);
+    const auto shape = measure.value(block.axes_in_table_unit);
     if (!shape || block.unscaled) continue;
     // Relative to a metre the twelfth decimal is far below any tape or scanner.
-    sizes.push_back(remove_rounding(block_size(block.axes, size)));
-    shapes.push_back(remove_rounding(*shape));
+    sizes.push_back(round_ratio(block_size(block.axes, size)));
+    shapes.push_back(round_ratio(*shape));
   }
   return {&measure, sizes.size(), spearman_test(sizes, shapes)};
 }
@@ -36,15 +36,16 @@ double median_of(std::vector<double> values) {
 }
 
 std::string chance(double p) {
-  return "two samples of one deposit differ this much with a probability of " + format_p_value(p);
+  return "two samples of one deposit differ by this much or more with a probability of " +
+         format_p_value(p);
 }
 
-MeasureDifference measure_difference(const ShapeMeasure& measure, const Population& a,
-                                     const std::vector<Axes>& axes_a, const Population& b,
-                                     const std::vector<Axes>& axes_b) {
+ShapeMeasureDifference measure_difference(const ShapeMeasure& measure, const Population& a,
+                                          const std::vector<Axes>& axes_a, const Population& b,
+                                          const std::vector<Axes>& axes_b) {
   const std::vector<double> x = measure_values(measure, axes_a),
                             y = measure_values(measure, axes_b);
-  MeasureDifference result{&measure, median_of(x), median_of(y), two_sample_ks_test(x, y), {}};
+  ShapeMeasureDifference result{&measure, median_of(x), median_of(y), two_sample_ks_test(x, y), {}};
   const std::string name = std::string(measure.name) + " = " + measure.formula;
   if (!result.test) {
     result.description = name + " is not defined for the blocks of one of the two populations.";
@@ -79,16 +80,16 @@ std::string describe_largest_difference(const std::vector<ClassFraction>& a,
          share(b[largest], name_b);
 }
 
-ClassDifference class_difference(const std::string& scheme, const Population& a,
-                                 const std::vector<Axes>& axes_a, const Population& b,
-                                 const std::vector<Axes>& axes_b,
-                                 const PopulationOptions& options) {
+ClassFractionDifference class_difference(const std::string& scheme, const Population& a,
+                                         const std::vector<Axes>& axes_a, const Population& b,
+                                         const std::vector<Axes>& axes_b,
+                                         const PopulationOptions& options) {
   const std::vector<ClassFraction> shares_a = class_fractions(axes_a, scheme, options.limits);
   const std::vector<ClassFraction> shares_b = class_fractions(axes_b, scheme, options.limits);
   std::vector<std::size_t> counts_a, counts_b;
   for (const ClassFraction& share : shares_a) counts_a.push_back(share.count);
   for (const ClassFraction& share : shares_b) counts_b.push_back(share.count);
-  ClassDifference result{scheme, chi_squared_test(counts_a, counts_b, options.seed), {}};
+  ClassFractionDifference result{scheme, chi_squared_test(counts_a, counts_b, options.seed), {}};
   if (!result.test) {
     result.description = "All blocks of both populations are of one " + scheme + " class.";
     return result;
@@ -157,8 +158,9 @@ PopulationSummary summarise_population(const Population& population,
   PopulationSummary summary;
   summary.name = population.name;
   summary.blocks = population.blocks.size();
-  for (const MeasuredBlock& block : population.blocks) summary.with_mass += block.mass.has_value();
-  const std::vector<Axes> axes = axis_proportions(population);
+  for (const MeasuredBlock& block : population.blocks)
+    summary.blocks_with_mass += block.mass.has_value();
+  const std::vector<Axes> axes = axes_for_ratios(population);
   const std::vector<double> weights = block_masses(population);
   for (const std::string& scheme : options.selected_schemes()) {
     summary.schemes.push_back({scheme, class_fractions(axes, scheme, options.limits, weights)});
@@ -175,7 +177,7 @@ PopulationComparison compare_populations(const Population& a, const Population& 
                                          const PopulationOptions& options) {
   check_has_blocks(a);
   check_has_blocks(b);
-  const std::vector<Axes> axes_a = axis_proportions(a), axes_b = axis_proportions(b);
+  const std::vector<Axes> axes_a = axes_for_ratios(a), axes_b = axes_for_ratios(b);
   PopulationComparison comparison{a.name, b.name, {}, {}};
   for (const ShapeMeasure& measure : shape_measures()) {
     comparison.measures.push_back(measure_difference(measure, a, axes_a, b, axes_b));

@@ -25,10 +25,10 @@ struct PopulationOptions {
 
 struct SchemeFractions {
   std::string scheme;
-  std::vector<ClassFraction> shares;
+  std::vector<ClassFraction> fractions;
 };
 
-/// Spearman correlation between size and a shape measure.
+/// Spearman correlation between the size of blocks and a shape measure.
 struct SizeShapeCorrelation {
   const ShapeMeasure* measure = nullptr;
   std::size_t blocks = 0;          ///< number of blocks with a value of the measure
@@ -40,7 +40,7 @@ std::string describe_size_shape(const SizeShapeCorrelation& relation, SizeMeasur
 struct PopulationSummary {
   std::string name;
   std::size_t blocks = 0;
-  std::size_t with_mass = 0;
+  std::size_t blocks_with_mass = 0;
   std::vector<SchemeFractions> schemes;
   SizeDistribution size;
   std::vector<SizeShapeCorrelation> size_shape_correlations;
@@ -53,7 +53,7 @@ PopulationSummary summarise_population(const Population& population,
                                        const PopulationOptions& options = {});
 
 /// Difference of two populations in one shape measure.
-struct MeasureDifference {
+struct ShapeMeasureDifference {
   const ShapeMeasure* measure = nullptr;
   double median_a = 0.0;
   double median_b = 0.0;
@@ -62,7 +62,7 @@ struct MeasureDifference {
 };
 
 /// Difference of two populations in the classes of one scheme.
-struct ClassDifference {
+struct ClassFractionDifference {
   std::string scheme;
   std::optional<ChiSquaredResult>
       test;  ///< empty if all blocks of both populations have the same class
@@ -72,8 +72,8 @@ struct ClassDifference {
 struct PopulationComparison {
   std::string name_a;
   std::string name_b;
-  std::vector<MeasureDifference> measures;
-  std::vector<ClassDifference> schemes;
+  std::vector<ShapeMeasureDifference> measures;
+  std::vector<ClassFractionDifference> schemes;
 };
 
 /// Significance level. Smaller p-values are reported as differences. This happens by chance in one

@@ -14,12 +14,12 @@ using Ratios = Vec2;  // I/L, S/L
 /// Corners of a convex polygon, in order; two or one where it has no area.
 using Polygon = std::vector<Ratios>;
 
-double side_of(const SchemeLimit& line, const Ratios& at) {
+double side_of(const ClassBoundary& line, const Ratios& at) {
   return line.constant + line.i_l * at.x() + line.s_l * at.y() + line.i_l_squared * at.x() * at.x();
 }
 
 /// The part of a polygon where the line is zero or positive.
-Polygon part_above(const Polygon& polygon, const SchemeLimit& line) {
+Polygon part_above(const Polygon& polygon, const ClassBoundary& line) {
   Polygon part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Ratios& from = polygon[i];
@@ -33,7 +33,7 @@ Polygon part_above(const Polygon& polygon, const SchemeLimit& line) {
   return part;
 }
 
-SchemeLimit turned(const SchemeLimit& line) {
+ClassBoundary turned(const ClassBoundary& line) {
   return {-line.constant, -line.i_l, -line.s_l, -line.i_l_squared};
 }
 
@@ -46,12 +46,13 @@ Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
   const auto low = [&](double Axes::*axis) { return lower.*axis / size; };
   const auto high = [&](double Axes::*axis) { return upper.*axis / size; };
   Polygon polygon = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
-  for (const SchemeLimit& line : {SchemeLimit{.constant = -low(&Axes::I), .i_l = high(&Axes::L)},
-                                  SchemeLimit{.constant = high(&Axes::I), .i_l = -low(&Axes::L)},
-                                  SchemeLimit{.constant = -low(&Axes::S), .s_l = high(&Axes::L)},
-                                  SchemeLimit{.constant = high(&Axes::S), .s_l = -low(&Axes::L)},
-                                  SchemeLimit{.i_l = -low(&Axes::S), .s_l = high(&Axes::I)},
-                                  SchemeLimit{.i_l = high(&Axes::S), .s_l = -low(&Axes::I)}}) {
+  for (const ClassBoundary& line :
+       {ClassBoundary{.constant = -low(&Axes::I), .i_l = high(&Axes::L)},
+        ClassBoundary{.constant = high(&Axes::I), .i_l = -low(&Axes::L)},
+        ClassBoundary{.constant = -low(&Axes::S), .s_l = high(&Axes::L)},
+        ClassBoundary{.constant = high(&Axes::S), .s_l = -low(&Axes::L)},
+        ClassBoundary{.i_l = -low(&Axes::S), .s_l = high(&Axes::I)},
+        ClassBoundary{.i_l = high(&Axes::S), .s_l = -low(&Axes::I)}}) {
     polygon = part_above(polygon, line);
   }
   return polygon;
@@ -59,11 +60,11 @@ Polygon reachable_ratios(const Axes& lower, const Axes& upper) {
 
 /// Adds the points of a polygon's edge where the class may change: its end, its middle, and for a
 /// curved limit the nearest point and the crossings.
-void add_edge(const Ratios& from, const Ratios& to, const std::vector<SchemeLimit>& limits,
+void add_edge(const Ratios& from, const Ratios& to, const std::vector<ClassBoundary>& limits,
               std::vector<Ratios>& places) {
   places.push_back(to);
   places.emplace_back(0.5 * (from + to));
-  for (const SchemeLimit& limit : limits) {
+  for (const ClassBoundary& limit : limits) {
     if (limit.i_l_squared == 0.0) continue;
     // The limit along the edge is c + b t + a t^2; roots without loss of digits, also for a = 0.
     const double width = to.x() - from.x();
@@ -79,13 +80,13 @@ void add_edge(const Ratios& from, const Ratios& to, const std::vector<SchemeLimi
 /// Points in every part that the limits cut the polygon into: inside it, on each of its edges and
 /// at each of its corners, for a class may hold no more than a limit.
 std::vector<Ratios> places_of_all_pieces(const Polygon& polygon,
-                                         const std::vector<SchemeLimit>& limits) {
+                                         const std::vector<ClassBoundary>& limits) {
   std::vector<Polygon> pieces = {polygon};
-  for (const SchemeLimit& limit : limits) {
+  for (const ClassBoundary& limit : limits) {
     if (limit.i_l_squared != 0.0) continue;
     std::vector<Polygon> parts;
     for (const Polygon& piece : pieces) {
-      for (const SchemeLimit& side : {limit, turned(limit)}) {
+      for (const ClassBoundary& side : {limit, turned(limit)}) {
         Polygon part = part_above(piece, side);
         if (!part.empty()) parts.push_back(std::move(part));
       }
@@ -117,7 +118,7 @@ std::vector<std::string> find_possible_classes(const std::string& scheme, const 
 std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& lower,
                                                const Axes& upper, const SchemeOptions& options) {
   std::vector<Ratios> places =
-      places_of_all_pieces(reachable_ratios(lower, upper), scheme_limits(scheme, options));
+      places_of_all_pieces(reachable_ratios(lower, upper), class_boundaries(scheme, options));
   // A very narrow range may leave nothing of the polygon after rounding.
   const double size = lower.L + upper.L;
   places.emplace_back((lower.I + upper.I) / size, (lower.S + upper.S) / size);

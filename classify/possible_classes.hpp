@@ -7,8 +7,8 @@
 
 namespace clast {
 
-/// Finds all classes of a block if each axis is within `axis_error` of `axes` and L >= I >= S. They
-/// are in the order of `class_names`. On a boundary, the class is that of `shape_class`.
+/// Finds all classes of blocks whose axes L >= I >= S differ from `axes` by at most `axis_error`.
+/// They are in the order of `class_names`. On a boundary, the class is that of `shape_class`.
 /// @param axis_error  m, positive and finite; axes are not reduced below 1e-6 of their value
 /// @throws InputError  if the scheme is unknown
 std::vector<std::string> find_possible_classes(const std::string& scheme, const Axes& axes,

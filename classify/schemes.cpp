@@ -50,34 +50,34 @@ struct Scheme {
   std::string name;
   std::vector<std::string> classes;
   std::string (*shape_class)(const Axes&, const SchemeOptions&);
-  std::vector<SchemeRatio> (*ratios)(const Axes&, const SchemeOptions&);
-  std::vector<SchemeLimit> (*limits)(const SchemeOptions&);
+  std::vector<ClassifyingRatio> (*ratios)(const Axes&, const SchemeOptions&);
+  std::vector<ClassBoundary> (*limits)(const SchemeOptions&);
 };
 
-SchemeLimit limit_of_I_L(double value) { return {.constant = -value, .i_l = 1.0}; }
-SchemeLimit limit_of_S_L(double value) { return {.constant = -value, .s_l = 1.0}; }
-SchemeLimit limit_of_S_I(double value) { return {.i_l = -value, .s_l = 1.0}; }
+ClassBoundary limit_of_I_L(double value) { return {.constant = -value, .i_l = 1.0}; }
+ClassBoundary limit_of_S_L(double value) { return {.constant = -value, .s_l = 1.0}; }
+ClassBoundary limit_of_S_I(double value) { return {.i_l = -value, .s_l = 1.0}; }
 /// (1 - I/L) = value (1 - S/L)
-SchemeLimit limit_of_disc_rod(double value) {
+ClassBoundary limit_of_disc_rod(double value) {
   return {.constant = 1.0 - value, .i_l = -1.0, .s_l = value};
 }
 
-std::vector<SchemeRatio> sneed_folk_ratios(const Axes& a, const SchemeOptions& options) {
-  std::vector<SchemeRatio> ratios = {{"S/L", a.S / a.L, {0.3, 0.5, 0.7}}};
+std::vector<ClassifyingRatio> sneed_folk_ratios(const Axes& a, const SchemeOptions& options) {
+  std::vector<ClassifyingRatio> ratios = {{"S/L", a.S / a.L, {0.3, 0.5, 0.7}}};
   if (at_least(a.S / a.L, 0.7)) return ratios;
   const auto [low, high] = sneed_folk_limits(options);
   ratios.push_back({"(L-I)/(L-S)", *disc_rod_index(a), {low, high}});
   return ratios;
 }
 
-std::vector<SchemeRatio> blott_pye_ratios(const Axes& a, const SchemeOptions&) {
+std::vector<ClassifyingRatio> blott_pye_ratios(const Axes& a, const SchemeOptions&) {
   std::vector<double> limits;
   for (int step = 0; step < 4; ++step) limits.push_back(blott_pye_limit(step));
   return {{"I/L", a.I / a.L, limits}, {"S/I", a.S / a.I, limits}};
 }
 
-std::vector<SchemeLimit> blott_pye_limits(const SchemeOptions&) {
-  std::vector<SchemeLimit> limits;
+std::vector<ClassBoundary> blott_pye_limits(const SchemeOptions&) {
+  std::vector<ClassBoundary> limits;
   for (int step = 0; step < 4; ++step) {
     limits.push_back(limit_of_I_L(blott_pye_limit(step)));
     limits.push_back(limit_of_S_I(blott_pye_limit(step)));
@@ -88,8 +88,8 @@ std::vector<SchemeLimit> blott_pye_limits(const SchemeOptions&) {
 const std::vector<Scheme>& schemes() {
   using A = Axes;
   using O = SchemeOptions;
-  using Ratios = std::vector<SchemeRatio>;
-  using Limits = std::vector<SchemeLimit>;
+  using Ratios = std::vector<ClassifyingRatio>;
+  using Limits = std::vector<ClassBoundary>;
   static const std::vector<Scheme> all = {
       {"sneed-folk",
        {"C", "CP", "CB", "CE", "P", "B", "E", "VP", "VB", "VE"},
@@ -169,9 +169,9 @@ const Scheme& scheme_named(const std::string& name) {
 }  // namespace
 
 void SchemeOptions::check() const {
-  if (!kErdoganLimit.contains(erdogan_limit)) {
+  if (!kErdoganLimitRange.contains(erdogan_limit)) {
     throw InputError("erdogan_limit is " + format_significant(erdogan_limit, 6) +
-                     "; it is a limit of L/I and I/S and must be " + kErdoganLimit.describe());
+                     "; it is a limit of L/I and I/S and must be " + kErdoganLimitRange.describe());
   }
 }
 
@@ -239,12 +239,13 @@ std::string shape_class(const std::string& scheme, const Axes& axes, const Schem
   return scheme_named(scheme).shape_class(axes, options);
 }
 
-std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
-                                       const SchemeOptions& options) {
+std::vector<ClassifyingRatio> classifying_ratios(const std::string& scheme, const Axes& axes,
+                                                 const SchemeOptions& options) {
   return scheme_named(scheme).ratios(axes, options);
 }
 
-std::vector<SchemeLimit> scheme_limits(const std::string& scheme, const SchemeOptions& options) {
+std::vector<ClassBoundary> class_boundaries(const std::string& scheme,
+                                            const SchemeOptions& options) {
   return scheme_named(scheme).limits(options);
 }
 

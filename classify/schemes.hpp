@@ -9,7 +9,7 @@
 namespace clast {
 
 /// Allowed range of `SchemeOptions::erdogan_limit`.
-inline constexpr NumberRange kErdoganLimit{1.0001, 1e3};
+inline constexpr NumberRange kErdoganLimitRange{1.0001, 1e3};
 
 /// Parameters that the authors of the schemes left open.
 struct SchemeOptions {
@@ -55,20 +55,21 @@ const std::vector<std::string>& class_names(const std::string& scheme);
 std::string shape_class(const std::string& scheme, const Axes& axes,
                         const SchemeOptions& options = {});
 
-/// Ratio used by a scheme, with its class boundaries.
-struct SchemeRatio {
+/// Axis ratio by which a scheme classifies blocks, with its class boundaries.
+struct ClassifyingRatio {
   std::string name;
   double value = 0.0;
   std::vector<double> limits;  ///< ascending
 };
 
-/// Returns the ratios that determine the class of given axes. The class changes at the limits.
+/// Returns the ratios of given axes by which a scheme classifies them, with the limits at which the
+/// class changes.
 /// @throws InputError  if the scheme is unknown
-std::vector<SchemeRatio> scheme_ratios(const std::string& scheme, const Axes& axes,
-                                       const SchemeOptions& options = {});
+std::vector<ClassifyingRatio> classifying_ratios(const std::string& scheme, const Axes& axes,
+                                                 const SchemeOptions& options = {});
 
 /// Class boundary: the points where constant + i_l (I/L) + s_l (S/L) + i_l_squared (I/L)^2 = 0.
-struct SchemeLimit {
+struct ClassBoundary {
   double constant = 0.0;
   double i_l = 0.0;
   double s_l = 0.0;
@@ -77,7 +78,7 @@ struct SchemeLimit {
 
 /// Returns all class boundaries of a scheme: lines, except for the parabola of Williams.
 /// @throws InputError  if the scheme is unknown
-std::vector<SchemeLimit> scheme_limits(const std::string& scheme,
-                                       const SchemeOptions& options = {});
+std::vector<ClassBoundary> class_boundaries(const std::string& scheme,
+                                            const SchemeOptions& options = {});
 
 }  // namespace clast

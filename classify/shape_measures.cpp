@@ -12,13 +12,13 @@ const std::array<ShapeMeasure, 3>& shape_measures() {
   return measures;
 }
 
-double remove_rounding(double ratio) { return std::round(ratio * 1e12) * 1e-12; }
+double round_ratio(double ratio) { return std::round(ratio * 1e12) * 1e-12; }
 
 std::vector<double> measure_values(const ShapeMeasure& measure, std::span<const Axes> blocks) {
   std::vector<double> values;
   values.reserve(blocks.size());
   for (const Axes& axes : blocks) {
-    if (const auto value = measure.value(axes)) values.push_back(remove_rounding(*value));
+    if (const auto value = measure.value(axes)) values.push_back(round_ratio(*value));
   }
   return values;
 }

@@ -154,7 +154,7 @@ SizeCurve curve_by_number(const std::vector<double>& sizes, double step, std::ui
   for (const SizeLawKind kind : {SizeLawKind::kLogNormal, SizeLawKind::kRosinRammler}) {
     std::optional<FittedSizeLaw> law = fit_size_law(kind, sorted);
     if (!law) continue;
-    test_size_law(*law, sorted, step, seed);
+    compute_goodness_of_fit(*law, sorted, step, seed);
     curve.laws.push_back(*law);
   }
   return curve;
@@ -262,8 +262,8 @@ std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t
   return distances;
 }
 
-void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step,
-                   std::uint64_t seed, std::size_t samples) {
+void compute_goodness_of_fit(FittedSizeLaw& law, std::span<const double> sizes, double step,
+                             std::uint64_t seed, std::size_t samples) {
   std::vector<double> sorted(sizes.begin(), sizes.end());
   std::sort(sorted.begin(), sorted.end());
   law.distance = curve_distance(law, sorted, step);

@@ -42,7 +42,7 @@ struct FittedSizeLaw {
   double fraction_below(double size) const;
 };
 
-/// Fits a size law.
+/// Fits a size law to block sizes by maximum likelihood.
 /// @param sizes  m, positive
 /// @param weights  one weight w per size, not all zero; if empty, weights are equal. Errors are
 ///                 those of a sample of (sum of w)^2 / sum of w^2 blocks
@@ -56,15 +56,15 @@ std::optional<FittedSizeLaw> fit_size_law(SizeLawKind kind, std::span<const doub
 /// there is none above 1e-4 of the largest value.
 double find_reading_resolution(std::span<const double> values);
 
-/// Computes the goodness of fit: distance D and p-value. The p-value is that of a parametric
-/// bootstrap (`bootstrap_ks_distances`), because Kolmogorov's tables are not valid for fitted
-/// parameters. If there are more than 1,000 sizes, bootstrap samples have 1,000, and D is scaled by
-/// the square root of the number.
+/// Computes the goodness of fit of a size law and stores it in `law`: Kolmogorov-Smirnov distance D
+/// and p-value. The p-value is that of a parametric bootstrap (`bootstrap_ks_distances`), because
+/// Kolmogorov's tables are not valid for fitted parameters. If there are more than 1,000 sizes,
+/// bootstrap samples have 1,000, and D is scaled by the square root of the number.
 /// @param step  reading resolution, m; 0 for continuous sizes. If positive, distributions are
 ///              compared halfway between readings
 /// @cite stephens1974
-void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double step,
-                   std::uint64_t seed, std::size_t samples = 999);
+void compute_goodness_of_fit(FittedSizeLaw& law, std::span<const double> sizes, double step,
+                             std::uint64_t seed, std::size_t samples = 999);
 
 /// Computes the Kolmogorov-Smirnov distances of `samples` bootstrap samples from the laws fitted to
 /// them. A sample has `count` sizes, which are drawn from `law` and rounded to `step`. Samples with
@@ -72,7 +72,7 @@ void test_size_law(FittedSizeLaw& law, std::span<const double> sizes, double ste
 std::vector<double> bootstrap_ks_distances(const FittedSizeLaw& law, std::size_t count, double step,
                                            std::uint64_t seed, std::size_t samples);
 
-/// Percentiles and fitted laws by number or by mass.
+/// Percentiles and fitted laws of block sizes, weighted by number or by mass.
 struct SizeCurve {
   std::size_t blocks = 0;
   double d10 = 0.0;  ///< m

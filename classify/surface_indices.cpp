@@ -38,7 +38,7 @@ Mat3 orientation_integral(const TriangleMesh& core, double radius) {
     if (cross.squaredNorm() > 0.0) sum += 0.5 * cross * normals.back().transpose();
   }
   for_each_edge(sorted_half_edges(core), [&](std::span<const HalfEdge> sides) {
-    const bool forward = sides[0].forward;
+    const bool forward = sides[0].is_forward;
     const Vec3 edge = core.vertices[sides[0].high] - core.vertices[sides[0].low];
     const Vec3& n1 = normals[sides[forward ? 0 : 1].triangle];
     const Vec3& n2 = normals[sides[forward ? 1 : 0].triangle];

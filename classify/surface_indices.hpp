@@ -41,11 +41,11 @@ struct SurfaceIndex {
   const char* source;   ///< key in docs/references.bib; empty for simple ratios
 };
 
-/// Returns all indices in the order of docs/theory.md.
+/// Returns the definitions of all surface indices, in the order of docs/theory.md.
 std::span<const SurfaceIndex> surface_index_definitions();
 
-/// Computes all indices by name. Those of the orientation tensor are omitted if tunnels narrower
-/// than the rounding make it meaningless.
+/// Computes all surface indices. Returns their values by name. Those of the orientation tensor are
+/// omitted if tunnels narrower than the rounding make it meaningless.
 /// @param volume  of the rounded body, m^3; area in m^2
 /// @throws GeometryError  if the vertices of the core are coplanar
 std::map<std::string, double> surface_indices(const SpheroPolyhedron& body, double volume,

@@ -30,7 +30,7 @@ class ByteWriter {
  public:
   static constexpr bool kReads = false;
 
-  /// Writes to a buffer.
+  /// Constructs a writer to a stream.
   /// @param to  stream to write to; must outlive the writer
   explicit ByteWriter(std::ostream& to) : to_(to) {}
 
@@ -56,11 +56,11 @@ class ByteReader {
  public:
   static constexpr bool kReads = true;
 
-  /// Reads from bytes.
+  /// Constructs a reader of bytes.
   /// @param bytes  bytes to read; must outlive the reader
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// Reads values.
+  /// Reads values in the order in which they were written.
   /// @throws InputError  if the bytes end too early
   template <class... Values>
   void operator()(Values&... values) {

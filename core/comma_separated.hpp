@@ -5,7 +5,7 @@
 
 namespace clast {
 
-/// Joins names: "plane, ball, cube".
+/// Joins names by commas: "plane, ball, cube".
 std::string comma_separated(const std::vector<std::string>& names);
 
 }  // namespace clast

@@ -10,11 +10,11 @@ double parse_length_unit(const std::string& text) {
     if (text == unit.name) return unit.factor;
   }
   const std::optional<double> factor = parse_number(text);
-  if (factor && kLengthUnit.contains(*factor)) return *factor;
+  if (factor && kLengthUnitRange.contains(*factor)) return *factor;
   throw InputError("`units`: \"" + text +
                    "\" is not a length unit; expected m, cm, mm, um, km, in, ft or the length of "
                    "one unit in metres, a number " +
-                   kLengthUnit.describe());
+                   kLengthUnitRange.describe());
 }
 
 }  // namespace clast

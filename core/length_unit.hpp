@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Unit with its name in files and options.
+/// Unit with its name in files and options, and its value.
 struct NamedUnit {
   const char* name;
   double factor;  ///< value in SI units
@@ -25,10 +25,10 @@ inline constexpr std::array<NamedUnit, 9> kLengthUnits = {{{"um", 1e-6},
                                                            {"in", 0.0254}}};
 
 /// Allowed range of the length unit of a scan or table, m.
-inline constexpr NumberRange kLengthUnit{1e-12, 1e6, "m"};
+inline constexpr NumberRange kLengthUnitRange{1e-12, 1e6, "m"};
 
 /// Parses the option `units`, which is a name of `kLengthUnits` or a number of metres in
-/// `kLengthUnit`. Returns metres per unit.
+/// `kLengthUnitRange`. Returns metres per unit.
 /// @throws InputError  if the text is neither
 double parse_length_unit(const std::string& text);
 

@@ -5,12 +5,12 @@
 namespace clast {
 
 bool NumberRange::contains(double value) const {
-  return (value >= low && value <= high) || (zero && value == 0.0);
+  return (value >= low && value <= high) || (zero_meaning && value == 0.0);
 }
 
 std::string NumberRange::describe() const {
   std::string text;
-  if (zero) text = *zero ? "0 (" + std::string(zero) + "), or " : "0, or ";
+  if (zero_meaning) text = *zero_meaning ? "0 (" + std::string(zero_meaning) + "), or " : "0, or ";
   text += "from " + format_significant(low, 6) + " to " + format_significant(high, 6);
   return *unit ? text + " " + unit : text;
 }

@@ -10,7 +10,7 @@ struct NumberRange {
   double low;
   double high;
   const char* unit = "";  ///< empty for dimensionless numbers
-  const char* zero =
+  const char* zero_meaning =
       nullptr;  ///< meaning of 0 if it is allowed below `low`; "" without explanation
 
   bool contains(double value) const;  ///< false for NaN

@@ -9,19 +9,20 @@
 
 namespace clast {
 
-/// Calls `produce(i)` for every i in [0, count) on up to `jobs` threads (0: one per core). Calls
+/// Calls `produce(i)` for every i in [0, count) on up to `threads` threads (0: one per core). Calls
 /// `consume(i, result)` with each result, in order of i and one at a time. At most four results per
-/// thread wait. If either function throws, no new job starts and the exception is rethrown.
+/// thread are buffered. If either function throws, no new job starts and the exception is rethrown.
 template <class Make, class Take>
-void run_ordered_jobs(std::size_t count, unsigned jobs, const Make& produce, const Take& consume) {
+void run_ordered_jobs(std::size_t count, unsigned threads, const Make& produce,
+                      const Take& consume) {
   constexpr std::size_t kAhead = 4;
-  const std::size_t ahead = kAhead * resolve_thread_count(jobs);
+  const std::size_t ahead = kAhead * resolve_thread_count(threads);
   std::mutex mutex;
   std::condition_variable taken;
   std::map<std::size_t, decltype(produce(std::size_t{}))> waiting;
   std::size_t next = 0;
   bool stopped = false;
-  parallel_for(count, jobs, [&](std::size_t i) {
+  parallel_for(count, threads, [&](std::size_t i) {
     try {
       {
         std::unique_lock lock(mutex);

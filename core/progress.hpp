@@ -15,7 +15,8 @@ struct ProgressUpdate {
   bool is_slow = false;  ///< true if the activity takes minutes; it is shown on a line of its own
 };
 
-/// Called by a job at intervals, by one thread at a time. Exceptions end it; finished work is kept.
+/// Function that a job calls at intervals, from one thread at a time. If it throws, the job ends;
+/// finished work is kept.
 using ProgressCallback = std::function<void(const ProgressUpdate&)>;
 
 /// Exception that a `ProgressCallback` throws to end a job. It is not derived from `Error`, so that

@@ -5,8 +5,9 @@
 
 namespace clast {
 
-/// Text table. A column is as wide as its longest entry. The first column is left-aligned; other
-/// columns are right-aligned if they contain numbers. Non-printable characters are escaped.
+/// Table that is formatted as text. A column is as wide as its longest entry. The first column is
+/// left-aligned; other columns are right-aligned if they contain numbers. Non-printable characters
+/// are escaped.
 struct TextTable {
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> rows;

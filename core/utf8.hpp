@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Character and its size in bytes; 0 if invalid.
+/// Decoded character and its size in bytes, which is 0 if the character is invalid.
 struct DecodedCharacter {
   char32_t code = 0;
   std::size_t length = 0;

@@ -14,6 +14,7 @@
 
 namespace clast {
 
+/// File and options from which a block was made.
 struct BlockSource {
   std::string file;     ///< path as given by the user
   std::string sha256;   ///< digest of the file
@@ -32,7 +33,8 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
-/// Block with geometry in the frame of the source, in metres with z up, except principal moments.
+/// Block: shape, mass properties, source and field notes. Geometry is in the frame of the source,
+/// in metres, z up.
 struct Block {
   std::string id;
   BlockSource source;

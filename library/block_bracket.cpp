@@ -15,7 +15,7 @@ namespace {
 constexpr double kSameMass = 1e-9;    ///< relative; a density made from the mass gives it back
 constexpr double kHardlyOpen = 1e-3;  ///< of the volume; a scan weighs no better
 
-AxesBounds including(const SideBounds& sides, const Vec3& lengths) {
+AxesBounds including(const BoxSideBounds& sides, const Vec3& lengths) {
   const Vec3 low = sides.lower.cwiseMin(lengths), high = sides.upper.cwiseMax(lengths);
   return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }

@@ -9,12 +9,12 @@
 
 namespace clast {
 
-/// Separate bounds of L, I and S, m.
+/// Lower and upper bounds of the axes L, I and S, m.
 struct AxesBounds {
   Axes lower, upper;
 };
 
-/// Bounds that are derived from the bounds of volume and axes.
+/// Bounds of mass, density and shape classes, derived from a volume bracket.
 struct BlockBracket {
   double lower_mass = 0.0;           ///< kg; equal to the upper bound if the block was weighed
   std::optional<double> upper_mass;  ///< empty if there is no upper bound
@@ -34,7 +34,8 @@ struct BlockBracket {
 BlockBracket derive_block_bracket(const Block& block);
 
 /// Describes the bounds, such as "14 % of the surface is not seen but filled in; volume between
-/// 0.13 and 0.149 m3 (best 0.137), mass ...". For unscaled blocks, without mass and metric units.
+/// 0.13 and 0.149 m3 (best 0.137), mass ...". Mass and metric units are omitted for unscaled
+/// blocks.
 /// @pre  the block has a volume bracket
 std::string describe_volume_bracket(const Block& block);
 

@@ -27,23 +27,23 @@ struct NamedMesh {
 };
 
 std::vector<std::string> suffixes(const BlockExportOptions& options, const std::string& format) {
-  const bool two = options.what == ExportedSurface::kBoth && format != "shp";
+  const bool two = options.surface == ExportedSurface::kBoth && format != "shp";
   return two ? std::vector<std::string>{"", "_core"} : std::vector<std::string>{""};
 }
 
 std::vector<NamedMesh> meshes_of(const Block& block, const BlockExportOptions& options) {
   std::vector<NamedMesh> meshes;
-  if (options.what == ExportedSurface::kSurface) {
+  if (options.surface == ExportedSurface::kSurface) {
     meshes.push_back({"", block.surface});
-  } else if (options.what != ExportedSurface::kSkin && block.body.faces.empty()) {
+  } else if (options.surface != ExportedSurface::kSkin && block.body.faces.empty()) {
     throw GeometryError("block " + block.id +
                         " is a ball or a capsule, whose core is no mesh; use `what` skin");
   } else {
     if (options.includes_rounded_surface())
       meshes.push_back(
           {"", outer_surface_mesh(block.body, options.segments.value_or(kUsualSegments))});
-    const bool both = options.what == ExportedSurface::kBoth;
-    if (options.what == ExportedSurface::kCore || both) {
+    const bool both = options.surface == ExportedSurface::kBoth;
+    if (options.surface == ExportedSurface::kCore || both) {
       meshes.push_back({both ? "_core" : "", core_mesh(block.body)});
     }
   }
@@ -95,8 +95,8 @@ std::vector<std::string> notes_on(const Block& block, const BlockExportOptions& 
                     "metres: " + explain_unscaled_block());
   }
   if (!options.includes_rounded_surface() || !options.segments) return notes;
-  const std::optional<double> length = wrap_edge_length(block.body, *options.segments);
-  const int most = max_wrap_segments(block.body);
+  const std::optional<double> length = outer_surface_edge_length(block.body, *options.segments);
+  const int most = max_outer_surface_segments(block.body);
   if (length && *options.segments > most) {
     notes.push_back("block " + block.id + " is concave: its skin is wrapped in triangles of " +
                     format_significant(*length, 3) + (is_unscaled(block) ? " units" : " m") +
@@ -116,7 +116,8 @@ ShpShape to_shp_shape(const Block& block) {
       shape.name.begin(), shape.name.end(), [](char c) { return c == ' '; }, '_');
   shape.source_from_body = block.source_from_body();
   const Pose body_from_source = shape.source_from_body.inverse();
-  shape.body = transformed(merge_coplanar_faces(block.body, kFileFlatness), body_from_source);
+  shape.body =
+      transformed(merge_coplanar_faces(block.body, kFileFlatnessTolerance), body_from_source);
   shape.volume = block.mass.volume;
   shape.inertia_per_mass = block.principal.moments / block.mass.mass;
   shape.box = block.box;
@@ -133,7 +134,7 @@ const std::vector<std::string>& block_export_formats() {
 bool BlockExportOptions::includes_rounded_surface() const {
   const bool meshes = std::any_of(formats.begin(), formats.end(),
                                   [](const std::string& format) { return format != "shp"; });
-  return meshes && (what == ExportedSurface::kSkin || what == ExportedSurface::kBoth);
+  return meshes && (surface == ExportedSurface::kSkin || surface == ExportedSurface::kBoth);
 }
 
 void BlockExportOptions::check() const {

@@ -25,7 +25,7 @@ enum class ExportFrame {
 
 struct BlockExportOptions {
   std::vector<std::string> formats = {"shp"};  ///< names of `block_export_formats`
-  ExportedSurface what = ExportedSurface::kSkin;
+  ExportedSurface surface = ExportedSurface::kSkin;
   ExportFrame frame = ExportFrame::kSource;
   /// Up axis of meshes in the source frame: "z", "y" or "auto". "y" rotates (x, y, z) to (x, z,
   /// -y). "auto" is y for .glb, as in glTF, and z for other formats.

@@ -39,7 +39,7 @@ FieldNotes read_field_notes(const Hdf5Group& group, const std::string& where) {
   }
   if (group.contains("taped_axes")) {
     const Vec3 taped = read_vector(group, "taped_axes", where);
-    require(taped.minCoeff() > 0.0, where, "taped_axes are not positive");
+    check_stored_value(taped.minCoeff() > 0.0, where, "taped_axes are not positive");
     field.taped_axes = Axes{taped[0], taped[1], taped[2]};
   }
   return field;
@@ -65,23 +65,23 @@ VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
     unseen.upper_volume = read_scalar(group, "volume_upper_m3", unseen.estimated_volume, where);
   }
   unseen.filled_fraction = read_scalar(group, "invented_share", 0.0, where);
-  require(unseen.filled_fraction <= 1.0, where, "invented_share is more than 1");
+  check_stored_value(unseen.filled_fraction <= 1.0, where, "invented_share is more than 1");
   const auto lengths = [&](const std::string& name) {
     const Vec3 read = read_vector(group, name, where);
-    require(read.minCoeff() > 0.0, where, name + " is not positive");
+    check_stored_value(read.minCoeff() > 0.0, where, name + " is not positive");
     return read;
   };
   if (group.has_attribute("assumption")) {
     unseen.assumption = group.read_attribute<std::string>("assumption");
   }
   if (group.contains("axes_lower")) {
-    unseen.sides = SideBounds{lengths("axes_lower"), lengths("axes_upper")};
-    require((unseen.sides->lower.array() <= unseen.sides->upper.array()).all(), where,
-            "axes_lower is above axes_upper");
+    unseen.sides = BoxSideBounds{lengths("axes_lower"), lengths("axes_upper")};
+    check_stored_value((unseen.sides->lower.array() <= unseen.sides->upper.array()).all(), where,
+                       "axes_lower is above axes_upper");
   } else if (group.contains(
                  "box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
     const Vec3 small = lengths("box_lower"), large = lengths("box_upper");
-    unseen.sides = SideBounds{small.cwiseMin(large), small.cwiseMax(large)};
+    unseen.sides = BoxSideBounds{small.cwiseMin(large), small.cwiseMax(large)};
   }
   return unseen;
 }
@@ -160,8 +160,8 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.principal.moments = read_vector(group, "principal_moments", where);
   const std::vector<double> q = read_array(group, "source_from_body", {4}, where);
   block.principal.rotation = Quat(q[0], q[1], q[2], q[3]);
-  require(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
-          "source_from_body is not a rotation");
+  check_stored_value(std::abs(block.principal.rotation.norm() - 1.0) < 1e-9, where,
+                     "source_from_body is not a rotation");
   block.principal.has_near_equal_moments =
       group.read_attribute<std::int64_t>("nearly_equal_moments") != 0;
 

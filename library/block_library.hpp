@@ -14,7 +14,7 @@ inline constexpr const char* kLibraryFormat = "clast block library";
 /// @throws InputError  if it is empty, contains a slash or control character, or consists of dots
 void check_block_id(const std::string& id);
 
-/// Blocks of a library, ordered by id.
+/// Library of blocks, ordered by id.
 class BlockLibrary {
  public:
   /// Makes an empty library in memory.

@@ -33,9 +33,9 @@ std::map<std::string, double> block_indices(const Block& block, const Axes& axes
   return indices;
 }
 
-std::optional<Equilibria> block_equilibria(const Block& block) {
+std::optional<StaticEquilibriumCounts> block_equilibria(const Block& block) {
   if (block.body.faces.empty()) return std::nullopt;
-  return static_equilibria(block.body, block.mass.centre);
+  return count_static_equilibria(block.body, block.mass.centre);
 }
 
 Roundness body_roundness(const SpheroPolyhedron& body, double edge_length) {

@@ -14,12 +14,12 @@ namespace clast {
 /// Computes the box of the rounded block according to a convention.
 OrientedBox block_box(const Block& block, BoxConvention convention);
 
-/// Computes the indices of axes and surface by name (docs/theory.md).
+/// Computes the form and surface indices of a block (docs/theory.md). Returns their values by name.
 /// @param axes  axes of the block for the box convention in use
 std::map<std::string, double> block_indices(const Block& block, const Axes& axes);
 
-/// Computes the static equilibria. Empty for balls and capsules.
-std::optional<Equilibria> block_equilibria(const Block& block);
+/// Counts the static equilibria of a block. Empty for balls and capsules.
+std::optional<StaticEquilibriumCounts> block_equilibria(const Block& block);
 
 /// Computes the roundness of a rounded body.
 /// @param edge_length  edge length of the mesh on which it is measured, m

@@ -53,8 +53,9 @@ std::vector<VariationRequest> combine_variations(std::span<const Block* const> p
   return requests;
 }
 
-BlockSeries make_series(std::span<const VariationRequest> requests, const BlockSource& source,
-                        const SeriesOptions& options) {
+VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests,
+                                        const BlockSource& source,
+                                        const VariationSeriesOptions& options) {
   options.variation.check();
   std::vector<std::optional<Block>> made(requests.size());
   std::vector<std::string> reasons(requests.size());
@@ -72,7 +73,7 @@ BlockSeries make_series(std::span<const VariationRequest> requests, const BlockS
     ++done;
     if (options.progress) options.progress({.done = done, .total = requests.size()});
   });
-  BlockSeries series;
+  VariedBlockSeries series;
   for (std::size_t i = 0; i < made.size(); ++i) {
     if (made[i]) {
       series.blocks.push_back(*std::move(made[i]));
@@ -83,13 +84,14 @@ BlockSeries make_series(std::span<const VariationRequest> requests, const BlockS
   return series;
 }
 
-SampledSeries sample_series(std::span<const Block* const> parents,
-                            std::span<const BlockForm> population, std::size_t count,
-                            std::uint64_t seed, const std::string& prefix) {
+SampledVariationRequests sample_variation_requests(std::span<const Block* const> parents,
+                                                   std::span<const BlockForm> population,
+                                                   std::size_t count, std::uint64_t seed,
+                                                   const std::string& prefix) {
   if (parents.empty()) throw InputError("there is no block from which to make bodies");
   const FormCopula copula(population);
   Random random(seed);
-  SampledSeries series;
+  SampledVariationRequests series;
   std::vector<BlockForm> drawn;
   for (std::size_t i = 0; i < count; ++i) {
     drawn.push_back(copula.sample(random));

@@ -12,6 +12,7 @@
 
 namespace clast {
 
+/// Request for one varied block: its parent, variation and id.
 struct VariationRequest {
   const Block* parent = nullptr;
   Variation variation;
@@ -22,37 +23,39 @@ struct VariationRequest {
 std::vector<VariationRequest> combine_variations(std::span<const Block* const> parents,
                                                  std::span<const Variation> variations);
 
-struct SeriesOptions {
+struct VariationSeriesOptions {
   VariationOptions variation;
   unsigned threads = 0;  ///< number of threads; 0: one per core; does not affect the result
   ProgressCallback progress =
       {};  ///< called for each finished body, from any thread, one call at a time
 };
 
-struct BlockSeries {
+struct VariedBlockSeries {
   std::vector<Block> blocks;          ///< finished bodies, in the order of the requests
   std::vector<std::string> failures;  ///< ids of bodies that could not be made, with reasons
 };
 
-/// Makes all requested bodies.
+/// Makes all requested varied blocks, in parallel.
 /// @param source  library and digest, stored in all bodies
-BlockSeries make_series(std::span<const VariationRequest> requests, const BlockSource& source,
-                        const SeriesOptions& options = {});
+VariedBlockSeries make_variation_series(std::span<const VariationRequest> requests,
+                                        const BlockSource& source,
+                                        const VariationSeriesOptions& options = {});
 
 /// Requests for bodies whose sizes and shapes were sampled from a population.
-struct SampledSeries {
+struct SampledVariationRequests {
   std::vector<VariationRequest> requests;
   CopulaFit fit;
 };
 
-/// Samples bodies. For each sampled shape, one of the three parents with the nearest shape is
-/// chosen at random and stretched to it. Ids are PREFIX and a number.
+/// Samples requests for varied blocks. For each sampled shape, one of the three parents with the
+/// nearest shape is chosen at random and stretched to it. Ids are PREFIX and a number.
 /// @param parents  scanned blocks, not balls or capsules
 /// @param population  sampled sizes and shapes, of a library (`block_forms`) or a table
 /// @throws InputError  if there is no parent, or if `FormCopula` cannot be fitted
-SampledSeries sample_series(std::span<const Block* const> parents,
-                            std::span<const BlockForm> population, std::size_t count,
-                            std::uint64_t seed, const std::string& prefix);
+SampledVariationRequests sample_variation_requests(std::span<const Block* const> parents,
+                                                   std::span<const BlockForm> population,
+                                                   std::size_t count, std::uint64_t seed,
+                                                   const std::string& prefix);
 
 /// Returns the axes and convexity of blocks.
 std::vector<BlockForm> block_forms(std::span<const Block* const> blocks);

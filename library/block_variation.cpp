@@ -39,7 +39,7 @@ std::string targets_of(const Variation& variation) {
   return std::visit(
       Overloaded{[](const StretchVariation& v) { return ratios_text(v.ratios); },
                  [](const ConvexityVariation& v) { return "step=" + number(v.convexity); },
-                 [](const RoundingVariation& v) { return "step=" + number(v.radius_share); },
+                 [](const RoundingVariation& v) { return "step=" + number(v.radius_fraction); },
                  [](const RoundnessVariation& v) { return "step=" + number(v.roundness); },
                  [](const VertexCountVariation& v) { return "step=" + std::to_string(v.vertices); },
                  [](const DetailVariation& v) {
@@ -89,7 +89,7 @@ SpheroPolyhedron sized(const SpheroPolyhedron& body, const Block& parent,
   if (std::holds_alternative<InertiaVariation>(variation)) return body;
   const auto* drawn = std::get_if<SampledFormVariation>(&variation);
   double factor = 1.0;
-  if (drawn || options.keep == PreservedSize::kLength) {
+  if (drawn || options.preserved_size == PreservedSize::kLength) {
     factor = (drawn ? drawn->length : parent.axes().L) / smallest_box(body).lengths[0];
   } else {
     const double volume = sphero_mass_properties(body, 1.0, options.accuracy).volume;
@@ -132,8 +132,9 @@ void check_targets(const Block& block, const Variation& variation) {
 
 /// The body of a variation in its final size.
 template <class Wanted>
-VariedBody sized_body(const Block& parent, const Wanted& wanted, const VariationOptions& options) {
-  VariedBody varied = vary_body(parent, wanted);
+VariationResult sized_body(const Block& parent, const Wanted& wanted,
+                           const VariationOptions& options) {
+  VariationResult varied = apply_variation(parent, wanted);
   if (std::is_same_v<Wanted, SampledFormVariation> || !same_body(varied.body, parent.body)) {
     varied.body = sized(varied.body, parent, wanted, options);
   }
@@ -142,28 +143,29 @@ VariedBody sized_body(const Block& parent, const Wanted& wanted, const Variation
 
 /// Roundness is measured on the final body: on another place and size it differs by about a
 /// percent, since the mesh it is measured on does.
-VariedBody sized_body(const Block& parent, const RoundnessVariation& wanted,
-                      const VariationOptions& options) {
+VariationResult sized_body(const Block& parent, const RoundnessVariation& wanted,
+                           const VariationOptions& options) {
   const double diameter = std::cbrt(6.0 * parent.mass.volume / kPi);
   const double edge = *parse_number(format_significant(wanted.edge_fraction * diameter, 4));
-  RoundedBody found = find_body_of_roundness(
+  RoundnessSearchResult found = find_body_with_roundness(
       [&](double share) { return sized_body(parent, RoundingVariation{share}, options).body; },
       wanted.roundness, edge);
-  return {std::move(found.body), "edge_m=" + format_significant(edge, 4) +
-                                     " roundness=" + format_significant(found.roundness, 4) +
-                                     " radius_share=" + format_significant(found.radius_share, 4)};
+  return {std::move(found.body),
+          "edge_m=" + format_significant(edge, 4) +
+              " roundness=" + format_significant(found.roundness, 4) +
+              " radius_share=" + format_significant(found.radius_fraction, 4)};
 }
 
 Block varied_block(const std::string& id, const Block& parent, const Variation& variation,
                    BlockSource source, const VariationOptions& options) {
   options.check();
-  const VariedBody varied = std::visit(
+  const VariationResult varied = std::visit(
       [&](const auto& wanted) { return sized_body(parent, wanted, options); }, variation);
   source.unscaled = parent.source.unscaled;
   source.options += (source.options.empty() ? "" : " ") + std::string("vary=") +
                     name_of_variation(variation) + " parent=" + without_blanks(parent.id) +
-                    " parent_sha256=" + parent.source.sha256 + " keep=" + name_of(options.keep) +
-                    " " + targets_of(variation) +
+                    " parent_sha256=" + parent.source.sha256 +
+                    " keep=" + name_of(options.preserved_size) + " " + targets_of(variation) +
                     (varied.record.empty() ? "" : " " + varied.record);
   BlockOptions making;
   making.density = parent.density;
@@ -196,7 +198,7 @@ std::string variation_label(const Variation& variation) {
             return "convexity" + format_significant(v.convexity, 4);
           },
           [](const RoundingVariation& v) {
-            return "radius" + format_significant(v.radius_share, 4);
+            return "radius" + format_significant(v.radius_fraction, 4);
           },
           [](const RoundnessVariation& v) {
             return "roundness" + format_significant(v.roundness, 4);
@@ -254,19 +256,19 @@ std::optional<VariationRecord> parse_variation(const Block& block) {
   record.kind = values["vary"];
   record.parent = with_blanks(values["parent"]);
   record.reference = values["reference"];
-  record.step = parse_number(values["step"]).value_or(0.0);
+  record.target_value = parse_number(values["step"]).value_or(0.0);
   const std::optional<double> i_l = parse_number(values["i_l"]), s_l = parse_number(values["s_l"]);
-  if (i_l && s_l) record.form = BoxRatios{*i_l, *s_l};
+  if (i_l && s_l) record.target_ratios = BoxRatios{*i_l, *s_l};
   return record;
 }
 
 std::string describe_variation(const VariationRecord& record) {
   if (!record.reference.empty()) return record.reference;
-  if (record.form) {
-    return record.kind + " to " + format_significant(record.form->i_l, 4) + ", " +
-           format_significant(record.form->s_l, 4);
+  if (record.target_ratios) {
+    return record.kind + " to " + format_significant(record.target_ratios->i_l, 4) + ", " +
+           format_significant(record.target_ratios->s_l, 4);
   }
-  return record.kind + " " + format_significant(record.step, 4);
+  return record.kind + " " + format_significant(record.target_value, 4);
 }
 
 }  // namespace clast

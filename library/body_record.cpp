@@ -33,16 +33,16 @@ SpheroPolyhedron read_body(const Hdf5Group& group, const std::string& where) {
   SpheroPolyhedron body;
   body.radius = read_scalar(group, "minkowski_radius_m", 0.0, where);
   body.vertices = read_points(group, "vertices", where);
-  require(!body.vertices.empty(), where, "core has no vertices");
+  check_stored_value(!body.vertices.empty(), where, "core has no vertices");
   body.edges = read_indices<2>(group, "edges", body.vertices.size(), where);
   const std::vector<std::uint32_t> sizes = group.read<std::uint32_t>("face_sizes");
   const std::vector<std::uint32_t> corners = group.read<std::uint32_t>("face_vertices");
   check_indices(corners, body.vertices.size(), "face_vertices", where);
-  require(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == corners.size(), where,
-          "face_sizes and face_vertices do not fit each other");
+  check_stored_value(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}) == corners.size(),
+                     where, "face_sizes and face_vertices do not fit each other");
   auto corner = corners.begin();
   for (const std::uint32_t size : sizes) {
-    require(size >= 3, where, "a face has fewer than three vertices");
+    check_stored_value(size >= 3, where, "a face has fewer than three vertices");
     body.faces.emplace_back(corner, corner + size);
     corner += size;
   }

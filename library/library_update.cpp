@@ -15,7 +15,7 @@ BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpda
   return library;
 }
 
-void check_library_target(const std::filesystem::path& path) {
+void check_library_writable(const std::filesystem::path& path) {
   check_output_target(path, {.kind = kLibraryFormat});
 }
 

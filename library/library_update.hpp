@@ -10,7 +10,7 @@ namespace clast {
 struct LibraryUpdateOptions {
   /// If true, an empty library is created if there is none.
   bool create_if_missing = false;
-  /// Called once if another process writes to the library, before waiting.
+  /// Function that is called once before waiting for another process that writes to the library.
   std::function<void()> on_wait = {};
 };
 
@@ -24,6 +24,6 @@ BlockLibrary update_library(const std::filesystem::path& path, const LibraryUpda
 
 /// Checks that `update_library` can write the file. Call it before a long computation.
 /// @throws InputError  if it cannot, or if the existing file is not a library
-void check_library_target(const std::filesystem::path& path);
+void check_library_writable(const std::filesystem::path& path);
 
 }  // namespace clast

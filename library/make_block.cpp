@@ -143,8 +143,8 @@ CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double
       return with_volume(fitted, volume, options.accuracy).body;
     };
     fit = fit_core(scan, std::move(body),
-                   {.good_enough = kFitFraction * largest_distance,
-                    .hopeless = kKeptFraction * largest_distance,
+                   {.target_distance = kFitFraction * largest_distance,
+                    .max_distance = kKeptFraction * largest_distance,
                     .correct = with_scan_volume,
                     .threads = options.threads});
   }
@@ -185,10 +185,10 @@ void add_warnings(Block& block, const BlockOptions& options) {
         "convention, not by the shape");
   }
   if (block.mass.relative_error > options.accuracy) {
-    block.warnings.push_back("volume and inertia are known to " +
-                             format_significant(block.mass.relative_error, 4) + " and not to the " +
-                             format_significant(options.accuracy, 4) +
-                             " requested; simplify the scan, or raise `accuracy`");
+    block.warnings.push_back(
+        "the relative error of volume and inertia is " +
+        format_significant(block.mass.relative_error, 4) + ", more than the requested " +
+        format_significant(options.accuracy, 4) + "; simplify the scan, or raise `accuracy`");
   }
   if (block.body.radius > kMaxRadiusFraction * S) {
     block.warnings.push_back("the radius " + format_significant(block.body.radius, 4) +
@@ -225,7 +225,7 @@ std::string described(const BlockOptions& options, const Block& block) {
   std::string text = options.core ? "core=yes" : "core=no";
   text += (is_unscaled(block) ? " radius_units=" : " radius_m=") +
           format_significant(block.body.radius, 4);
-  if (!options.radius) text += " radius_share=" + format_significant(options.radius_share, 4);
+  if (!options.radius) text += " radius_share=" + format_significant(options.radius_fraction, 4);
   text += " density_kg_m3=" + format_significant(block.density, 4);
   if (options.mass) text += " mass_kg=" + format_significant(*options.mass, 4);
   if (!options.core) text += " tolerance=" + format_significant(options.tolerance, 4);
@@ -273,7 +273,7 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
     return block_of_body(std::move(block), body, std::move(source), options);
   }
   const Vec3 lengths = smallest_box(surface.vertices).lengths;
-  const double radius = options.radius ? *options.radius : options.radius_share * lengths[2];
+  const double radius = options.radius ? *options.radius : options.radius_fraction * lengths[2];
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
   const CoreFit fit = fitted_body(surface, scan, target.volume, radius, options);
   MeasuredBody measured = with_volume(fit.body, target.volume, options.accuracy);
@@ -282,8 +282,8 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
     deviation.samples = 1;
     deviation.limit = options.tolerance * smallest_box(measured.body).lengths[0];
   }
-  if (deviation.limit && fit.bound <= *deviation.limit) {
-    block.deviation.hausdorff = fit.bound;
+  if (deviation.limit && fit.distance_bound <= *deviation.limit) {
+    block.deviation.hausdorff = fit.distance_bound;
   } else {
     block.deviation = measure_surface_deviation(scan, measured.body, deviation);
   }
@@ -315,8 +315,8 @@ void BlockOptions::check() const {
     throw InputError("radius is " + format_significant(*radius, 4) +
                      " m; it must be zero or a positive number");
   }
-  if (!(radius_share >= 0.0) || radius_share > kMaxRadiusFraction) {
-    throw InputError("the radius as a fraction of S is " + format_significant(radius_share, 4) +
+  if (!(radius_fraction >= 0.0) || radius_fraction > kMaxRadiusFraction) {
+    throw InputError("the radius as a fraction of S is " + format_significant(radius_fraction, 4) +
                      "; it must be between 0 and 0.25");
   }
   check_positive(density, "density", "kg/m3");

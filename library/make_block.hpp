@@ -11,10 +11,10 @@ namespace clast {
 
 struct BlockOptions {
   bool core = false;  ///< true: the mesh is the core and is not changed; requires `radius`
-  std::optional<double> radius;  ///< Minkowski radius, m
-  double radius_share = 0.02;    ///< ratio of radius to S, if `radius` is not given
-  bool convex = false;           ///< true: the scan is convex, and the core stays convex
-  double density = 2650.0;       ///< kg/m^3
+  std::optional<double> radius;   ///< Minkowski radius, m
+  double radius_fraction = 0.02;  ///< ratio of radius to S, if `radius` is not given
+  bool convex = false;            ///< true: the scan is convex, and the core stays convex
+  double density = 2650.0;        ///< kg/m^3
   bool density_given = false;
   std::optional<double>
       mass;  ///< mass, kg; it determines the density, or checks the volume if a density is given
@@ -33,11 +33,11 @@ struct BlockOptions {
 
 template <class Visit>
 void visit_fields(const BlockOptions& options, Visit&& visit) {
-  const auto& [core, radius, radius_share, convex, density, density_given, mass, accuracy,
+  const auto& [core, radius, radius_fraction, convex, density, density_given, mass, accuracy,
                tolerance, suggest_radius, quick_deviation, threads] = options;
   visit("core", core);
   visit("radius", radius);
-  visit("radius_share", radius_share);
+  visit("radius_share", radius_fraction);
   visit("convex", convex);
   visit("density", density);
   visit("density_given", density_given);
@@ -55,9 +55,9 @@ constexpr double kMomentsTolerance = 5e-3;
 /// True if the deviation and moments of the block are within tolerance. Always true for a core.
 bool is_within_tolerance(const Block& block, const BlockOptions& options);
 
-/// Makes a block. If `options.core`, `surface` is the core; only its coplanar faces are merged.
-/// Otherwise, it is `surface` offset inwards by the radius, fitted to `scan` until the block is
-/// within tolerance or no longer improves, and scaled about its centre to the volume of the scan.
+/// Makes a block from a closed mesh. If `options.core`, the mesh is the core, whose coplanar faces
+/// are merged. Otherwise, the core is the mesh offset inwards by the radius. It is fitted to `scan`
+/// until the block is within tolerance or no longer improves, and scaled to the volume of the scan.
 /// @param surface  simplified mesh, closed, outward; outer surface of the rock, or its core
 /// @param scan  closed scan at full resolution, from which `surface` was simplified; reference of
 ///              deviation and volume

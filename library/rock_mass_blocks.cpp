@@ -26,7 +26,7 @@ std::string options_text(const RockMassOptions& options) {
             format_significant(set.dip_direction * kDegreesPerRadian, 6) + "/" +
             format_significant(set.spacing, 6) + "/" + format_significant(set.spacing_deviation, 6);
   }
-  return text + " least_volume_m3=" + format_significant(options.cutting.least_volume, 6) +
+  return text + " least_volume_m3=" + format_significant(options.cutting.min_volume, 6) +
          " seed=" + std::to_string(options.cutting.seed);
 }
 
@@ -37,9 +37,9 @@ std::string id_of(const std::string& prefix, std::size_t number, std::size_t cou
 }
 
 /// The piece with round edges, none of which comes out of it: neighbours touch and do not overlap.
-SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_share) {
+SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_fraction) {
   const double side = smallest_box(piece.vertices).lengths[2];
-  for (double share = radius_share; share >= kMinFraction * radius_share; share *= 0.5) {
+  for (double share = radius_fraction; share >= kMinFraction * radius_fraction; share *= 0.5) {
     if (std::optional<SpheroPolyhedron> body = inscribed_rounded_body(piece, share * side))
       return *body;
   }
@@ -49,13 +49,13 @@ SpheroPolyhedron rounded_piece(const TriangleMesh& piece, double radius_share) {
 }
 
 /// Blocks cut from all masses that could be cut.
-JointedMass cut_masses(std::span<const TriangleMesh> masses, const RockMassOptions& options,
-                       std::vector<std::string>& failed) {
-  JointedMass all;
+JointedRockMass cut_masses(std::span<const TriangleMesh> masses, const RockMassOptions& options,
+                           std::vector<std::string>& failed) {
+  JointedRockMass all;
   std::exception_ptr first;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     try {
-      JointedMass cut = cut_by_joints(masses[i], options.joints, options.cutting);
+      JointedRockMass cut = cut_by_joints(masses[i], options.joints, options.cutting);
       all.volume += cut.volume;
       for (TriangleMesh& block : cut.blocks) all.blocks.push_back(std::move(block));
     } catch (const Error& error) {
@@ -78,7 +78,7 @@ RockMassBlocks cut_rock_mass(const TriangleMesh& mass, const BlockSource& source
 RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const BlockSource& source,
                                const RockMassOptions& options) {
   RockMassBlocks result;
-  const JointedMass cut = cut_masses(masses, options, result.failures);
+  const JointedRockMass cut = cut_masses(masses, options, result.failures);
   BlockSource of_block = source;
   of_block.options += (of_block.options.empty() ? "" : " ") + options_text(options);
   std::vector<std::optional<Block>> made(cut.blocks.size());
@@ -88,8 +88,8 @@ RockMassBlocks cut_rock_masses(std::span<const TriangleMesh> masses, const Block
   parallel_for(cut.blocks.size(), options.threads, [&](std::size_t i) {
     const std::string id = id_of(options.prefix, i + 1, cut.blocks.size());
     try {
-      made[i] = make_block(id, rounded_piece(cut.blocks[i], options.block.radius_share), of_block,
-                           options.block);
+      made[i] = make_block(id, rounded_piece(cut.blocks[i], options.block.radius_fraction),
+                           of_block, options.block);
     } catch (const GeometryError& error) {
       const std::string reason = error.what();
       reasons[i] = reason.find(id) == std::string::npos ? "block " + id + ": " + reason : reason;

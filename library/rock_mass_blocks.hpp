@@ -12,7 +12,7 @@ namespace clast {
 
 struct RockMassOptions {
   std::vector<JointSet> joints;
-  CuttingOptions cutting;
+  JointCuttingOptions cutting;
   BlockOptions block;        ///< radius and density
   std::string prefix = "J";  ///< prefix of the numbered ids, such as "J0001"
   unsigned threads = 0;      ///< number of threads; 0: one per core; does not affect the result
@@ -20,7 +20,7 @@ struct RockMassOptions {
       {};  ///< called for each finished block, from any thread, one call at a time
 };
 
-/// Blocks of one or more rock masses, in the frame of these.
+/// Blocks cut from one or more rock masses, in the frame of the masses.
 struct RockMassBlocks {
   std::vector<Block> blocks;
   double volume = 0.0;                ///< total volume of the masses, m^3

@@ -17,7 +17,7 @@ namespace clast {
 
 namespace {
 
-std::vector<BlockForm> population_of(const SeriesRequest& request,
+std::vector<BlockForm> population_of(const VariationSeriesRequest& request,
                                      std::span<const Block* const> parents,
                                      std::vector<std::string>& notes) {
   if (request.table.empty()) return block_forms(parents);
@@ -29,11 +29,11 @@ std::vector<BlockForm> population_of(const SeriesRequest& request,
   }
   std::vector<BlockForm> population;
   for (const MeasuredBlock& block : table.blocks) {
-    if (!kBlockLength.contains(block.axes.L) || !kBlockLength.contains(block.axes.S)) {
+    if (!kBlockLengthRange.contains(block.axes.L) || !kBlockLengthRange.contains(block.axes.S)) {
       throw InputError(request.table.string() + ": block " + block.name + " is " +
                        format_significant(block.axes.L, 4) + " x " +
                        format_significant(block.axes.S, 4) + " m; L and S must be " +
-                       kBlockLength.describe() + "; give `units`");
+                       kBlockLengthRange.describe() + "; give `units`");
     }
     population.push_back({block.axes, std::nullopt});
   }
@@ -50,21 +50,23 @@ void refuse_repeated(const std::vector<VariationRequest>& bodies) {
   }
 }
 
-std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
-                                            const BlockLibrary& library, SeriesResult& made) {
+std::vector<VariationRequest> bodies_wanted(const VariationSeriesRequest& request,
+                                            const BlockLibrary& library,
+                                            VariationSeriesResult& made) {
   const std::vector<const Block*> parents = library.select_blocks(request.ids);
-  std::vector<Variation> variations = request.steps.variations();
-  for (const std::string& id : request.like_ids) {
+  std::vector<Variation> variations = request.targets.variations();
+  for (const std::string& id : request.target_ratio_ids) {
     variations.emplace_back(StretchVariation{box_ratios(library.find_block(id).box)});
   }
   std::vector<VariationRequest> bodies = combine_variations(parents, variations);
-  if (bodies.size() + request.draw > kMaxSeriesBodies) {
-    throw InputError(std::to_string(bodies.size() + request.draw) +
+  if (bodies.size() + request.sampled_count > kMaxSeriesBodies) {
+    throw InputError(std::to_string(bodies.size() + request.sampled_count) +
                      " bodies are requested; the limit is " + std::to_string(kMaxSeriesBodies));
   }
-  if (request.draw > 0) {
-    SampledSeries drawn = sample_series(parents, population_of(request, parents, made.notes),
-                                        request.draw, request.seed, request.prefix);
+  if (request.sampled_count > 0) {
+    SampledVariationRequests drawn =
+        sample_variation_requests(parents, population_of(request, parents, made.notes),
+                                  request.sampled_count, request.seed, request.prefix);
     made.fit = std::move(drawn.fit);
     for (VariationRequest& body : drawn.requests) bodies.push_back(std::move(body));
   }
@@ -72,9 +74,9 @@ std::vector<VariationRequest> bodies_wanted(const SeriesRequest& request,
   return bodies;
 }
 
-BlockSource source_of(const SeriesRequest& request) {
+BlockSource source_of(const VariationSeriesRequest& request) {
   BlockSource source{to_utf8(request.library.string()), sha256_of_file(request.library), "", ""};
-  if (request.draw > 0) source.options = "seed=" + std::to_string(request.seed);
+  if (request.sampled_count > 0) source.options = "seed=" + std::to_string(request.seed);
   if (!request.table.empty()) {
     source.options += " population_sha256=" + sha256_of_file(request.table);
   }
@@ -83,11 +85,11 @@ BlockSource source_of(const SeriesRequest& request) {
 
 }  // namespace
 
-bool SeriesRequest::is_empty() const {
-  return steps.variations().empty() && like_ids.empty() && draw == 0;
+bool VariationSeriesRequest::is_empty() const {
+  return targets.variations().empty() && target_ratio_ids.empty() && sampled_count == 0;
 }
 
-void SeriesRequest::check() const {
+void VariationSeriesRequest::check() const {
   check_block_id(prefix + "0001");
   if (!units.empty()) parse_length_unit(units);
   if (is_empty()) {
@@ -99,22 +101,23 @@ void SeriesRequest::check() const {
   }
 }
 
-SeriesResult make_series(const SeriesRequest& request, const BlockLibrary& library) {
+VariationSeriesResult make_variation_series(const VariationSeriesRequest& request,
+                                            const BlockLibrary& library) {
   request.check();
-  SeriesResult made;
+  VariationSeriesResult made;
   const std::vector<VariationRequest> bodies = bodies_wanted(request, library, made);
-  made.wanted = bodies.size();
-  made.series = make_series(bodies, source_of(request), request.options);
+  made.requested_count = bodies.size();
+  made.series = make_variation_series(bodies, source_of(request), request.options);
   if (made.series.blocks.empty()) {
     throw GeometryError("no body could be made; first reason: " + made.series.failures.front());
   }
   return made;
 }
 
-SeriesResult make_series(const SeriesRequest& request) {
+VariationSeriesResult make_variation_series(const VariationSeriesRequest& request) {
   request.check();
-  if (!request.output.empty()) check_library_target(request.output);
-  SeriesResult made = make_series(request, BlockLibrary::read(request.library));
+  if (!request.output.empty()) check_library_writable(request.output);
+  VariationSeriesResult made = make_variation_series(request, BlockLibrary::read(request.library));
   if (request.output.empty()) return made;
   const BlockLibrary written =
       update_library(request.output, {.create_if_missing = true}, [&](BlockLibrary& changed) {

@@ -9,14 +9,14 @@ namespace clast {
 namespace {
 
 std::vector<Axes> forms_of(const FormGrid& grid) {
-  if (grid.diagram == "zingg") return zingg_grid(grid.steps, grid.least);
-  if (grid.diagram == "sneed-folk") return sneed_folk_grid(grid.steps, grid.least);
+  if (grid.diagram == "zingg") return zingg_grid(grid.steps, grid.min_ratio);
+  if (grid.diagram == "sneed-folk") return sneed_folk_grid(grid.steps, grid.min_ratio);
   throw InputError("`grid` \"" + grid.diagram + "\" is not a diagram; use sneed-folk or zingg");
 }
 
 }  // namespace
 
-std::vector<Variation> SeriesTargets::variations() const {
+std::vector<Variation> VariationTargets::variations() const {
   std::vector<Variation> all;
   for (const BoxRatios& stretch : ratios) all.emplace_back(StretchVariation{stretch});
   if (grid) {
@@ -37,22 +37,23 @@ std::vector<Variation> SeriesTargets::variations() const {
   return all;
 }
 
-const std::vector<std::string>& form_grid_names() {
+const std::vector<std::string>& form_grid_diagram_names() {
   static const std::vector<std::string> kNames = {"sneed-folk", "zingg"};
   return kNames;
 }
 
-const std::vector<std::string>& inertia_form_names() {
+const std::vector<std::string>& inertia_body_names() {
   static const std::vector<std::string> kNames = {"ellipsoid", "box"};
   return kNames;
 }
 
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written) {
-  if (kVariedRatio.contains(i_over_l) && kVariedRatio.contains(s_over_l) && s_over_l <= i_over_l) {
+  if (kVariedRatioRange.contains(i_over_l) && kVariedRatioRange.contains(s_over_l) &&
+      s_over_l <= i_over_l) {
     return {i_over_l, s_over_l};
   }
   throw InputError("`to` " + written + ": give I/L,S/L, such as 0.8,0.5, both " +
-                   kVariedRatio.describe() + " and S/L at most I/L");
+                   kVariedRatioRange.describe() + " and S/L at most I/L");
 }
 
 }  // namespace clast

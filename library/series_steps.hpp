@@ -13,11 +13,11 @@ namespace clast {
 struct FormGrid {
   std::string diagram = "sneed-folk";  ///< "sneed-folk" or "zingg"
   int steps = 10;
-  double least = 0.2;  ///< minimum of S/L, or of I/L and S/I for zingg
+  double min_ratio = 0.2;  ///< minimum of S/L, or of I/L and S/I for zingg
 };
 
-/// Targets of variations. There may be any number of each kind.
-struct SeriesTargets {
+/// Target values of a series of variations, any number of each kind.
+struct VariationTargets {
   std::vector<BoxRatios> ratios;
   std::optional<FormGrid> grid;
   std::vector<double> convexity;
@@ -36,12 +36,12 @@ struct SeriesTargets {
   std::vector<Variation> variations() const;
 };
 
-/// Returns the names of the diagrams of `FormGrid`; `inertia_form_names` returns those of the
+/// Returns the names of the diagrams of `FormGrid`; `inertia_body_names` returns those of the
 /// bodies of `InertiaVariation`.
-const std::vector<std::string>& form_grid_names();
-const std::vector<std::string>& inertia_form_names();
+const std::vector<std::string>& form_grid_diagram_names();
+const std::vector<std::string>& inertia_body_names();
 
-/// Checks target ratios.
+/// Checks the target ratios of a stretch.
 /// @param written  ratios as written, for the message
 /// @throws InputError  if they are not I/L and S/L of a box, both from 0.01 to 1
 BoxRatios check_stretch_ratios(double i_over_l, double s_over_l, const std::string& written);

@@ -6,16 +6,16 @@
 
 namespace clast {
 
-inline constexpr NumberRange kVariedRatio{0.01, 1.0};
-inline constexpr NumberRange kVariedConvexity{0.01, 1.0};
-inline constexpr NumberRange kVariedRadiusFraction{1e-3, 0.4, "of S", "sharp edges"};
-inline constexpr NumberRange kVariedRoundness{0.01, 1.0};
+inline constexpr NumberRange kVariedRatioRange{0.01, 1.0};
+inline constexpr NumberRange kVariedConvexityRange{0.01, 1.0};
+inline constexpr NumberRange kVariedRadiusFractionRange{1e-3, 0.4, "of S", "sharp edges"};
+inline constexpr NumberRange kVariedRoundnessRange{0.01, 1.0};
 /// Edge length of the mesh for roundness, relative to the diameter of the ball of equal volume.
-inline constexpr NumberRange kRoundnessEdge{0.01, 0.2};
-inline constexpr NumberRange kDetailGain{0.01, 10.0, "", "smooth"};
-inline constexpr NumberRange kSuperellipsoidExponent{1.0, 20.0};
+inline constexpr NumberRange kRoundnessEdgeRange{0.01, 0.2};
+inline constexpr NumberRange kDetailGainRange{0.01, 10.0, "", "smooth"};
+inline constexpr NumberRange kSuperellipsoidExponentRange{1.0, 20.0};
 /// Smallest ratio of a shape grid, and number of steps per side.
-inline constexpr NumberRange kMinRatio{0.01, 0.99};
+inline constexpr NumberRange kMinRatioRange{0.01, 0.99};
 inline constexpr int kMaxGridSteps = 100;
 /// Number of vertices of a simplified core.
 inline constexpr std::size_t kMinVariedVertices = 8, kMaxVariedVertices = 2000;

@@ -150,8 +150,8 @@ class Sweep {
   std::vector<Active> active_;
 };
 
-Moments column_moments(const Chord& chord, double x, double y) {
-  Moments m;
+SolidMoments column_moments(const Chord& chord, double x, double y) {
+  SolidMoments m;
   m.volume = chord.length;
   m.first = Vec3(x * chord.length, y * chord.length, chord.first);
   m.second << x * x * chord.length, x * y * chord.length, x * chord.first,  //
@@ -172,7 +172,7 @@ class BlockSum {
   /// @param least  length in a column from which on it counts as meeting something
   BlockSum(std::size_t columns, double least) : least_(least), lower_(columns), upper_(columns) {}
 
-  std::vector<Moments>& row(std::size_t number) { return number % 2 == 0 ? lower_ : upper_; }
+  std::vector<SolidMoments>& row(std::size_t number) { return number % 2 == 0 ? lower_ : upper_; }
   std::size_t columns_met() const { return met_; }
 
   /// Adds the blocks of two by two columns in the two rows.
@@ -185,10 +185,10 @@ class BlockSum {
   /// @param cell  area of a column
   OverlapIntegral result(double cell) const {
     OverlapIntegral excess;
-    for (const Moments& grid : grids_) excess.moments.add_scaled(grid, cell);
+    for (const SolidMoments& grid : grids_) excess.moments.add_scaled(grid, cell);
     double volume_spread = 0.0, second_spread = 0.0;
-    for (const Moments& grid : grids_) {
-      Moments departure = excess.moments;
+    for (const SolidMoments& grid : grids_) {
+      SolidMoments departure = excess.moments;
       departure.add_scaled(grid, -4.0 * cell);
       volume_spread = std::max(volume_spread, std::abs(departure.volume));
       second_spread = std::max(second_spread, std::sqrt(tensor_square(departure.second)));
@@ -200,8 +200,8 @@ class BlockSum {
   }
 
  private:
-  void add_block(const std::array<const Moments*, 4>& block) {
-    Moments twist;
+  void add_block(const std::array<const SolidMoments*, 4>& block) {
+    SolidMoments twist;
     for (int i = 0; i < 4; ++i) {
       grids_[i] += *block[i];
       twist.add_scaled(*block[i], i == 0 || i == 3 ? 1.0 : -1.0);
@@ -212,8 +212,8 @@ class BlockSum {
   }
 
   double least_;
-  std::vector<Moments> lower_, upper_;
-  std::array<Moments, 4> grids_;  ///< by place in the block
+  std::vector<SolidMoments> lower_, upper_;
+  std::array<SolidMoments, 4> grids_;  ///< by place in the block
   double volume_squares_ = 0.0, second_squares_ = 0.0;
   std::size_t met_ = 0;
 };
@@ -259,7 +259,7 @@ OverlapIntegral ColumnQuadrature::integrate_overlap(std::size_t columns_per_side
       const LineInterval cut = overlaps_.clip_line(piece, grid.x(i), y);
       if (cut.low < cut.high) columns[i].excess.add(cut.low, cut.high, -1.0);
     });
-    std::vector<Moments>& moments = sum.row(row);
+    std::vector<SolidMoments>& moments = sum.row(row);
     for (std::size_t i = 0; i < grid.columns; ++i) {
       Column& column = columns[i];
       if (column.balanced()) {

@@ -8,7 +8,7 @@
 namespace clast::massprops_detail {
 
 struct OverlapIntegral {
-  Moments moments;            ///< moments of the volume that is counted more than once
+  SolidMoments moments;       ///< moments of the volume that is counted more than once
   double volume_error = 0.0;  ///< bound on the volume error, m^3
   double second_moment_error =
       0.0;  ///< bound on the error of tr(M) I - M with second moment M, Frobenius norm, m^5
@@ -21,6 +21,7 @@ struct OverlapIntegral {
 /// midpoint rule is used. Columns without overlap contribute no error.
 class ColumnQuadrature {
  public:
+  /// Prepares the quadrature of a core and its offset layer.
   /// @param core  core of `decompose_offset_layer`; moments are about the origin, near its centre
   ColumnQuadrature(const TriangleMesh& core, const OffsetLayer& skin);
 
@@ -38,8 +39,8 @@ class ColumnQuadrature {
  private:
   Bounds box_;
   double radius_;
-  VerticalLineTriangles triangles_;
-  VerticalLinePieces pieces_, overlaps_;
+  TriangleLineCrossings triangles_;
+  PieceLineClipper pieces_, overlaps_;
 };
 
 }  // namespace clast::massprops_detail

@@ -13,7 +13,7 @@ constexpr double kVertical = 1e-12;
 
 }  // namespace
 
-VerticalLinePieces::VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius)
+PieceLineClipper::PieceLineClipper(const std::vector<OffsetPiece>& pieces, double radius)
     : radius_squared_(radius * radius) {
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -46,7 +46,7 @@ VerticalLinePieces::VerticalLinePieces(const std::vector<OffsetPiece>& pieces, d
     Piece piece{{from.box.low.y(), from.box.high.y()},
                 {from.box.low.x(), from.box.high.x()},
                 {from.box.low.z(), from.box.high.z()},
-                from.round,
+                from.curved_face,
                 from.centre,
                 from.axis,
                 0,
@@ -65,10 +65,10 @@ VerticalLinePieces::VerticalLinePieces(const std::vector<OffsetPiece>& pieces, d
   }
 }
 
-LineInterval VerticalLinePieces::x_range(std::size_t index, double y) const {
+LineInterval PieceLineClipper::x_range(std::size_t index, double y) const {
   const Piece& piece = pieces_[index];
   LineInterval range = piece.columns;
-  if (piece.round == OffsetPiece::CurvedFace::sphere) {
+  if (piece.curved_face == OffsetPiece::CurvedFace::sphere) {
     const double dy = y - piece.centre.y();
     const double half = std::sqrt(std::max(radius_squared_ - dy * dy, 0.0));
     range.low = std::max(range.low, piece.centre.x() - half);
@@ -87,8 +87,8 @@ LineInterval VerticalLinePieces::x_range(std::size_t index, double y) const {
   return range;
 }
 
-LineInterval VerticalLinePieces::clip_round_line(const Piece& piece, double x, double y) const {
-  if (piece.round == OffsetPiece::CurvedFace::none) return piece.heights;
+LineInterval PieceLineClipper::clip_round_line(const Piece& piece, double x, double y) const {
+  if (piece.curved_face == OffsetPiece::CurvedFace::none) return piece.heights;
   const double dx = x - piece.centre.x();
   const double dy = y - piece.centre.y();
   const double along = dx * piece.axis.x() + dy * piece.axis.y();
@@ -102,7 +102,7 @@ LineInterval VerticalLinePieces::clip_round_line(const Piece& piece, double x, d
   return {piece.centre.z() + (-b - half) / a, piece.centre.z() + (-b + half) / a};
 }
 
-LineInterval VerticalLinePieces::clip_line(std::size_t index, double x, double y) const {
+LineInterval PieceLineClipper::clip_line(std::size_t index, double x, double y) const {
   const Piece& piece = pieces_[index];
   LineInterval result = clip_round_line(piece, x, y);
   for (const HeightPlane& bound : height_planes(piece.lower, piece.upper)) {
@@ -114,7 +114,7 @@ LineInterval VerticalLinePieces::clip_line(std::size_t index, double x, double y
   return result;
 }
 
-VerticalLineTriangles::VerticalLineTriangles(const TriangleMesh& core) {
+TriangleLineCrossings::TriangleLineCrossings(const TriangleMesh& core) {
   triangles_.reserve(core.triangles.size());
   for (const auto& corners : core.triangles) {
     Triangle t;
@@ -135,18 +135,18 @@ VerticalLineTriangles::VerticalLineTriangles(const TriangleMesh& core) {
   });
 }
 
-LineInterval VerticalLineTriangles::y_range(std::size_t triangle) const {
+LineInterval TriangleLineCrossings::y_range(std::size_t triangle) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.y(), box.high.y()};
 }
 
 /// Not by the edges: only `crossing_sign` may decide on which side of one a line is.
-LineInterval VerticalLineTriangles::x_range(std::size_t triangle, double) const {
+LineInterval TriangleLineCrossings::x_range(std::size_t triangle, double) const {
   const Bounds& box = triangles_[triangle].box;
   return {box.low.x(), box.high.x()};
 }
 
-int VerticalLineTriangles::crossing_sign(std::size_t triangle, double x, double y) const {
+int TriangleLineCrossings::crossing_sign(std::size_t triangle, double x, double y) const {
   const Triangle& t = triangles_[triangle];
   int left_of = 0;
   for (int i = 0; i < 3; ++i) {
@@ -158,7 +158,7 @@ int VerticalLineTriangles::crossing_sign(std::size_t triangle, double x, double 
   return left_of == 3 ? 1 : left_of == 0 ? -1 : 0;
 }
 
-double VerticalLineTriangles::crossing_height(std::size_t triangle, double x, double y) const {
+double TriangleLineCrossings::crossing_height(std::size_t triangle, double x, double y) const {
   const Triangle& t = triangles_[triangle];
   return std::clamp(t.plane.height_at(x, y), t.box.low.z(), t.box.high.z());
 }

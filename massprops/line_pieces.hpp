@@ -19,23 +19,24 @@ struct HeightPlane {
   double height_at(double x, double y) const { return x_slope * x + y_slope * y + height; }
 };
 
-/// Convex pieces prepared for intersection with vertical lines. They are sorted by their lowest y.
-class VerticalLinePieces {
+/// Intersection of convex pieces with vertical lines. The pieces are sorted by their lowest y.
+class PieceLineClipper {
  public:
-  VerticalLinePieces(const std::vector<OffsetPiece>& pieces, double radius);
+  PieceLineClipper(const std::vector<OffsetPiece>& pieces, double radius);
 
   std::size_t size() const { return pieces_.size(); }
   /// Returns the range of y of a piece. The lower ends are ascending.
   LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
   /// Returns the range of x in which vertical lines at `y` can intersect the piece.
   LineInterval x_range(std::size_t piece, double y) const;
-  /// Interval of z of the vertical line through (x, y) in the piece. x must be in `x_range`.
+  /// Returns the interval of z in which the vertical line through (x, y) is inside a piece. x must
+  /// be in `x_range`.
   LineInterval clip_line(std::size_t piece, double x, double y) const;
 
  private:
   struct Piece {
     LineInterval rows, columns, heights;
-    OffsetPiece::CurvedFace round;
+    OffsetPiece::CurvedFace curved_face;
     Vec3 centre,
         axis;  ///< zero for balls, for which the cylinder formulas give the chord of the ball
     /// Offsets in `height_planes_` of the lower bounds, the upper bounds and the sides. A line
@@ -53,10 +54,10 @@ class VerticalLinePieces {
   std::vector<HeightPlane> height_planes_;
 };
 
-/// Triangles of the core prepared for intersection with vertical lines. Sorted by lowest y.
-class VerticalLineTriangles {
+/// Crossings of the core's triangles with vertical lines. The triangles are sorted by lowest y.
+class TriangleLineCrossings {
  public:
-  explicit VerticalLineTriangles(const TriangleMesh& core);
+  explicit TriangleLineCrossings(const TriangleMesh& core);
 
   std::size_t size() const { return triangles_.size(); }
   LineInterval y_range(std::size_t triangle) const;

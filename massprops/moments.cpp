@@ -9,10 +9,10 @@
 
 namespace clast::massprops_detail {
 
-Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c) {
+SolidMoments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double six_volumes = a.dot(b.cross(c));
   const Vec3 sum = a + b + c;
-  Moments result;
+  SolidMoments result;
   result.volume = six_volumes / 6.0;
   result.first = (six_volumes / 24.0) * sum;
   result.second = (six_volumes / 120.0) * (a * a.transpose() + b * b.transpose() +
@@ -20,8 +20,8 @@ Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c) {
   return result;
 }
 
-Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin) {
-  Moments sum;
+SolidMoments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin) {
+  SolidMoments sum;
   for (const auto& [a, b, c] : mesh.triangles) {
     sum += tetrahedron_moments(mesh.vertices[a] - origin, mesh.vertices[b] - origin,
                                mesh.vertices[c] - origin);
@@ -39,8 +39,8 @@ Vec3 vertex_mean(const TriangleMesh& mesh) {
   return first + sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
-MassProperties to_mass_properties(const Moments& moments, const Vec3& origin, const Mat3& rotation,
-                                  double density) {
+MassProperties to_mass_properties(const SolidMoments& moments, const Vec3& origin,
+                                  const Mat3& rotation, double density) {
   const Vec3 centre = moments.first / moments.volume;
   const Mat3 central = moments.second - moments.volume * centre * centre.transpose();
   const Mat3 turned = rotation * central * rotation.transpose();

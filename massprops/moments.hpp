@@ -7,38 +7,38 @@
 namespace clast::massprops_detail {
 
 /// Integrals of 1, x and x x^T over a solid.
-struct Moments {
+struct SolidMoments {
   double volume = 0.0;
   Vec3 first = Vec3::Zero();
   Mat3 second = Mat3::Zero();
 
-  Moments& operator+=(const Moments& other) {
+  SolidMoments& operator+=(const SolidMoments& other) {
     volume += other.volume;
     first += other.first;
     second += other.second;
     return *this;
   }
   /// Adds `factor` times the moments of another solid.
-  void add_scaled(const Moments& other, double factor) {
+  void add_scaled(const SolidMoments& other, double factor) {
     volume += factor * other.volume;
     first += factor * other.first;
     second += factor * other.second;
   }
 };
 
-/// Moments of the signed tetrahedron between the origin and a triangle. @cite mirtich1996
-Moments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
+/// Returns the moments of the signed tetrahedron of the origin and a triangle. @cite mirtich1996
+SolidMoments tetrahedron_moments(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Returns the moments of a closed mesh about `origin`.
-Moments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
+SolidMoments polyhedron_moments(const TriangleMesh& mesh, const Vec3& origin);
 
 /// Returns the mean of the used vertices; zero if there are no triangles.
 Vec3 vertex_mean(const TriangleMesh& mesh);
 
 /// Converts moments about `origin` along local axes to mass properties in the source frame.
 /// @param rotation  source_from_local
-MassProperties to_mass_properties(const Moments& moments, const Vec3& origin, const Mat3& rotation,
-                                  double density);
+MassProperties to_mass_properties(const SolidMoments& moments, const Vec3& origin,
+                                  const Mat3& rotation, double density);
 
 /// Checks a density.
 /// @throws InputError  if it is not positive and finite

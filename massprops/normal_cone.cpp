@@ -27,7 +27,7 @@ Polygon clipped(const Polygon& polygon, const Vec3& e) {
 
 /// Adds the integrals over a spherical polygon, counter-clockwise from outside. First and second
 /// follow from the divergence theorem on the cone over it, so that its arcs suffice.
-void add_polygon(const Polygon& polygon, NormalCone& sum) {
+void add_polygon(const Polygon& polygon, NormalConeIntegrals& sum) {
   double solid_angle = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Vec3& a = polygon[0];
@@ -69,8 +69,9 @@ bool is_peak(std::span<const Vec3> edges, std::span<const double> exterior_angle
 
 }  // namespace
 
-NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles) {
-  NormalCone cone;
+NormalConeIntegrals integrate_normal_cone(std::span<const Vec3> edges,
+                                          std::span<const double> exterior_angles) {
+  NormalConeIntegrals cone;
   // Octant by octant: no polygon then has antipodal corners, whose arc would be undefined.
   for (int octant = 0; octant < 8; ++octant) {
     const double x = octant & 1 ? -1.0 : 1.0;
@@ -82,8 +83,8 @@ NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> exte
     if (polygon.size() > 2) add_polygon(polygon, cone);
   }
   cone.second = (0.5 * (cone.second + cone.second.transpose())).eval();
-  if (!(cone.solid_angle > 0.0) || !(cone.first.norm() > 0.0)) return NormalCone{};
-  return is_peak(edges, exterior_angles, cone.first.normalized()) ? cone : NormalCone{};
+  if (!(cone.solid_angle > 0.0) || !(cone.first.norm() > 0.0)) return NormalConeIntegrals{};
+  return is_peak(edges, exterior_angles, cone.first.normalized()) ? cone : NormalConeIntegrals{};
 }
 
 }  // namespace clast::massprops_detail

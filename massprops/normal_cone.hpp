@@ -6,8 +6,8 @@
 
 namespace clast::massprops_detail {
 
-/// Integrals over the part of the unit sphere in a cone.
-struct NormalCone {
+/// Integrals over the part of the unit sphere inside the normal cone of a vertex.
+struct NormalConeIntegrals {
   double solid_angle = 0.0;    ///< integral of 1
   Vec3 first = Vec3::Zero();   ///< integral of the unit vector u
   Mat3 second = Mat3::Zero();  ///< integral of u u^T
@@ -18,6 +18,7 @@ struct NormalCone {
 /// @param edges  unit directions of the edges leaving the vertex
 /// @param exterior_angles  exterior dihedral angle of each edge, > 0 if convex; they distinguish a
 ///                         peak from a notch
-NormalCone normal_cone(std::span<const Vec3> edges, std::span<const double> exterior_angles);
+NormalConeIntegrals integrate_normal_cone(std::span<const Vec3> edges,
+                                          std::span<const double> exterior_angles);
 
 }  // namespace clast::massprops_detail

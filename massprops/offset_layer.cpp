@@ -60,8 +60,8 @@ std::vector<Ridge> ridges_of(const TriangleMesh& core, const std::vector<Triangl
     Ridge ridge;
     ridge.from = edge[0].low;
     ridge.to = edge[0].high;
-    if (edge.size() == 2 && edge[0].forward != edge[1].forward) {
-      const std::size_t left = edge[0].forward ? 0 : 1;
+    if (edge.size() == 2 && edge[0].is_forward != edge[1].is_forward) {
+      const std::size_t left = edge[0].is_forward ? 0 : 1;
       ridge.left = edge[left].triangle;
       ridge.right = edge[1 - left].triangle;
       ridge.defined = triangles[ridge.left].usable && triangles[ridge.right].usable;
@@ -102,7 +102,7 @@ void add_prism(OffsetLayer& skin, const Triangle& t) {
   const Vec3 middle = (t.a + t.b + t.c) / 3.0;
   const Mat3 face = (t.area / 12.0) * (t.a * t.a.transpose() + t.b * t.b.transpose() +
                                        t.c * t.c.transpose() + 9.0 * middle * middle.transpose());
-  Moments moments;
+  SolidMoments moments;
   moments.volume = t.area * r;
   moments.first = t.area * r * (middle + 0.5 * r * n);
   moments.second = r * face +
@@ -113,13 +113,13 @@ void add_prism(OffsetLayer& skin, const Triangle& t) {
 }
 
 /// Sector of a cylinder from p to q, `angle` wide about the direction `w`.
-Moments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double angle, double r) {
+SolidMoments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double angle, double r) {
   const double length = (q - p).norm();
   const Vec3 t = (q - p) / length;
   const Vec3 m = 0.5 * (p + q);
   const Vec3 y = t.cross(w);
   const double s = std::sin(0.5 * angle);
-  Moments result;
+  SolidMoments result;
   result.volume = 0.5 * length * angle * r * r;
   const double lever = (2.0 / 3.0) * length * r * r * r * s;
   result.first = result.volume * m + lever * w;
@@ -134,7 +134,7 @@ Moments wedge_moments(const Vec3& p, const Vec3& q, const Vec3& w, double angle,
 
 OffsetPiece cylinder_piece(const Vec3& p, const Vec3& q) {
   OffsetPiece piece;
-  piece.round = OffsetPiece::CurvedFace::cylinder;
+  piece.curved_face = OffsetPiece::CurvedFace::cylinder;
   piece.centre = p;
   piece.axis = (q - p).normalized();
   piece.planes.push_back({-piece.axis, -piece.axis.dot(p)});
@@ -199,7 +199,7 @@ void add_overlap(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Triangle
   if (!(clear_radius * slope <= room) || !(together > 0.0)) return;
 
   OffsetPiece piece = cylinder_piece(p, q);
-  piece.round = OffsetPiece::CurvedFace::none;
+  piece.curved_face = OffsetPiece::CurvedFace::none;
   const Vec3 into_left = n1.cross(piece.axis);
   const Vec3 into_right = -n2.cross(piece.axis);
   piece.planes.push_back({n1, n1.dot(p) + r});
@@ -221,7 +221,7 @@ void add_overlap(OffsetLayer& skin, const Vec3& p, const Vec3& q, const Triangle
     prism.triangles.push_back({i, i + 4, j + 4});
     prism.triangles.push_back({i, j + 4, j});
   }
-  const Moments moments = polyhedron_moments(prism, Vec3::Zero());
+  const SolidMoments moments = polyhedron_moments(prism, Vec3::Zero());
   skin.overlap_moments.add_scaled(moments, moments.volume < 0.0 ? -1.0 : 1.0);
   skin.overlap_area += 2.0 * r * slope * (q - p).norm();
   skin.overlaps.push_back(std::move(piece));
@@ -236,16 +236,16 @@ struct Fan {
 
 void add_corner(OffsetLayer& skin, const Vec3& v, const Fan& fan) {
   const double r = skin.radius;
-  NormalCone cone;
+  NormalConeIntegrals cone;
   if (fan.defined) {
-    cone = normal_cone(fan.directions, fan.bends);
+    cone = integrate_normal_cone(fan.directions, fan.bends);
     if (!(cone.solid_angle > 0.0)) return;
   } else {
     cone.solid_angle = 4.0 * kPi;
     cone.second = (4.0 * kPi / 3.0) * Mat3::Identity();
   }
   OffsetPiece piece;
-  piece.round = OffsetPiece::CurvedFace::sphere;
+  piece.curved_face = OffsetPiece::CurvedFace::sphere;
   piece.centre = v;
   piece.box = ball_box(v, r);
   if (fan.defined) {
@@ -256,7 +256,7 @@ void add_corner(OffsetLayer& skin, const Vec3& v, const Fan& fan) {
   skin.pieces.push_back(std::move(piece));
 
   const double r4 = r * r * r * r;
-  Moments moments;
+  SolidMoments moments;
   moments.volume = cone.solid_angle * r * r * r / 3.0;
   moments.first = moments.volume * v + (0.25 * r4) * cone.first;
   moments.second = moments.volume * v * v.transpose() +

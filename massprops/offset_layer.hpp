@@ -16,15 +16,15 @@ struct HalfSpace {
 /// Convex piece: intersection of half-spaces, and optionally of a sphere or cylinder.
 struct OffsetPiece {
   enum class CurvedFace { none, sphere, cylinder };
-  CurvedFace round = CurvedFace::none;
+  CurvedFace curved_face = CurvedFace::none;
   Vec3 centre = Vec3::Zero();  ///< centre of the sphere, or a point on the axis of the cylinder
   Vec3 axis = Vec3::Zero();    ///< axis of the cylinder, unit
   std::vector<HalfSpace> planes;
   Bounds box;
 };
 
-/// Pieces of the layer. They are a prism on each face, a wedge on each convex edge, and a spherical
-/// sector in the normal cone of each vertex.
+/// Layer between a core and its rounded surface, as convex pieces: a prism on each face, a wedge on
+/// each convex edge, and a spherical sector in the normal cone of each vertex.
 ///
 /// The union of core and pieces is the rounded body, for any core. For a convex core the pieces are
 /// disjoint; `piece_moments` plus the core's moments is then exact. At reflex edges, pieces
@@ -33,16 +33,16 @@ struct OffsetPiece {
 struct OffsetLayer {
   double radius = 0.0;
   std::vector<OffsetPiece> pieces;
-  Moments piece_moments;  ///< sum over all pieces; overlaps are counted more than once
+  SolidMoments piece_moments;  ///< sum over all pieces; overlaps are counted more than once
   std::vector<OffsetPiece> overlaps;
-  Moments overlap_moments;
+  SolidMoments overlap_moments;
   double area = 0.0;             ///< sum of the outer areas of the pieces, m^2
   double overlap_area = 0.0;     ///< outer area lost to `overlaps`, m^2
   double solid_angle = 0.0;      ///< sum over all normal cones; 4 pi if the core is convex
   bool has_reflex_edge = false;  ///< by more than 1e-9 rad, or with an undefined angle
 };
 
-/// Decomposes the layer.
+/// Decomposes the layer between a core and its rounded surface into convex pieces.
 /// @param core  closed, consistently oriented, with an origin near its centre
 /// @param clear_radius  radius, at least `radius`, for which overlaps must be clear of the far
 ///                      edges; radii with a common value have overlaps at the same edges

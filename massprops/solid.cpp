@@ -13,7 +13,7 @@ MassProperties solid_mass_properties(const TriangleMesh& mesh, double density) {
   check_density(density);
   check_closed(mesh, "mesh");
   const Vec3 origin = vertex_mean(mesh);
-  const Moments moments = polyhedron_moments(mesh, origin);
+  const SolidMoments moments = polyhedron_moments(mesh, origin);
   if (!(moments.volume > 0.0)) {
     throw GeometryError("mesh encloses " + format_significant(moments.volume, 6) +
                         " m3: its triangles face inward or it is flat; turn them outward first");

@@ -51,7 +51,7 @@ MassProperties ball_or_capsule(const SpheroPolyhedron& body, double density) {
   const double length = 2.0 * half.norm();
   const double ball_volume = 4.0 / 3.0 * kPi * r * r * r;
   const double tube_volume = kPi * r * r * length;
-  Moments moments;
+  SolidMoments moments;
   moments.volume = ball_volume + tube_volume;
   // Two half balls about the ends, each with its own first moment (3/8 r outward), and the tube.
   moments.second = (ball_volume * r * r / 5.0) * Mat3::Identity();
@@ -70,7 +70,7 @@ struct LocalCore {
   TriangleMesh mesh;
   Vec3 origin;
   Mat3 rotation = Mat3::Identity();  ///< source_from_local
-  Moments moments;
+  SolidMoments moments;
 };
 
 LocalCore local_core(const SpheroPolyhedron& body) {
@@ -99,7 +99,7 @@ bool is_convex(const OffsetLayer& skin) {
 }
 
 MassProperties exact_sum(const LocalCore& core, const OffsetLayer& skin, double density) {
-  Moments sum = core.moments;
+  SolidMoments sum = core.moments;
   sum += skin.piece_moments;
   return to_mass_properties(sum, core.origin, core.rotation, density);
 }
@@ -124,7 +124,7 @@ std::size_t next_grid(std::size_t columns_per_side, double factor) {
 
 MassProperties less_excess(const LocalCore& core, const OffsetLayer& skin,
                            const OverlapIntegral& excess, double density) {
-  Moments sum = core.moments;
+  SolidMoments sum = core.moments;
   sum += skin.piece_moments;
   sum.add_scaled(skin.overlap_moments, -1.0);
   sum.add_scaled(excess.moments, -1.0);

@@ -75,14 +75,14 @@ std::vector<LengthUnitDeclaration> declared_by(const std::vector<std::string_vie
   std::vector<LengthUnitDeclaration> lengths;
   for (std::size_t axis = 0; axis < 3 && axes[axis] < headings.size(); ++axis) {
     const ColumnHeading heading = parse_heading(headings[axes[axis]]);
-    if (heading.unit.empty() && heading.bracketed.empty()) continue;
+    if (heading.unit.empty() && heading.bracketed_text.empty()) continue;
     LengthUnitDeclaration declared{.source = "heading \"" +
                                              escape_nonprintable(headings[axes[axis]]) + "\""};
     if (heading.unit.empty()) {
       declared.kind = ReferenceSystemKind::kUnknown;
-    } else if (heading.length) {
+    } else if (heading.length_unit) {
       (axis < 2 ? declared.plan : declared.height) =
-          DeclaredUnit{heading.length->factor, heading.length->name};
+          DeclaredUnit{heading.length_unit->factor, heading.length_unit->name};
     } else {
       declared.kind = ReferenceSystemKind::kGeographic;
     }
@@ -114,7 +114,7 @@ std::optional<CoordinateColumns> find_coordinate_columns(
   const std::vector<std::size_t>& height = !letters[2].empty() ? letters[2] : words[2];
   if (plan[0].size() == 1 && plan[1].size() == 1 && height.size() == 1) {
     CoordinateColumns found{.axes = {plan[0][0], plan[1][0], height[0]}};
-    found.lengths = declared_by(headings, found.axes);
+    found.unit_declarations = declared_by(headings, found.axes);
     return found;
   }
   if (degrees >= 2) {
@@ -162,7 +162,7 @@ CoordinateColumns select_coordinate_columns(const std::vector<std::string>& colu
       chosen.axes[0] == chosen.axes[2]) {
     throw InputError("`columns`: one column can't be two axes; give three different ones");
   }
-  chosen.lengths = declared_by(headings, chosen.axes);
+  chosen.unit_declarations = declared_by(headings, chosen.axes);
   return chosen;
 }
 

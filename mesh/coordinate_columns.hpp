@@ -14,7 +14,7 @@ namespace clast {
 /// Indices of the columns of x, y and z, with the units declared by their headings.
 struct CoordinateColumns {
   std::array<std::size_t, 3> axes{0, 1, 2};
-  std::vector<LengthUnitDeclaration> lengths = {};
+  std::vector<LengthUnitDeclaration> unit_declarations = {};
 };
 
 /// Parses a coordinate heading in English, German, French, Italian or Spanish, such as "x",

@@ -32,17 +32,17 @@ std::size_t edges_of(std::size_t vertices, long euler) {
 
 }  // namespace
 
-TriangleMesh decimate(const TriangleMesh& mesh, std::size_t vertices) {
+TriangleMesh decimate_mesh(const TriangleMesh& mesh, std::size_t vertices) {
   if (mesh.vertices.size() <= vertices) return mesh;
   using Placement = Simplification::LindstromTurk_placement<mesh_detail::CgalMesh>;
   const std::size_t edges = edges_of(vertices, inspect_mesh(mesh).euler_characteristic);
-  mesh_detail::CgalMesh surface = mesh_detail::to_cgal(mesh);
+  mesh_detail::CgalMesh surface = mesh_detail::to_cgal_mesh(mesh);
   Simplification::edge_collapse(
       surface, Simplification::Count_stop_predicate<mesh_detail::CgalMesh>(edges + 1),
       CGAL::parameters::get_cost(Simplification::LindstromTurk_cost<mesh_detail::CgalMesh>())
           .get_placement(Placement())
           .filter(Simplification::Bounded_normal_change_filter<>()));
-  return mesh_detail::from_cgal(surface);
+  return mesh_detail::from_cgal_mesh(surface);
 }
 
 std::optional<TriangleMesh> untangle_self_intersections(TriangleMesh mesh) {

@@ -78,7 +78,7 @@ class Collapser {
                       corner_angle(mesh_, t, corner % 3));
       }
     }
-    const Vec3 step = fit.minimising_step();
+    const Vec3 step = fit.step_to_intersection();
     const double longest = kFarthest * (mesh_.vertices[u] - mesh_.vertices[v]).norm();
     return step.norm() < longest ? Vec3(middle + step) : middle;
   }

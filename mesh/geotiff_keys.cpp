@@ -117,7 +117,7 @@ const char* world_projection(int method) {
 }
 
 void declare_plan(const KeyDirectory& keys, GeoTiffReferenceSystem& system) {
-  std::vector<LengthUnitDeclaration>& lengths = system.lengths;
+  std::vector<LengthUnitDeclaration>& lengths = system.unit_declarations;
   const int model = keys.code(kModelType);
   if (model >= 1 && model <= 3) {
     constexpr ReferenceSystemKind kKinds[] = {ReferenceSystemKind::kProjected,
@@ -131,7 +131,7 @@ void declare_plan(const KeyDirectory& keys, GeoTiffReferenceSystem& system) {
   const GeoKey type = map ? kProjectedType : kGeographicType;
   if (const int code = keys.registered(type)) {
     system.crs = "EPSG:" + std::to_string(code);
-    lengths.push_back(describe_system(system.crs, key_source(type, code)));
+    lengths.push_back(determine_crs_units(system.crs, key_source(type, code)));
   }
   if (map) {
     if (auto unit = unit_in_key(keys, kLinearUnits, keys.number(kLinearUnitSize))) {
@@ -156,7 +156,7 @@ void declare_heights(const KeyDirectory& keys, std::vector<LengthUnitDeclaration
   if (const int code = keys.registered(kVerticalType)) {
     // Old codes of this key are of datums, and other systems have taken their numbers since.
     LengthUnitDeclaration declared =
-        describe_system("EPSG:" + std::to_string(code), key_source(kVerticalType, code));
+        determine_crs_units("EPSG:" + std::to_string(code), key_source(kVerticalType, code));
     if (declared.kind == ReferenceSystemKind::kVertical) lengths.push_back(std::move(declared));
   }
   if (auto unit = unit_in_key(keys, kVerticalUnits, 0.0)) {
@@ -193,8 +193,8 @@ GeoTiffReferenceSystem parse_geotiff_keys(const GeoTiffKeys& records) {
   const KeyDirectory keys(records);
   GeoTiffReferenceSystem system;
   declare_plan(keys, system);
-  declare_heights(keys, system.lengths);
-  declare_citations(keys, system.lengths);
+  declare_heights(keys, system.unit_declarations);
+  declare_citations(keys, system.unit_declarations);
   return system;
 }
 

@@ -17,13 +17,13 @@ struct GeoTiffKeys {
 /// Coordinate system and units declared by GeoTIFF keys.
 struct GeoTiffReferenceSystem {
   std::string crs;  ///< "EPSG:25832"; empty if there is no system or it is user-defined
-  std::vector<LengthUnitDeclaration> lengths;
+  std::vector<LengthUnitDeclaration> unit_declarations;
 };
 
-/// Parses all declarations of length units. These are keys 1024 (kind of system), 2048, 3072 and
-/// 4096 (codes), 2052, 3076, 3077 and 4099 (units), and 3075 (projection). Citations are used if
-/// only they name a unit. The geographic base system of a projection is ignored, because
-/// coordinates do not depend on it.
+/// Parses the coordinate system and all declarations of length units. They are in keys 1024 (kind
+/// of system), 2048, 3072 and 4096 (codes), 2052, 3076, 3077 and 4099 (units), and 3075
+/// (projection). Citations are used if only they name a unit. The geographic base system of a
+/// projection is ignored, because coordinates do not depend on it.
 GeoTiffReferenceSystem parse_geotiff_keys(const GeoTiffKeys& keys);
 
 }  // namespace clast

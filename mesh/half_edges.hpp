@@ -10,18 +10,18 @@
 
 namespace clast {
 
-/// Side of a triangle or polygon; `forward` if it runs from `low` to `high`.
+/// Half-edge: side of a triangle or polygon. `is_forward` is true if it runs from `low` to `high`.
 struct HalfEdge {
   std::uint32_t low = 0, high = 0;  ///< vertices, low < high
   std::uint32_t triangle = 0;       ///< index of the triangle or polygon
-  bool forward = false;
+  bool is_forward = false;
   std::uint32_t side = 0;  ///< side k runs from vertex k to the next
 
-  std::uint32_t from() const { return forward ? low : high; }
-  std::uint32_t to() const { return forward ? high : low; }
-  /// Triangle corners at both vertices and opposite. Corner 3 t + k is vertex k of triangle t.
-  std::uint32_t low_corner() const { return 3 * triangle + (side + (forward ? 0 : 1)) % 3; }
-  std::uint32_t high_corner() const { return 3 * triangle + (side + (forward ? 1 : 0)) % 3; }
+  std::uint32_t from() const { return is_forward ? low : high; }
+  std::uint32_t to() const { return is_forward ? high : low; }
+  /// Returns the triangle corner at vertex `low`, where corner 3 t + k is vertex k of triangle t.
+  std::uint32_t low_corner() const { return 3 * triangle + (side + (is_forward ? 0 : 1)) % 3; }
+  std::uint32_t high_corner() const { return 3 * triangle + (side + (is_forward ? 1 : 0)) % 3; }
   std::uint32_t opposite_corner() const { return 3 * triangle + (side + 2) % 3; }
   bool is_same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
@@ -29,7 +29,7 @@ struct HalfEdge {
 /// Vertices of an edge as a map key, the smaller index first.
 using EdgeKey = std::array<std::uint32_t, 2>;
 
-inline EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
+inline EdgeKey make_edge_key(std::uint32_t a, std::uint32_t b) {
   return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
 }
 
@@ -38,7 +38,8 @@ inline bool has_repeated_vertex(const TriangleMesh::Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Half-edges, sorted by edge, then triangle. Triangles with a repeated vertex are skipped.
+/// Returns the half-edges of a mesh, sorted by edge, then triangle. Triangles with a repeated
+/// vertex are skipped.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 
 /// Returns the half-edges of polygons, sorted by edge, polygon and side. Sides from a vertex to
@@ -58,7 +59,8 @@ void for_each_edge(std::span<const HalfEdge> sorted, Use&& use) {
 
 /// True if these are the half-edges of an interior edge of an oriented manifold.
 inline bool is_interior_edge(std::span<const HalfEdge> sides) {
-  return sides.size() == 2 && sides[0].forward != sides[1].forward && sides[0].low != sides[0].high;
+  return sides.size() == 2 && sides[0].is_forward != sides[1].is_forward &&
+         sides[0].low != sides[0].high;
 }
 
 /// Returns the fan of each corner 3 t + k. A fan is a set of triangles around a vertex that shared

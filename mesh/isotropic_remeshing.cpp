@@ -34,11 +34,11 @@ TriangleMesh remesh_isotropic(const TriangleMesh& mesh, double edge_length) {
                      " m would take " + format_significant(triangles, 3) +
                      " triangles; give a longer edge length");
   }
-  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal_mesh(mesh);
   CGAL::Polygon_mesh_processing::isotropic_remeshing(
       work.faces(), edge_length, work,
       CGAL::Polygon_mesh_processing::parameters::number_of_iterations(kRounds));
-  return mesh_detail::from_cgal(work);
+  return mesh_detail::from_cgal_mesh(work);
 }
 
 }  // namespace clast

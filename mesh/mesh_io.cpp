@@ -27,11 +27,11 @@ TriangleMesh read_mesh_by_format(const std::filesystem::path& path, const std::s
                                  const std::string& content) {
   try {
     std::optional<TriangleMesh> mesh;
-    if (extension == ".stl") mesh = mesh_detail::read_stl(content);
-    if (extension == ".obj") mesh = mesh_detail::read_obj(content);
-    if (extension == ".ply") mesh = mesh_detail::read_ply(content);
-    if (extension == ".off") mesh = mesh_detail::read_off(content);
-    if (extension == ".tab") mesh = mesh_detail::read_tab(content);
+    if (extension == ".stl") mesh = mesh_detail::read_stl_mesh(content);
+    if (extension == ".obj") mesh = mesh_detail::read_obj_mesh(content);
+    if (extension == ".ply") mesh = mesh_detail::read_ply_mesh(content);
+    if (extension == ".off") mesh = mesh_detail::read_off_mesh(content);
+    if (extension == ".tab") mesh = mesh_detail::read_tab_mesh(content);
     if (extension == ".gltf" || extension == ".glb") mesh_detail::check_gltf_extensions(content);
     return mesh ? std::move(*mesh) : mesh_detail::read_with_assimp(path);
   } catch (const InputError& error) {

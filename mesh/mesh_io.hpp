@@ -17,7 +17,7 @@ namespace clast {
 ///                     a coordinate is not finite
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// Reads a mesh. Of a file without triangles, it reads the vertices and skips non-finite ones.
+/// Reads a mesh. If the file has no triangles, reads its vertices and skips non-finite ones.
 TriangleMesh read_mesh_or_points(const std::filesystem::path& path);
 
 /// Returns the readable formats as lower-case extensions with the dot.

@@ -131,7 +131,7 @@ MeshReport inspect_mesh(const TriangleMesh& mesh) {
     ++report.edges;
     if (sides.size() == 1) ++report.boundary_edges;
     if (sides.size() > 2) ++report.non_manifold_edges;
-    if (sides.size() == 2 && sides[0].forward == sides[1].forward) ++report.misoriented_edges;
+    if (sides.size() == 2 && sides[0].is_forward == sides[1].is_forward) ++report.misoriented_edges;
   });
   report.boundary_loops = loops_of(sorted).size();
 

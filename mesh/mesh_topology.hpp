@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// Defects that prevent a mesh from bounding a single solid.
+/// Counts of mesh elements, and of defects that prevent the mesh from bounding a single solid.
 struct MeshReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
@@ -29,7 +29,8 @@ struct MeshReport {
   std::string summary() const;
 };
 
-/// Counts the defects. Triangles with a repeated vertex only count as degenerate.
+/// Counts elements and defects of a mesh. Triangles with a repeated vertex only count as
+/// degenerate.
 /// @throws GeometryError  if a triangle has an invalid vertex index
 MeshReport inspect_mesh(const TriangleMesh& mesh);
 

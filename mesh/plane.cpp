@@ -2,7 +2,7 @@
 
 namespace clast {
 
-std::vector<Vec3> clip_below(const std::vector<Vec3>& polygon, const Plane& plane) {
+std::vector<Vec3> clip_polygon_below(const std::vector<Vec3>& polygon, const Plane& plane) {
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];

@@ -17,6 +17,6 @@ struct Plane {
 /// Clips a convex polygon to the part on or below a plane. The result has fewer than three vertices
 /// if this part is empty.
 /// @cite sutherland1974
-std::vector<Vec3> clip_below(const std::vector<Vec3>& polygon, const Plane& plane);
+std::vector<Vec3> clip_polygon_below(const std::vector<Vec3>& polygon, const Plane& plane);
 
 }  // namespace clast

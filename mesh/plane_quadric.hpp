@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Computes the shortest step from a start point to the least-squares intersection of weighted
+/// Solver for the shortest step from a start point to the least-squares intersection of weighted
 /// planes. A plane is given by its unit normal and its distance from the start point. Singular
 /// values below `kCut` of the largest are ignored. Coplanar faces then give a step along their
 /// normal, and faces along a ridge a step perpendicular to the ridge.
@@ -17,7 +17,7 @@ class PlaneQuadric {
     side_ += weight * distance * normal;
   }
 
-  Vec3 minimising_step() const {
+  Vec3 step_to_intersection() const {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(matrix_);
     const Vec3 values = solver.eigenvalues();
     Vec3 result = Vec3::Zero();

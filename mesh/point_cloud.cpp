@@ -19,36 +19,36 @@ namespace {
 constexpr std::size_t kBatch = 65536;
 }
 
-bool PointSink::is_usable(const Vec3& point) {
+bool PointBatcher::is_usable(const Vec3& point) {
   if (point.allFinite()) return true;
   ++non_finite_;
   return false;
 }
 
-void PointSink::add_point(const Vec3& point) {
+void PointBatcher::add_point(const Vec3& point) {
   if (!is_usable(point)) return;
   batch_.points.push_back(point);
   if (batch_.points.size() >= kBatch) flush_batch();
 }
 
-void PointSink::add_point(const Vec3& point, std::uint8_t asprs_class) {
+void PointBatcher::add_point(const Vec3& point, std::uint8_t asprs_class) {
   if (!is_usable(point)) return;
   batch_.points.push_back(point);
   batch_.classes.push_back(asprs_class);
   if (batch_.points.size() >= kBatch) flush_batch();
 }
 
-void PointSink::flush_batch() {
+void PointBatcher::flush_batch() {
   points_ += batch_.points.size();
   if (!batch_.points.empty()) consume_(batch_);
   batch_.points.clear();
   batch_.classes.clear();
 }
 
-CloudSummary PointSink::finish(CloudSummary summary) {
+CloudSummary PointBatcher::finish(CloudSummary summary) {
   flush_batch();
-  summary.points = points_;
-  summary.non_finite = non_finite_;
+  summary.point_count = points_;
+  summary.non_finite_points = non_finite_;
   return summary;
 }
 
@@ -62,22 +62,22 @@ bool is_text_cloud(const std::string& extension) {
 }
 
 CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::string& extension,
-                                  mesh_detail::PointSink& sink,
+                                  mesh_detail::PointBatcher& sink,
                                   const std::vector<std::string>& columns) {
   if (!columns.empty() && !is_text_cloud(extension)) {
     throw InputError("`columns` applies only to clouds in text; leave it out");
   }
-  if (extension == ".pcd") return mesh_detail::read_pcd(read_text_file(path), sink);
+  if (extension == ".pcd") return mesh_detail::read_pcd_cloud(read_text_file(path), sink);
   if (is_text_cloud(extension) || extension == ".las" || extension == ".laz") {
     check_input_file(path);
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw InputError("can't be read; check its permissions");
     return is_text_cloud(extension)
                ? mesh_detail::read_text_cloud(stream, sink, columns, extension == ".pts")
-               : mesh_detail::read_las(stream, sink);
+               : mesh_detail::read_las_cloud(stream, sink);
   }
   const std::optional<TriangleMesh> mesh =
-      extension == ".ply" ? mesh_detail::read_ply(read_text_file(path)) : read_mesh(path);
+      extension == ".ply" ? mesh_detail::read_ply_mesh(read_text_file(path)) : read_mesh(path);
   if (!mesh) throw InputError("its points can't be read");
   for (const Vec3& vertex : mesh->vertices) sink.add_point(vertex);
   return sink.finish({});
@@ -85,12 +85,12 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
 
 /// Why a file that could be read gives no point.
 std::string nothing_in(const CloudSummary& summary) {
-  if (summary.withheld > 0) {
-    return "holds no usable points: " + std::to_string(summary.withheld) +
+  if (summary.withheld_points > 0) {
+    return "holds no usable points: " + std::to_string(summary.withheld_points) +
            " are flagged as withheld or classed as noise; classify them anew";
   }
-  if (summary.non_finite > 0) {
-    return "holds no usable points: " + std::to_string(summary.non_finite) +
+  if (summary.non_finite_points > 0) {
+    return "holds no usable points: " + std::to_string(summary.non_finite_points) +
            " have a coordinate that is not finite; export it again";
   }
   return "holds no points; export it again";
@@ -101,7 +101,7 @@ std::string nothing_in(const CloudSummary& summary) {
 CloudSummary stream_cloud(const std::filesystem::path& path,
                           const std::function<void(const PointBatch&)>& consume,
                           const std::vector<std::string>& columns) {
-  mesh_detail::PointSink sink(consume);
+  mesh_detail::PointBatcher sink(consume);
   const CloudSummary summary = with_file_context(path.string(), [&] {
     std::error_code code;
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
@@ -109,7 +109,7 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
     }
     return read_cloud_by_format(path, lower_case_extension(path), sink, columns);
   });
-  if (summary.points == 0) throw InputError(path.string() + ": " + nothing_in(summary));
+  if (summary.point_count == 0) throw InputError(path.string() + ": " + nothing_in(summary));
   return summary;
 }
 

@@ -20,12 +20,13 @@ struct PointBatch {
 /// ASPRS class of ground points (LAS 1.4 R15, table 17).
 inline constexpr std::uint8_t kGroundClass = 2;
 
+/// Number of points, coordinate system and length units of a point cloud file.
 struct CloudSummary {
-  std::size_t points = 0;      ///< number of points passed on
-  std::size_t non_finite = 0;  ///< number of skipped points with a non-finite coordinate
-  std::size_t withheld = 0;    ///< number of skipped points that are withheld or noise (LAS)
-  std::string crs;             ///< "EPSG:25832", otherwise WKT; empty if unknown
-  std::vector<LengthUnitDeclaration> lengths = {};
+  std::size_t point_count = 0;        ///< number of points passed to the caller
+  std::size_t non_finite_points = 0;  ///< number of skipped points with a non-finite coordinate
+  std::size_t withheld_points = 0;    ///< number of skipped points that are withheld or noise (LAS)
+  std::string crs;                    ///< "EPSG:25832", otherwise WKT; empty if unknown
+  std::vector<LengthUnitDeclaration> unit_declarations = {};
 };
 
 /// Reads a cloud in batches, in file order, so that it need not fit into memory. Formats are text
@@ -45,7 +46,7 @@ CloudSummary stream_cloud(const std::filesystem::path& path,
                           const std::function<void(const PointBatch&)>& consume,
                           const std::vector<std::string>& columns = {});
 
-/// Reads all points of a file.
+/// Reads all points of a point cloud file.
 /// @throws InputError  as `stream_cloud`
 std::vector<Vec3> read_cloud(const std::filesystem::path& path);
 

@@ -144,7 +144,7 @@ std::vector<SourcedUnit> units_declared(const std::vector<LengthUnitDeclaration>
   return units;
 }
 
-std::string relabelled(const LengthUnitUse& use) {
+std::string relabelled(const LengthUnitRequirements& use) {
   return use.correction_command.empty()
              ? "correct the one that is wrong"
              : "correct the one that is wrong (" + use.correction_command + ")";
@@ -154,7 +154,7 @@ std::string relabelled(const LengthUnitUse& use) {
 /// @param what  "x and y" or "heights"
 std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
                                     const std::vector<SourcedUnit>& units,
-                                    const LengthUnitUse& use) {
+                                    const LengthUnitRequirements& use) {
   if (units.empty()) return std::nullopt;
   for (const SourcedUnit& each : units) {
     if (same_unit(each.unit, units[0].unit)) continue;
@@ -173,7 +173,7 @@ std::optional<SourcedUnit> one_unit(const std::string& name, const char* what,
 }
 
 void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclaration>& declared,
-                  const LengthUnitUse& use) {
+                  const LengthUnitRequirements& use) {
   const auto of_kind = [&](ReferenceSystemKind kind) {
     const auto found = std::find_if(declared.begin(), declared.end(),
                                     [&](const LengthUnitDeclaration& d) { return d.kind == kind; });
@@ -207,7 +207,7 @@ void refuse_kinds(const std::string& name, const std::vector<LengthUnitDeclarati
 }
 
 /// Advice on a unit: the option if it exists, otherwise conversion.
-std::string unit_advice(const DeclaredUnit& unit, const LengthUnitUse& use) {
+std::string unit_advice(const DeclaredUnit& unit, const LengthUnitRequirements& use) {
   if (use.has_units_option && unit.metres > 0.0) {
     return "give `units` " + format_significant(unit.metres, 10) + ", or bring it to metres (" +
            use.conversion_command + ")";
@@ -284,7 +284,7 @@ std::string with_code(std::string way, const std::string& code) {
 
 }  // namespace
 
-LengthUnitDeclaration describe_system(const std::string& crs, std::string source) {
+LengthUnitDeclaration determine_crs_units(const std::string& crs, std::string source) {
   LengthUnitDeclaration declared{.source = std::move(source),
                                  .kind = ReferenceSystemKind::kUnknown};
   const std::size_t end = first_system_end(crs);
@@ -323,7 +323,7 @@ std::optional<DeclaredUnit> epsg_length_unit(int code) {
 
 std::vector<std::string> check_length_units(const std::string& name,
                                             const std::vector<LengthUnitDeclaration>& declared,
-                                            const LengthUnitUse& use) {
+                                            const LengthUnitRequirements& use) {
   std::vector<std::string> notes;
   for (const LengthUnitDeclaration& each : declared) {
     if (each.kind != ReferenceSystemKind::kUnknown) continue;

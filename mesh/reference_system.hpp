@@ -22,6 +22,7 @@ enum class ReferenceSystemKind {
   kVertical     ///< heights only
 };
 
+/// Length units declared by one coordinate system or heading of a file.
 struct LengthUnitDeclaration {
   std::string source;  ///< origin for messages: "GeoTIFF key 3072 = 26913, NAD83 / UTM zone 13N"
   ReferenceSystemKind kind = ReferenceSystemKind::kUnstated;
@@ -34,13 +35,13 @@ struct LengthUnitDeclaration {
 /// Determines the kind and the units of a coordinate system.
 /// @param crs  "EPSG:25832", or WKT of either version
 /// @param source  origin of the declaration for messages; the name of the system is appended
-LengthUnitDeclaration describe_system(const std::string& crs, std::string source);
+LengthUnitDeclaration determine_crs_units(const std::string& crs, std::string source);
 
 /// Returns the length unit of an EPSG code such as 9003; empty for other codes.
 std::optional<DeclaredUnit> epsg_length_unit(int code);
 
-/// Required use of coordinates, and advice for messages.
-struct LengthUnitUse {
+/// Requirements on length unit and axes of a file, and advice for error messages.
+struct LengthUnitRequirements {
   double unit = 1.0;  ///< assumed metres per unit of the file
   /// True if the user gave `unit`, which then overrides declarations.
   bool unit_given = false;
@@ -53,14 +54,14 @@ struct LengthUnitUse {
   bool has_units_option = false;
 };
 
-/// Checks that coordinates are lengths in the assumed unit.
+/// Checks that the coordinates of a file are lengths in the required unit.
 /// @param name  name of the file, for messages
 /// @return notes on declarations that are overridden or not understood
 /// @throws InputError  if coordinates are in degrees, geocentric or in another unit, if horizontal
 ///                     and vertical units differ, or if declarations contradict each other
 std::vector<std::string> check_length_units(const std::string& name,
                                             const std::vector<LengthUnitDeclaration>& declared,
-                                            const LengthUnitUse& use);
+                                            const LengthUnitRequirements& use);
 
 /// Checks that a projection distorts lengths by at most 1 % at a position. Mercator exceeds this
 /// away from the equator. Positions outside the system's area of use or within 100 km of its origin

@@ -10,7 +10,7 @@
 namespace clast {
 
 std::vector<std::array<std::uint32_t, 2>> find_self_intersections(const TriangleMesh& mesh) {
-  const mesh_detail::CgalMesh surface = mesh_detail::to_cgal(mesh);
+  const mesh_detail::CgalMesh surface = mesh_detail::to_cgal_mesh(mesh);
   std::vector<mesh_detail::CgalMesh::Face_index> with_area;
   for (const mesh_detail::CgalMesh::Face_index face : surface.faces()) {
     const auto& [a, b, c] = mesh.triangles[face.idx()];

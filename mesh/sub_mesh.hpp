@@ -6,7 +6,8 @@
 
 namespace clast {
 
-/// Makes a mesh of `triangles`, indices into `source`. Omits unused vertices; keeps the order.
+/// Makes a mesh of `triangles`, whose indices refer to vertices of `source`. Unused vertices are
+/// left out; the order is kept.
 TriangleMesh extract_triangles(const TriangleMesh& source,
                                const std::vector<TriangleMesh::Triangle>& triangles);
 

@@ -6,7 +6,8 @@
 
 namespace clast {
 
-/// Normal with the length of twice the area, m^2. Its z component is twice the signed plan area.
+/// Returns the normal of a triangle, with the length of twice its area, m^2. Its z component is
+/// twice the signed plan area.
 Vec3 doubled_area_vector(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
 /// Returns the unit normal; zero for a degenerate triangle.
@@ -14,7 +15,7 @@ Vec3 unit_normal(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangl
 
 Vec3 centroid(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
-/// Returns the angle at vertex `k`, rad.
+/// Returns the angle of a triangle at its vertex `k`, rad.
 double corner_angle(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle,
                     std::size_t k);
 

@@ -13,7 +13,7 @@ namespace clast {
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 /// Triangle mesh. Vertices are in metres. Triangles are vertex indices, counter-clockwise seen from
-/// outside. Nothing is guaranteed; see `inspect_mesh`.
+/// outside. Validity is not guaranteed; see `inspect_mesh`.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
   std::vector<Vec3> vertices;

@@ -12,7 +12,7 @@ using Triangle = TriangleMesh::Triangle;
 /// The sides of a triangle in the order of their edges.
 std::array<std::size_t, 3> sides_by_edge(const Triangle& t) {
   std::array<std::size_t, 3> sides = {0, 1, 2};
-  const auto key = [&](std::size_t k) { return edge_key(t[k], t[(k + 1) % 3]); };
+  const auto key = [&](std::size_t k) { return make_edge_key(t[k], t[(k + 1) % 3]); };
   std::sort(sides.begin(), sides.end(),
             [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   return sides;
@@ -42,7 +42,7 @@ TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const
 
 std::size_t find_edge_side(const Triangle& triangle, std::uint32_t a, std::uint32_t b) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (edge_key(triangle[k], triangle[(k + 1) % 3]) == edge_key(a, b)) return k;
+    if (make_edge_key(triangle[k], triangle[(k + 1) % 3]) == make_edge_key(a, b)) return k;
   }
   return 3;
 }

@@ -26,7 +26,7 @@ struct TriangleNeighbours {
 };
 
 TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh);
-/// Finds the neighbours.
+/// Finds the neighbours of each triangle.
 /// @param sorted  half-edges of `mesh`
 TriangleNeighbours triangle_neighbours(const TriangleMesh& mesh, std::span<const HalfEdge> sorted);
 
@@ -38,7 +38,7 @@ std::size_t find_edge_side(const TriangleMesh::Triangle& triangle, std::uint32_t
 /// numbered in the order of their first triangles.
 std::vector<std::uint32_t> manifold_components(const TriangleNeighbours& neighbours);
 
-/// Triangles that must be flipped for a consistent orientation.
+/// Consistent orientation of a mesh: the triangles that must be flipped.
 struct ConsistentOrientation {
   /// Triangles of each manifold component, in breadth-first order from the smallest index.
   std::vector<std::vector<std::uint32_t>> components;

@@ -8,7 +8,7 @@
 
 namespace clast {
 
-/// Corners at each vertex, ascending. Corner 3 t + k is vertex k of triangle t.
+/// Triangle corners at each vertex of a mesh, ascending. Corner 3 t + k is vertex k of triangle t.
 class VertexCorners {
  public:
   explicit VertexCorners(const TriangleMesh& mesh);

@@ -101,8 +101,8 @@ class NearbyVertices {
 };
 
 /// Key shared by the copies of a triangle.
-Triangle copy_key(Triangle corners, WindingMatch turn) {
-  if (turn == WindingMatch::kEither) {
+Triangle copy_key(Triangle corners, WindingMatch match) {
+  if (match == WindingMatch::kEither) {
     std::sort(corners.begin(), corners.end());
   } else {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -112,7 +112,7 @@ Triangle copy_key(Triangle corners, WindingMatch turn) {
 
 }  // namespace
 
-std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance) {
+std::vector<std::uint32_t> find_weld_targets(std::span<const Vec3> vertices, double tolerance) {
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
     throw InputError("weld tolerance " + format_significant(tolerance, 6) +
                      " m: must not be negative");
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double t
 }
 
 TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
-  const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, tolerance);
+  const std::vector<std::uint32_t> target = find_weld_targets(mesh.vertices, tolerance);
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
@@ -143,7 +143,7 @@ TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
   }
   std::vector<bool> again(triangles.size(), false);
   for (const DuplicateTriangle& copy : find_duplicate_triangles(triangles, WindingMatch::kSame)) {
-    again[copy.again] = true;
+    again[copy.duplicate] = true;
   }
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -153,11 +153,11 @@ TriangleMesh weld_vertices(const TriangleMesh& mesh, double tolerance) {
 }
 
 std::vector<DuplicateTriangle> find_duplicate_triangles(std::span<const Triangle> triangles,
-                                                        WindingMatch turn) {
+                                                        WindingMatch match) {
   std::vector<std::pair<Triangle, std::uint32_t>> order;
   order.reserve(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    order.emplace_back(copy_key(triangles[t], turn), t);
+    order.emplace_back(copy_key(triangles[t], match), t);
   }
   std::sort(order.begin(), order.end());
   std::vector<DuplicateTriangle> copies;

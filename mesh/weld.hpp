@@ -8,10 +8,11 @@
 
 namespace clast {
 
-/// Returns the target of each vertex: the first remaining vertex within `tolerance` (m), or itself.
-/// A tolerance below the rounding error of the coordinates merges only equal vertices.
+/// Finds the vertex into which each vertex is merged: the first remaining one within `tolerance`
+/// (m), or itself. A tolerance below the rounding error of the coordinates merges only equal
+/// vertices.
 /// @throws InputError  if the tolerance is negative or not finite
-std::vector<std::uint32_t> weld_targets(std::span<const Vec3> vertices, double tolerance);
+std::vector<std::uint32_t> find_weld_targets(std::span<const Vec3> vertices, double tolerance);
 
 /// Merges vertices closer than `tolerance` (m) to the first of them. Degenerate triangles, exact
 /// duplicates and unused vertices are removed. The order is kept.
@@ -23,13 +24,13 @@ enum class WindingMatch {
   kEither  ///< equal or opposite winding
 };
 
-/// Triangle and an earlier one with equal vertices.
+/// Duplicate triangle, and the first triangle with the same vertices.
 struct DuplicateTriangle {
-  std::uint32_t before = 0, again = 0;
+  std::uint32_t first = 0, duplicate = 0;
 };
 
 /// Finds all duplicate triangles, sorted by vertices, then index.
 std::vector<DuplicateTriangle> find_duplicate_triangles(
-    std::span<const TriangleMesh::Triangle> triangles, WindingMatch turn);
+    std::span<const TriangleMesh::Triangle> triangles, WindingMatch match);
 
 }  // namespace clast

@@ -9,7 +9,7 @@ namespace clast {
 
 namespace {
 
-constexpr NumberRange kPlace{-kBarLength.high, kBarLength.high, "m"};
+constexpr NumberRange kPlace{-kBarLengthRange.high, kBarLengthRange.high, "m"};
 constexpr std::uint64_t kMaxSquares = 100;
 constexpr std::uint64_t kMaxIds = 100000;
 
@@ -17,10 +17,10 @@ BoardMarker read_marker(const TomlNode& node, const std::string& file) {
   const TomlTable table(node, file, "[[marker]]", {"id", "centre_m"});
   table.require_key("id", "the number of the marker");
   BoardMarker marker;
-  marker.id = static_cast<int>(*table.count("id", 0, kMaxIds));
+  marker.id = static_cast<int>(*table.read_count("id", 0, kMaxIds));
   const TomlNode& centre = table.require_key("centre_m", "[x, y] or [x, y, z] of its centre");
   const std::vector<double> at =
-      table.numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kPlace);
+      table.read_numbers("centre_m", centre, 2, 3, "[x, y] or [x, y, z] of its centre, m", kPlace);
   marker.centre = {at[0], at[1], at.size() > 2 ? at[2] : 0.0};
   return marker;
 }
@@ -34,11 +34,11 @@ CharucoBoard read_charuco(const TomlNode& node, const std::string& file,
     table.require_key(key, "the length of a side, m");
   CharucoBoard board;
   board.dictionary = dictionary;
-  board.columns = static_cast<int>(*table.count("columns", 3, kMaxSquares));
-  board.rows = static_cast<int>(*table.count("rows", 3, kMaxSquares));
-  board.square = *table.number("square_m", kMarkerSide);
-  board.marker = *table.number("marker_m", kMarkerSide);
-  board.older_pattern = table.boolean("older_pattern").value_or(false);
+  board.columns = static_cast<int>(*table.read_count("columns", 3, kMaxSquares));
+  board.rows = static_cast<int>(*table.read_count("rows", 3, kMaxSquares));
+  board.square = *table.read_number("square_m", kMarkerSideRange);
+  board.marker = *table.read_number("marker_m", kMarkerSideRange);
+  board.older_pattern = table.read_boolean("older_pattern").value_or(false);
   return board;
 }
 
@@ -50,8 +50,8 @@ ScaleBoard read_scale_board(const std::filesystem::path& file) {
   const TomlTable table(root, name, "", {"dictionary", "marker_side_m", "marker", "charuco"});
   table.require_key("dictionary", "the kind of its markers, such as \"4x4_50\"");
   ScaleBoard board;
-  board.dictionary = *table.text("dictionary");
-  board.marker_side = table.number("marker_side_m", kMarkerSide);
+  board.dictionary = *table.read_text("dictionary");
+  board.marker_side = table.read_number("marker_side_m", kMarkerSideRange);
   if (const TomlNode* charuco = table.find("charuco")) {
     board.charuco = read_charuco(*charuco, name, board.dictionary);
   }

@@ -48,13 +48,14 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
       Block lightest = with_accurate_measures(std::move(*block), tried);
       if (halving > 0) {
         lightest.warnings.push_back(
-            "the radius is " + format_rounded(100.0 * tried.radius_share, 3) + " % of S: with " +
-            format_rounded(200.0 * tried.radius_share, 3) + " % no block was within the tolerance");
+            "the radius is " + format_rounded(100.0 * tried.radius_fraction, 3) + " % of S: with " +
+            format_rounded(200.0 * tried.radius_fraction, 3) +
+            " % no block was within the tolerance");
       }
       return lightest;
     }
     if (radius_given) break;
-    tried.radius_share /= 2.0;
+    tried.radius_fraction /= 2.0;
   }
   Block kept = nearest_block(options);
   kept.warnings.push_back(

@@ -7,7 +7,8 @@
 
 namespace clast {
 
-/// Searches the minimum number of vertices, to about a tenth.
+/// Search of the minimum number of vertices, to about a tenth, with which a block is within
+/// tolerance of its scan.
 class FewestVerticesSearch {
  public:
   /// Simplifies the scan once to the maximum number of vertices. All arguments must outlive it.

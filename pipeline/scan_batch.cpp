@@ -36,8 +36,8 @@ std::string request_of(const ScanToBlockOptions& options) {
 /// A batch of scans on its way into a library.
 class Batch {
  public:
-  Batch(const std::vector<ScanFile>& scans, const BatchOptions& options, BatchObserver& observer,
-        const ProgressCallback& progress)
+  Batch(const std::vector<ScanFile>& scans, const ScanBatchOptions& options,
+        ScanBatchObserver& observer, const ProgressCallback& progress)
       : scans_(scans),
         options_(options),
         observer_(observer),
@@ -50,10 +50,10 @@ class Batch {
     scan_options_.block.threads = std::max(1u, resolve_thread_count(0) / parallel_scans);
     if (std::filesystem::exists(options.library)) library_ = BlockLibrary::read(options.library);
     // A place that can't be written is refused before the work and not after it.
-    check_library_target(options.library);
+    check_library_writable(options.library);
   }
 
-  BatchResult run() {
+  ScanBatchResult run() {
     try {
       run_ordered_jobs(
           scans_.size(), options_.jobs, [&](std::size_t i) { return outcome_of(scans_[i]); },
@@ -89,7 +89,7 @@ class Batch {
     if (!library_.contains(first)) return false;
     const BlockSource& source = library_.find_block(first).source;
     const bool same_request = options_.resume && source.options.ends_with(request_);
-    if (same_request && source.sha256 == scan_digest(scan.path)) return true;
+    if (same_request && source.sha256 == compute_scan_digest(scan.path)) return true;
     if (options_.replace) return false;
     std::string how;
     if (options_.resume)
@@ -218,14 +218,14 @@ class Batch {
     try {
       save();
     } catch (const Error& error) {
-      observer_.on_note(std::string(error.what()) + "; writing will be tried again at the end");
+      observer_.on_note(std::string(error.what()) + "; writing is repeated at the end");
     }
     written_ = std::chrono::steady_clock::now();
   }
 
   const std::vector<ScanFile>& scans_;
-  const BatchOptions& options_;
-  BatchObserver& observer_;
+  const ScanBatchOptions& options_;
+  ScanBatchObserver& observer_;
   const ProgressCallback& progress_;
   std::string request_;
   ScanToBlockOptions scan_options_;  ///< with the threads of one scan
@@ -233,13 +233,13 @@ class Batch {
   std::vector<Unsaved> unsaved_;
   std::mutex mutex_;  ///< of all below, the library and the progress
   std::size_t taken_ = 0;
-  BatchResult result_;
+  ScanBatchResult result_;
   std::set<std::string> scans_failed_;  ///< their ids
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
 };
 
 /// Keeps the reasons of what failed.
-class Reasons : public BatchObserver {
+class Reasons : public ScanBatchObserver {
  public:
   void on_scan_failed(const ScanFile& scan, const std::string& reason) override {
     const bool named = reason.find(scan.path.string()) != std::string::npos;
@@ -251,7 +251,7 @@ class Reasons : public BatchObserver {
 
 }  // namespace
 
-void BatchOptions::check(std::size_t scans) const {
+void ScanBatchOptions::check(std::size_t scans) const {
   scan.check();
   if (!scan.block.mass || (scans < 2 && !scan.split)) return;
   throw InputError(
@@ -259,14 +259,16 @@ void BatchOptions::check(std::size_t scans) const {
       (scan.split ? "`split` may make several" : std::to_string(scans) + " scans are given"));
 }
 
-BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
-                              BatchObserver& observer, const ProgressCallback& progress) {
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options, ScanBatchObserver& observer,
+                                       const ProgressCallback& progress) {
   return Batch(scans, options, observer, progress).run();
 }
 
-BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options) {
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options) {
   Reasons reasons;
-  const BatchResult result = reconstruct_batch(scans, options, reasons);
+  const ScanBatchResult result = reconstruct_scan_batch(scans, options, reasons);
   if (!reasons.text.empty()) throw InputError(reasons.text);
   return result;
 }

@@ -10,7 +10,7 @@
 
 namespace clast {
 
-struct BatchOptions {
+struct ScanBatchOptions {
   std::filesystem::path library = "blocks.h5";  ///< library to which the blocks are added
   unsigned jobs = 1;                            ///< number of parallel scans; 0: one per core
   bool replace = false;  ///< true: existing blocks with the same id are replaced
@@ -27,9 +27,9 @@ struct BatchOptions {
 
 /// Observer of a batch. All functions except `on_block_made` are called for one scan at a time, in
 /// the order of the scans.
-class BatchObserver {
+class ScanBatchObserver {
  public:
-  virtual ~BatchObserver() = default;
+  virtual ~ScanBatchObserver() = default;
 
   /// Called with a new block and its data on the thread that made it; calls may be concurrent.
   virtual void on_block_made(const Block& /*block*/, const BlockOrigin& /*origin*/) {}
@@ -41,12 +41,12 @@ class BatchObserver {
   virtual void on_block_retained(const Block& /*block*/) {}
   /// Called if a block reported as added is not written, because another process has added its id.
   virtual void on_block_refused(const std::string& /*id*/) {}
-  /// Called for a scan, or a block of a scan, that is not in the library.
+  /// Called for a scan, or a block of a scan, that could not be added to the library.
   virtual void on_scan_failed(const ScanFile& /*scan*/, const std::string& /*reason*/) {}
   virtual void on_note(const std::string& /*text*/) {}
 };
 
-struct BatchResult {
+struct ScanBatchResult {
   std::size_t added = 0;         ///< number of added blocks
   std::size_t skipped = 0;       ///< number of scans whose block existed
   std::size_t failed_scans = 0;  ///< number of scans of which a block is missing
@@ -56,12 +56,15 @@ struct BatchResult {
 /// Makes the blocks of the scans and adds them to the library. The result does not depend on the
 /// number of jobs. A failed scan does not affect the others. The library is written at intervals,
 /// and if `progress` throws.
-/// @throws InputError  if the library cannot be read or written, or if `BatchOptions::check` throws
-BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options,
-                              BatchObserver& observer, const ProgressCallback& progress = {});
+/// @throws InputError  if the library cannot be read or written, or if `ScanBatchOptions::check`
+/// throws
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options, ScanBatchObserver& observer,
+                                       const ProgressCallback& progress = {});
 
-/// Makes the blocks without an observer.
+/// Makes the blocks of the scans and adds them to the library, without an observer.
 /// @throws InputError  if the other overload would throw, or if a scan failed; states all reasons
-BatchResult reconstruct_batch(const std::vector<ScanFile>& scans, const BatchOptions& options);
+ScanBatchResult reconstruct_scan_batch(const std::vector<ScanFile>& scans,
+                                       const ScanBatchOptions& options);
 
 }  // namespace clast

@@ -82,7 +82,7 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
   if (!block.source.unscaled) check_block_mass(block, options);
   // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.
   const bool as_it_is = block.surface.triangles.size() == scan.mesh.triangles.size();
-  if (as_it_is && !options.block.convex) warn_of_self_intersections(block, scan.mesh);
+  if (as_it_is && !options.block.convex) add_self_intersection_warning(block, scan.mesh);
   block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
   if (const std::string note = wide_tolerance_note(options.block, block); !note.empty()) {
     block.warnings.insert(block.warnings.begin(), note);
@@ -115,7 +115,7 @@ ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptio
   const FieldScanOptions reading = reading_options(options);
   if (std::filesystem::is_directory(path)) {
     PhotographedBlocks made = reconstruct_photographs(path, options, reading, source, callbacks);
-    return {std::move(made.found), std::move(made.photos)};
+    return {std::move(made.field_scan), std::move(made.photos)};
   }
   if (!options.block.core) return {read_field_scan(path, reading), {}};
   FieldScan core;
@@ -182,7 +182,7 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
 
 }  // namespace
 
-std::string scan_digest(const std::filesystem::path& path) {
+std::string compute_scan_digest(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path) ? compute_photo_digest(path) : sha256_of_file(path);
 }
 
@@ -197,7 +197,7 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
                                       const ScanCallbacks& callbacks) {
   callbacks.begin_step("reading " + id);
   const std::string up = resolve_up_axis(options.scan.up, path);
-  BlockSource source{to_utf8(path.string()), scan_digest(path),
+  BlockSource source{to_utf8(path.string()), compute_scan_digest(path),
                      format_scale_record(options) + " up=" + up, ""};
   ReadScan read = read_any_scan(path, options, source, callbacks);
   return make_blocks(read, id, std::move(source), up, options, callbacks);

@@ -56,7 +56,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("photos", photos);
 }
 
-/// Data from which a block was made.
+/// Scan data from which a block was made.
 struct BlockOrigin {
   /// Mesh as read, in units and axes of the file. A cloud has no triangles; null for .shp.
   const TriangleMesh* raw = nullptr;
@@ -81,7 +81,7 @@ struct ScanCallbacks {
 
 /// Returns the SHA-256 of a file, or of the photographs in a folder.
 /// @throws InputError  if the file or a photograph cannot be read
-std::string scan_digest(const std::filesystem::path& path);
+std::string compute_scan_digest(const std::filesystem::path& path);
 
 /// Makes the blocks of a scan: reads, repairs, simplifies and measures it. The scan is a mesh, a
 /// cloud or a folder of photographs. With `split`, the blocks are `id`_1, `id`_2, ..., ordered by

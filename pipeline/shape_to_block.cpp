@@ -127,9 +127,9 @@ Block make_shape_block(const ShpShape& shape, const std::filesystem::path& path,
     } else {
       const Scan scan = clean_scan(core_mesh(shape.body), where, taken.scan);
       const SpheroPolyhedron body = make_sphero_polyhedron(scan.mesh, *taken.block.radius);
-      block =
-          make_block(id, merge_coplanar_faces(body, kFileFlatness), std::move(source), taken.block);
-      warn_of_self_intersections(block, scan.mesh);
+      block = make_block(id, merge_coplanar_faces(body, kFileFlatnessTolerance), std::move(source),
+                         taken.block);
+      add_self_intersection_warning(block, scan.mesh);
       block.warnings.insert(block.warnings.begin(), scan.notes.begin(), scan.notes.end());
     }
     check_scan_size(bounds(block.surface), id, options);

@@ -5,9 +5,9 @@
 
 namespace clast {
 
-/// Makes a block with the core and radius of a shape, in the frame of the file. Orients and repairs
-/// faces as in a scan, merges coplanar ones, and computes mass and inertia. If volume or I/m of the
-/// file differ by more than their sampling error, a warning states both values.
+/// Makes a block with the core and radius of a .shp shape, in the frame of the file. Orients and
+/// repairs faces as in a scan, merges coplanar ones, and computes mass and inertia. If volume or
+/// I/m of the file differ by more than their sampling error, a warning states both values.
 /// @param options  units, up axis, density, mass and accuracy are used
 /// @throws InputError  if `options` has another radius, the shape is a surface (isSurface), or its
 ///                     size is implausible

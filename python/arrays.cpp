@@ -57,7 +57,7 @@ bool read_rows_as(const py::array& array, const Take& take) {
 void check_rows(const py::array& array, const char* name) {
   if (array.ndim() == 2 && array.shape(1) == 3) return;
   throw InputError(std::string(name) + ": has the shape " + shape_of(array) +
-                   " and must have (n, 3)");
+                   " but must have (n, 3)");
 }
 
 std::vector<TriangleMesh::Triangle> triangles_from(const py::object& object, std::size_t vertices) {
@@ -71,7 +71,7 @@ std::vector<TriangleMesh::Triangle> triangles_from(const py::object& object, std
   const auto index = [&](py::ssize_t row, auto value) {
     if (value < 0 || static_cast<std::uint64_t>(value) >= vertices) {
       throw InputError("triangles: row " + std::to_string(row) + " has the index " +
-                       std::to_string(value) + ", and there are " +
+                       std::to_string(value) + ", but there are " +
                        format_count(vertices, "vertex", "vertices"));
     }
     return static_cast<std::uint32_t>(value);
@@ -87,19 +87,19 @@ std::vector<TriangleMesh::Triangle> triangles_from(const py::object& object, std
 
 }  // namespace
 
-py::array array_view(const std::vector<Vec3>& points, const py::handle& owner) {
+py::array make_array_view(const std::vector<Vec3>& points, const py::handle& owner) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   const double* first = points.empty() ? nullptr : points.front().data();
   return view_of(first, {static_cast<py::ssize_t>(points.size()), 3}, owner);
 }
 
-py::array array_view(const std::vector<TriangleMesh::Triangle>& triangles,
-                     const py::handle& owner) {
+py::array make_array_view(const std::vector<TriangleMesh::Triangle>& triangles,
+                          const py::handle& owner) {
   const std::uint32_t* first = triangles.empty() ? nullptr : triangles.front().data();
   return view_of(first, {static_cast<py::ssize_t>(triangles.size()), 3}, owner);
 }
 
-py::array array_view(const std::vector<std::uint32_t>& indices, const py::handle& owner) {
+py::array make_array_view(const std::vector<std::uint32_t>& indices, const py::handle& owner) {
   return view_of(indices.data(), {static_cast<py::ssize_t>(indices.size())}, owner);
 }
 
@@ -123,7 +123,8 @@ py::array_t<double> to_array(const Quat& turn) {
 py::tuple to_arrays(TriangleMesh mesh) {
   auto* kept = new TriangleMesh(std::move(mesh));
   const py::capsule owner(kept, [](void* pointer) { delete static_cast<TriangleMesh*>(pointer); });
-  return py::make_tuple(array_view(kept->vertices, owner), array_view(kept->triangles, owner));
+  return py::make_tuple(make_array_view(kept->vertices, owner),
+                        make_array_view(kept->triangles, owner));
 }
 
 std::vector<Vec3> parse_points(const py::object& object, const char* name) {
@@ -151,7 +152,7 @@ Vec3 parse_vector(const py::object& object, const char* name) {
   const py::array array = array_from(object, name);
   if (array.ndim() != 1 || array.shape(0) != 3) {
     throw InputError(std::string(name) + ": has the shape " + shape_of(array) +
-                     " and must have (3,)");
+                     " but must have (3,)");
   }
   const auto values = py::array_t<double>(array).unchecked<1>();
   const Vec3 vector(values(0), values(1), values(2));
@@ -174,16 +175,16 @@ Quat parse_rotation(const py::object& object, const char* name) {
     }
     const bool turns = (matrix * matrix.transpose()).isApprox(Mat3::Identity(), 1e-6);
     if (!turns || matrix.determinant() < 0.0) {
-      throw InputError(std::string(name) + ": is a matrix that is no rotation");
+      throw InputError(std::string(name) + ": is a matrix but not a rotation");
     }
     turn = Quat(matrix);
   } else {
     throw InputError(std::string(name) + ": has the shape " + shape_of(array) +
-                     " and must have (4,), w x y z, or (3, 3)");
+                     " but must have (4,), w x y z, or (3, 3)");
   }
   if (!(std::abs(turn.norm() - 1.0) <= 1e-3)) {
     throw InputError(std::string(name) + ": has the length " + format_significant(turn.norm(), 6) +
-                     " and must have 1");
+                     " but must have 1");
   }
   return turn.normalized();
 }

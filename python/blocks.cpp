@@ -37,7 +37,7 @@ py::dict classes_of(const Axes& axes, double axis_error, const SchemeOptions& op
   options.check();
   py::dict classes;
   for (const std::string& scheme : scheme_names()) {
-    classes[py::str(key_of(scheme))] = class_certainty(scheme, axes, axis_error, options);
+    classes[py::str(key_of(scheme))] = assess_class_certainty(scheme, axes, axis_error, options);
   }
   return classes;
 }
@@ -94,7 +94,8 @@ auto part(const Part& of) {
 
 py::tuple faces_of(const SpheroPolyhedron& core, const py::object& self) {
   py::tuple faces(core.faces.size());
-  for (std::size_t i = 0; i < core.faces.size(); ++i) faces[i] = array_view(core.faces[i], self);
+  for (std::size_t i = 0; i < core.faces.size(); ++i)
+    faces[i] = make_array_view(core.faces[i], self);
   return faces;
 }
 
@@ -136,18 +137,21 @@ py::bytes picture_of(const Block& block, std::uint32_t width, std::uint32_t heig
 void bind_shape_class(py::module_& module) {
   py::class_<ClassCertainty>(module, "ShapeClass",
                              "A shape class with its distance from the nearest limit, and whether "
-                             "it holds within the error of the axes.")
-      .def_readonly("name", &ClassCertainty::name, "The class, as \"CB\" or \"compact\".")
-      .def_readonly("ratio", &ClassCertainty::ratio, "Ratio nearest to one of its limits.")
-      .def_readonly("value", &ClassCertainty::value, "Of the ratio.")
-      .def_readonly("limit", &ClassCertainty::limit, "Of the ratio, the nearest.")
-      .def_readonly("distance", &ClassCertainty::distance, "Between value and limit.")
-      .def_readonly("near_limit", &ClassCertainty::near_limit,
-                    "Closer than 0.05, or than the error of the axes.")
+                             "it is certain within the error of the axes.")
+      .def_readonly("name", &ClassCertainty::name,
+                    "Name of the class, such as \"CB\" or \"compact\".")
+      .def_readonly("ratio", &ClassCertainty::nearest_ratio,
+                    "Name of the ratio that is nearest to a class limit.")
+      .def_readonly("value", &ClassCertainty::ratio_value, "Value of the ratio.")
+      .def_readonly("limit", &ClassCertainty::nearest_limit, "Limit nearest to the ratio.")
+      .def_readonly("distance", &ClassCertainty::distance, "Distance between value and limit.")
+      .def_readonly(
+          "near_limit", &ClassCertainty::near_limit,
+          "True if the value is closer to the limit than 0.05 or than the error of the axes.")
       .def_readonly("survives", &ClassCertainty::is_certain,
-                    "The class is the same for all axes within their error.")
-      .def_readonly("others", &ClassCertainty::possible_others,
-                    "Every other class that axes within the error can have.")
+                    "True if the class is the same for all axes within their error.")
+      .def_readonly("others", &ClassCertainty::other_possible_classes,
+                    "All other classes that are possible for axes within their error.")
       .def("__str__", [](const ClassCertainty& one) { return one.name; })
       .def("__repr__", [](const ClassCertainty& one) {
         return "<" + one.name + ": " + describe_certainty(one) + ">";
@@ -157,12 +161,12 @@ void bind_shape_class(py::module_& module) {
 void bind_core(py::module_& module) {
   py::class_<SpheroPolyhedron, std::shared_ptr<SpheroPolyhedron>>(
       module, "Core",
-      "The polyhedron that a sphere is swept over. The block is every point within the radius of "
-      "it.")
+      "The polyhedron over which a sphere is swept. The block is the set of all points within the "
+      "radius of it.")
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {
-            return array_view(py::cast<const SpheroPolyhedron&>(self).vertices, self);
+            return make_array_view(py::cast<const SpheroPolyhedron&>(self).vertices, self);
           },
           "Corners, m; float64 (n, 3), a view.")
       .def_property_readonly(
@@ -175,7 +179,8 @@ void bind_core(py::module_& module) {
       .def_readonly("radius", &SpheroPolyhedron::radius, "Minkowski radius, m.")
       .def(
           "mesh", [](const SpheroPolyhedron& core) { return to_arrays(core_mesh(core)); },
-          "(vertices (n, 3), triangles (m, 3)): the core, polygons cut into triangles.");
+          "(vertices (n, 3), triangles (m, 3)): the core, with its polygons divided into "
+          "triangles.");
 }
 
 }  // namespace
@@ -186,60 +191,60 @@ void bind_blocks(py::module_& module) {
   py::class_<Block, std::shared_ptr<Block>> block(
       module, "Block",
       "A rock block: a polyhedron swept by a sphere, with exact mass properties.\n\n"
-      "Everything geometric is in the frame of the scan, in metres, z up. Where unscaled is true "
-      "lengths are in\nunits of the scan, and mass, inertia and moments are not numbers.");
+      "Geometric values are in the frame of the scan, in metres, z up. If unscaled is true, "
+      "lengths are in\nunits of the scan, and mass, inertia and moments are NaN.");
   block.def_readonly("id", &Block::id, "Name in its library.")
       .def_property_readonly(
           "mass", [](const Block& b) { return if_scaled(b, b.mass.mass); }, "kg")
       .def_property_readonly(
           "volume", [](const Block& b) { return b.mass.volume; }, "m^3")
       .def_readonly("density", &Block::density, "kg/m^3")
-      .def_readonly("area", &Block::area, "Of the rounded surface, m^2.")
+      .def_readonly("area", &Block::area, "Area of the rounded surface, m^2.")
       .def_property_readonly(
           "centre", [](const Block& b) { return to_array(b.mass.centre); },
           "Centre of mass, m; float64 (3,).")
       .def_property_readonly(
           "inertia", [](const Block& b) { return to_array(if_scaled(b, b.mass.inertia)); },
-          "About the centre of mass, along the axes of the scan, kg m^2; float64 (3, 3).")
+          "Inertia tensor about the centre of mass, along the axes of the scan, kg m^2; float64 "
+          "(3, 3).")
       .def_property_readonly(
           "principal_moments",
           [](const Block& b) { return to_array(if_scaled(b, b.principal.moments)); },
-          "Ascending, kg m^2; float64 (3,).")
+          "Principal moments, ascending, kg m^2; float64 (3,).")
       .def_property_readonly(
           "principal_axes",
           [](const Block& b) { return to_array(Mat3(b.principal.rotation.toRotationMatrix())); },
-          "Columns are the principal axes in the frame of the scan; float64 (3, 3).")
+          "Matrix whose columns are the principal axes in the frame of the scan; float64 (3, 3).")
       .def_property_readonly(
           "box_lengths", [](const Block& b) { return to_array(b.box.lengths); },
-          "L >= I >= S of the smallest box, m; float64 (3,).")
+          "Sides L >= I >= S of the smallest box, m; float64 (3,).")
       .def_property_readonly(
           "box_axes", [](const Block& b) { return to_array(b.box.axes); },
-          "Columns are the directions of L, I, S; float64 (3, 3).")
+          "Matrix whose columns are the directions of L, I, S; float64 (3, 3).")
       .def_property_readonly(
           "box_centre", [](const Block& b) { return to_array(b.box.centre); }, "m; float64 (3,).");
   block
       .def_property_readonly(
           "core", [](const Block& b) { return &b.body; },
           py::return_value_policy::reference_internal, "The polyhedron with its radius.")
-      .def_property_readonly(
-          "surface", part([](const Block& b, const py::object& self) {
-            return py::make_tuple(array_view(b.surface.vertices, self),
-                                  array_view(b.surface.triangles, self));
-          }),
-          "(vertices (n, 3) m, triangles (m, 3)): the closed scan, simplified, that the block was "
-          "made from; views.")
+      .def_property_readonly("surface", part([](const Block& b, const py::object& self) {
+                               return py::make_tuple(make_array_view(b.surface.vertices, self),
+                                                     make_array_view(b.surface.triangles, self));
+                             }),
+                             "(vertices (n, 3) m, triangles (m, 3)): the simplified, closed scan "
+                             "from which the block was made; views.")
       .def(
           "skin", [](const Block& b, int segments) { return skin_of(b.body, segments); },
           "segments"_a = 4,
           "(vertices (n, 3) m, triangles (m, 3)): the rounded surface.\n\n"
-          "segments: pieces of a quarter turn, 1 to 64.")
+          "segments: segments per quarter circle, 1 to 64.")
       .def_property_readonly(
           "classes", [](const Block& b) { return classes_of(b.axes(), axis_error_of(b), {}); },
           "ShapeClass by scheme: \"sneed_folk\", \"zingg\", \"garcia\", ...; the error of the axes "
           "is twice the deviation from the scan.")
       .def(
           "classify", &classify_block,
-          "The same for another box, error or limits.\n\n"
+          "Shape classes for another box, error or limits.\n\n"
           "box: \"smallest\", \"inertia\", \"feret\" or \"pca\"; axis_error: m; thirds: limits 1/3 "
           "and 2/3 of Sneed & Folk; erdogan_limit: ratio.")
       .def_property_readonly(
@@ -248,39 +253,43 @@ void bind_blocks(py::module_& module) {
       .def(
           "roundness",
           [](const Block& b, double edge_length) {
-            const Roundness measured = without_gil([&] { return block_roundness(b, edge_length); });
+            const Roundness measured =
+                run_without_gil([&] { return block_roundness(b, edge_length); });
             return measured.value;
           },
-          "edge_length"_a, "Wadell's roundness on triangles with edges of so many metres.")
-      .def_readonly("warnings", &Block::warnings, "What its user must know.")
-      .def_property_readonly("unscaled", &is_unscaled, "Its scan said nothing of metres.")
+          "edge_length"_a,
+          "Wadell's roundness, measured on triangles with edges of this length, m.")
+      .def_readonly("warnings", &Block::warnings, "Warnings about the block.")
+      .def_property_readonly("unscaled", &is_unscaled,
+                             "True if the scale of the scan is not known.")
       .def_property_readonly(
           "deviation", [](const Block& b) { return b.deviation.hausdorff; },
           "Hausdorff distance to the scan, m.")
       .def(
           "to_dict", [](const Block& b) { return to_python_object(block_json(b)); },
-          "Everything known, as clast show prints it as JSON.")
+          "All data of the block, as printed by clast show as JSON.")
       .def("picture", &picture_of, "width"_a = 320, "height"_a = 256,
-           "PNG of the rounded surface from the front and above.")
+           "PNG of the rounded surface, seen from the front and above.")
       .def("_repr_png_", [](const Block& b) { return picture_of(b, 320, 256); })
       .def("__repr__", [](const Block& b) { return "<clast.Block " + format_block_line(b) + ">"; });
   module.def("shape_classes", &classify_axes, "L"_a, "I"_a, "S"_a,
              "ShapeClass by scheme for axes in metres, in any order.\n\n"
-             "axis_error: m, else 0.05, of a tape; thirds, erdogan_limit: as of Block.classify.");
+             "axis_error: error of the axes, m, default 0.05 (tape); thirds, erdogan_limit: as in "
+             "Block.classify.");
   module.def(
       "mass_properties",
       [](const py::object& vertices, const py::object& triangles, double density) {
         const TriangleMesh mesh = parse_mesh(vertices, triangles);
         const MassProperties found =
-            without_gil([&] { return solid_mass_properties(mesh, density); });
+            run_without_gil([&] { return solid_mass_properties(mesh, density); });
         return py::dict("volume_m3"_a = found.volume, "mass_kg"_a = found.mass,
                         "centre_m"_a = to_array(found.centre),
                         "inertia_kg_m2"_a = to_array(found.inertia));
       },
       "vertices"_a, "triangles"_a, "density"_a = 2650.0,
-      "Of the solid that a closed mesh bounds, exactly.\n\n"
-      "vertices: (n, 3) m; triangles: (m, 3) indices, counter-clockwise from outside; read where "
-      "they are. density: kg/m^3.");
+      "Mass properties of the solid that a closed mesh bounds, in closed form.\n\n"
+      "vertices: (n, 3) m; triangles: (m, 3) indices, counter-clockwise from outside; read in "
+      "place. density: kg/m^3.");
 }
 
 }  // namespace clast::python_detail

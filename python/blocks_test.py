@@ -97,7 +97,7 @@ def test_a_million_vertices_pass_in_without_a_copy_in_python():
         (np.zeros((4, 2)), [[0, 1, 2]], clast.InputError, r"vertices: has the shape \(4, 2\)"),
         (np.zeros(3), [[0, 1, 2]], clast.InputError, r"vertices: has the shape \(3,\)"),
         (np.full((3, 3), np.nan), [[0, 1, 2]], clast.InputError, "row 0 is not finite"),
-        (np.zeros((3, 3)), [[0, 1, 3]], clast.InputError, "index 3, and there are 3 vertices"),
+        (np.zeros((3, 3)), [[0, 1, 3]], clast.InputError, "index 3, but there are 3 vertices"),
         (np.zeros((3, 3)), [[0, 1, -1]], clast.InputError, "index -1"),
         (np.zeros((3, 3)), [[0.0, 1.0, 2.0]], TypeError, "whole numbers"),
         ("no array", [[0, 1, 2]], TypeError, "vertices: must be an array of numbers"),

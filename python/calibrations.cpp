@@ -30,7 +30,7 @@ TableValues draws_of(const Calibration& calibration) {
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
     const std::string& name = calibration.study.unknowns[i].parameter;
     const Eigen::VectorXd row = posterior.draws.row(static_cast<Eigen::Index>(i)).transpose();
-    table.push_back({name, parameter_range(name).unit, describe_unknown(name),
+    table.push_back({name, calibratable_range(name).unit, describe_unknown(name),
                      std::vector<double>(row.begin(), row.end())});
   }
   table.push_back(
@@ -39,8 +39,8 @@ TableValues draws_of(const Calibration& calibration) {
   return table;
 }
 
-CalibrateOptions common_options(Keywords& given) {
-  CalibrateOptions options;
+CalibrationOptions common_options(Keywords& given) {
+  CalibrationOptions options;
   given.read("threads", options.threads);
   given.read("resume", options.resume);
   given.read("replace", options.replace);
@@ -51,14 +51,14 @@ CalibrateOptions common_options(Keywords& given) {
 py::tuple calibrate_study(const fs::path& study, const fs::path& output, const py::dict& keywords,
                           const py::object& progress) {
   Keywords given(keywords);
-  CalibrateOptions options = common_options(given);
+  CalibrationOptions options = common_options(given);
   given.read("parts", options.parts);
   given.check_all_used();
   const Calibration found = run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
     return calibrate_and_report(read_calibration_study(study), output, options);
   });
-  return py::make_tuple(calibration_page_file(output).string(), make_table(draws_of(found)),
+  return py::make_tuple(calibration_page_file(output).string(), make_table_dicts(draws_of(found)),
                         to_python_object(calibration_json(found)));
 }
 
@@ -67,26 +67,26 @@ std::string calibrate_shard(const fs::path& study, const fs::path& output,
                             const std::pair<std::uint32_t, std::uint32_t>& shard,
                             const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
-  CalibrateOptions options = common_options(given);
+  CalibrationOptions options = common_options(given);
   given.check_all_used();
   options.shard = {shard.first, shard.second};
   options.shard.check();
-  const fs::path target = shard_file(output, options.shard);
+  const fs::path target = shard_results_path(output, options.shard);
   run_with_progress(progress, [&](const ProgressCallback& step) {
     options.progress = step;
-    return calibrate(read_calibration_study(study), target, options);
+    return run_calibration(read_calibration_study(study), target, options);
   });
   return target.string();
 }
 
 std::vector<std::string> check_study(const fs::path& study) {
-  return without_gil([&] { return check_calibration_study(study).findings; });
+  return run_without_gil([&] { return check_calibration_study(study).findings; });
 }
 
 }  // namespace
 
 void bind_calibrations(py::module_& module) {
-  module.attr("calibration_tables") = to_key_dict(calibration_key_tables());
+  module.attr("calibration_tables") = key_tables_to_dict(calibration_key_tables());
   module.def("calibrate", &calibrate_study);
   module.def("calibrate_shard", &calibrate_shard);
   module.def("check_calibration", &check_study);

@@ -75,7 +75,7 @@ def test_files_are_the_programs_to_the_bit(mine, theirs):
     with open(mine.path, "rb") as file:
         assert file.read() == (folder / "p.h5").read_bytes()
     with open(mine.page, encoding="utf-8") as page:
-        assert "Ground found from what was observed" in page.read()
+        assert "Ground parameters estimated from observations" in page.read()
 
 
 def test_what_was_found_is_said(mine):

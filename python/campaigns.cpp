@@ -60,7 +60,7 @@ py::object object_of_node(const TomlNode& node) {
 /// (text, what is in it)
 py::tuple read_campaign_text(const fs::path& file) {
   std::string text;
-  const TomlNode root = without_gil([&] {
+  const TomlNode root = run_without_gil([&] {
     text = read_text_file(file);
     return parse_toml(text, file.string());
   });
@@ -87,13 +87,14 @@ std::optional<Shard> take_shard(Keywords& given) {
 
 /// Refuses places as the program does, before anything runs.
 /// @return whether all is done already
-bool check_place(const fs::path& target, const CampaignPlan& prepared, const RunOptions& options) {
-  const bool begun = fs::exists(journal_path(target));
+bool check_place(const fs::path& target, const CampaignPlan& prepared,
+                 const CampaignRunOptions& options) {
+  const bool begun = fs::exists(results_journal_path(target));
   if (options.resume && !options.replace && !begun &&
-      is_finished(target, prepared.header, options.shard.runs_of(prepared))) {
+      has_finished_results(target, prepared.header, options.shard.run_count(prepared))) {
     return true;
   }
-  if (!options.resume) refuse_interrupted(target);
+  if (!options.resume) check_not_interrupted(target);
   return false;
 }
 
@@ -101,7 +102,7 @@ bool check_place(const fs::path& target, const CampaignPlan& prepared, const Run
 std::string run(const std::string& text, const fs::path& file, const fs::path& output,
                 const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
-  RunOptions options;
+  CampaignRunOptions options;
   given.read("threads", options.threads);
   given.read("resume", options.resume);
   given.read("replace", options.replace);
@@ -109,16 +110,17 @@ std::string run(const std::string& text, const fs::path& file, const fs::path& o
   const std::optional<Shard> shard = take_shard(given);
   given.check_all_used();
   options.shard = shard.value_or(Shard());
-  const fs::path target = shard_file(output, shard);
+  const fs::path target = shard_results_path(output, shard);
   call_with_progress(progress, [&](const ProgressCallback& step) {
-    const bool keep = !options.replace && !options.resume && !fs::exists(journal_path(target));
+    const bool keep =
+        !options.replace && !options.resume && !fs::exists(results_journal_path(target));
     check_results_target(target, !keep);
     const CampaignPlan prepared = prepare_campaign(parse_campaign(text, file));
     if (!check_place(target, prepared, options)) {
       options.progress = step;
       run_campaign(prepared, target, options);
     }
-    check_outcome(read_results(target), target);
+    check_no_failed_runs(read_results(target), target);
   });
   return target.string();
 }
@@ -142,15 +144,15 @@ py::object dry_run(const std::string& text, const fs::path& file, const py::dict
       rules.kind = file_kind_by_extension(*map);
       check_output_target(*map, rules);
     }
-    const TimeProbe probe = probe_time(prepared, kProbeTime);
+    const RunTimeProbe probe = measure_run_time(prepared, kProbeTime);
     nlohmann::ordered_json json = plan_json(prepared);
     json["expected_time_s"] = estimate_time(prepared, probe, shard, resolve_thread_count(threads));
-    PlannedPower power = planned_power(prepared, probe);
+    PlannedPower power = compute_planned_power(prepared, probe);
     power.margin = margin;
     json.update(power_json(power));
     json["probed_runs"] = probe.runs;
-    json["probe_cut_short"] = probe.cut_short;
-    json["probe_failure"] = probe.failure;
+    json["probe_cut_short"] = probe.last_run_stopped;
+    json["probe_failure"] = probe.first_failure;
     json["threads"] = resolve_thread_count(threads);
     if (map) {
       write_output(*map, draw_svg_map(make_site_map(prepared.header)), rules);
@@ -167,7 +169,7 @@ std::vector<std::string> make_new(const fs::path& library, const py::object& ter
   std::vector<fs::path> surface;
   for (const std::string& one : parse_texts(terrain, "terrain")) surface.emplace_back(one);
   return run_with_progress(py::none(), [&](const ProgressCallback&) {
-    return write_new_campaign(library, surface, output, {.replace = replace}).doubts;
+    return write_new_campaign(library, surface, output, {.replace = replace}).proposal_warnings;
   });
 }
 
@@ -206,13 +208,13 @@ py::tuple import_results(const std::string& engine, const fs::path& scenes, cons
     options.progress = step;
     return import_engine_results(options, output);
   });
-  return py::make_tuple(found.runs, found.without, found.notes);
+  return py::make_tuple(found.runs, found.without_output, found.notes);
 }
 
 void merge(const py::object& parts, const fs::path& output, bool replace) {
   std::vector<fs::path> files;
   for (const std::string& part : parse_texts(parts, "parts")) files.emplace_back(part);
-  without_gil([&] {
+  run_without_gil([&] {
     check_results_target(output, replace);
     merge_results(files, output);
   });
@@ -221,7 +223,7 @@ void merge(const py::object& parts, const fs::path& output, bool replace) {
 }  // namespace
 
 void bind_campaigns(py::module_& module) {
-  module.attr("campaign_tables") = to_key_dict(campaign_key_tables());
+  module.attr("campaign_tables") = key_tables_to_dict(campaign_key_tables());
   module.def("campaign_schema", [] { return to_python_object(campaign_schema()); });
   module.def("campaign_read", &read_campaign_text);
   module.def("campaign_write", [](const fs::path& file, const std::string& text, bool replace) {

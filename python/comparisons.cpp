@@ -39,7 +39,7 @@ struct ComparisonHolder {
 };
 
 SharedResults load_results(const fs::path& path) {
-  return without_gil([&] { return std::make_shared<CampaignResults>(read_results(path)); });
+  return run_without_gil([&] { return std::make_shared<CampaignResults>(read_results(path)); });
 }
 
 /// Numbers of every state, in columns.
@@ -58,7 +58,7 @@ std::array<double, 3> numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; 
 
 /// Positions on the map.
 py::dict trajectory_of(const CampaignResults& results, std::uint32_t run) {
-  Trajectory found = without_gil([&] { return read_trajectory(results.file, run); });
+  Trajectory found = run_without_gil([&] { return read_trajectory(results.file, run); });
   const py::array position = rows_of_states(found, 3, [&](const RigidState& state) {
     return numbers_of(results.frame.to_map(state.position));
   });
@@ -88,7 +88,7 @@ std::shared_ptr<ComparisonHolder> compare_all(const std::vector<SharedResults>& 
 }
 
 std::vector<std::string> sentences(const ComparisonHolder& of) {
-  std::vector<std::string> lines = describe_key_results(of.comparison, of.analyses.answer());
+  std::vector<std::string> lines = describe_key_results(of.comparison, of.analyses.key_results());
   const std::vector<std::string> observed = describe_measured_stops(of.comparison);
   lines.insert(lines.end(), observed.begin(), observed.end());
   return lines;
@@ -100,17 +100,17 @@ std::vector<std::string> write(const ComparisonHolder& of, const fs::path& folde
   Keywords given(keywords);
   ComparisonReportOptions extras;
   bool replace = false, pdf = false;
-  given.read("animate", extras.animated);
+  given.read("animate", extras.animated_runs);
   given.read("replace", replace);
   given.read("pdf", pdf);
   given.check_all_used();
   return run_with_progress(py::none(), [&](const ProgressCallback&) {
     if (pdf) extras.browser = find_browser();
     OutputFolder output(folder, comparison_folder_kind(), replace);
-    const WrittenReport filled = fill_folder(output, of.analyses, extras);
-    if (filled.no_pdf) {
-      throw InputError(folder.string() +
-                       " holds the report, but report.pdf could not be made: " + *filled.no_pdf);
+    const WrittenReport filled = write_report_folder(output, of.analyses, extras);
+    if (filled.pdf_failure) {
+      throw InputError(folder.string() + " holds the report, but report.pdf could not be made: " +
+                       *filled.pdf_failure);
     }
     std::vector<std::string> files;
     for (const fs::path& file : filled.files) files.push_back((folder / file).string());
@@ -136,20 +136,21 @@ void bind_comparisons(py::module_& module) {
   py::class_<ComparisonHolder, std::shared_ptr<ComparisonHolder>>(module, "ComparisonData")
       .def("table",
            [](const ComparisonHolder& of, const std::string& name) {
-             return make_table(without_gil(
-                 [&] { return find_table(comparison_tables(), name).values(of.analyses); }));
+             return make_table_dicts(run_without_gil(
+                 [&] { return find_report_table(comparison_tables(), name).values(of.analyses); }));
            })
       .def_property_readonly("warnings",
                              [](const ComparisonHolder& of) { return of.comparison.warnings; })
       .def("sentences", &sentences)
       .def("first_screen",
            [](const ComparisonHolder& of) {
-             return describe_first_screen(of.comparison, of.analyses.answer());
+             return describe_results_and_warnings(of.comparison, of.analyses.key_results());
            })
       .def("effects",
            [](const ComparisonHolder& of) {
-             std::vector<std::string> lines = describe_effects(of.analyses.effects());
-             for (std::string& line : describe_trends(of.analyses.trends(), of.comparison.margin)) {
+             std::vector<std::string> lines = describe_effects(of.analyses.design_effects());
+             for (std::string& line :
+                  describe_trends(of.analyses.shape_trends(), of.comparison.margin)) {
                lines.push_back(std::move(line));
              }
              return lines;

@@ -13,14 +13,14 @@ namespace py = pybind11;
 void bind_errors(py::module_& module) {
   auto& error = py::register_exception<Error>(module, "Error");
   error.attr("__doc__") =
-      "What clast raises on purpose; the message says what failed, on which "
-      "item, with which value.";
+      "Base class of the errors of clast; the message states what failed, on which item and with "
+      "which value.";
   py::register_exception<InputError>(module, "InputError", error).attr("__doc__") =
       "A file, argument or value that can't be used.";
   py::register_exception<GeometryError>(module, "GeometryError", error).attr("__doc__") =
       "A shape lacks a property that an operation needs.";
   py::register_exception<SimulationError>(module, "SimulationError", error).attr("__doc__") =
-      "A simulation can't be set up or can't go on, or runs of it ended with an error.";
+      "A simulation can't be set up or can't continue, or some of its runs failed with an error.";
   for (const char* name : {"Error", "InputError", "GeometryError", "SimulationError"}) {
     module.attr(name).attr("__module__") = "clast";
   }

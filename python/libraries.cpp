@@ -33,11 +33,11 @@ Blocks shared_blocks(const BlockLibrary& library) {
 }
 
 Blocks read_blocks(const fs::path& path) {
-  return without_gil([&] { return shared_blocks(BlockLibrary::read(path)); });
+  return run_without_gil([&] { return shared_blocks(BlockLibrary::read(path)); });
 }
 
 Blocks change(const fs::path& path, bool make, const std::function<void(BlockLibrary&)>& how) {
-  return without_gil(
+  return run_without_gil(
       [&] { return shared_blocks(update_library(path, {.create_if_missing = make}, how)); });
 }
 
@@ -67,16 +67,16 @@ Blocks set_notes(const fs::path& path, const std::string& id, const py::dict& ke
   if (!site && !note && !weighed && !taped) {
     throw InputError("nothing to set; give site, note, taped or weighed");
   }
-  if (weighed && !kBlockMass.contains(*weighed)) {
+  if (weighed && !kBlockMassRange.contains(*weighed)) {
     throw InputError("weighed = " + format_significant(*weighed, 6) + " must be " +
-                     kBlockMass.describe());
+                     kBlockMassRange.describe());
   }
   std::optional<Axes> axes;
   if (taped) {
     for (const double length : *taped) {
-      if (kBlockLength.contains(length)) continue;
+      if (kBlockLengthRange.contains(length)) continue;
       throw InputError("taped: " + format_significant(length, 6) + " must be " +
-                       kBlockLength.describe());
+                       kBlockLengthRange.describe());
     }
     axes = Axes::sorted((*taped)[0], (*taped)[1], (*taped)[2]);
   }
@@ -113,7 +113,7 @@ void take_choice(Keywords& given, const char* name, const std::map<std::string, 
 py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict& keywords) {
   Keywords given(keywords);
   BlockExportOptions options;
-  if (const std::vector<std::string> formats = given.texts("format"); !formats.empty()) {
+  if (const std::vector<std::string> formats = given.read_texts("format"); !formats.empty()) {
     options.formats = formats;
   }
   take_choice(given, "what",
@@ -121,7 +121,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
                {"core", ExportedSurface::kCore},
                {"both", ExportedSurface::kBoth},
                {"surface", ExportedSurface::kSurface}},
-              options.what);
+              options.surface);
   take_choice(given, "frame",
               {{"source", ExportFrame::kSource}, {"principal", ExportFrame::kPrincipal}},
               options.frame);
@@ -131,7 +131,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
   given.check_all_used();
   if (folder.empty()) throw InputError("the folder to export to has no name");
   std::vector<std::string> notes;
-  const std::vector<fs::path> written = without_gil([&] {
+  const std::vector<fs::path> written = run_without_gil([&] {
     return export_blocks(pointers(blocks), folder, options,
                          [&](const std::string& note) { notes.push_back(note); });
   });
@@ -142,7 +142,7 @@ py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict
 
 std::string write_pages(const Blocks& blocks, const std::string& title, const fs::path& folder,
                         bool replace) {
-  return without_gil([&] {
+  return run_without_gil([&] {
     OutputFolder output(folder, gallery_folder_kind(), replace);
     const fs::path page = write_gallery(pointers(blocks), title, output.temporary_path());
     output.commit();

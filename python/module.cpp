@@ -4,7 +4,7 @@
 
 PYBIND11_MODULE(_core, module) {
   using namespace clast::python_detail;
-  module.doc() = "What the package clast is made of; import clast.";
+  module.doc() = "Internal extension of the package clast; use import clast.";
   module.attr("version") = clast::version();
   bind_errors(module);
   bind_blocks(module);

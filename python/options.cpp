@@ -35,7 +35,7 @@ bool Keywords::has(const char* name) {
   return true;
 }
 
-std::vector<std::string> Keywords::texts(const char* name) {
+std::vector<std::string> Keywords::read_texts(const char* name) {
   return has(name) ? parse_texts(given_[name], name) : std::vector<std::string>();
 }
 
@@ -58,7 +58,7 @@ std::vector<std::string> parse_texts(const py::handle& object, const char* name)
     for (const py::handle& item : object) {
       const std::optional<std::string> text = text_from(item);
       if (!text) {
-        throw py::type_error(std::string(name) + ": must be texts or paths, and one is a " +
+        throw py::type_error(std::string(name) + ": must be texts or paths, but one is a " +
                              type_name(item));
       }
       texts.push_back(*text);

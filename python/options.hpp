@@ -11,15 +11,15 @@
 
 namespace clast::python_detail {
 
-/// Keyword arguments of one call. None is treated as not given.
+/// Keyword arguments of a Python call. None counts as not given.
 class Keywords {
  public:
   explicit Keywords(const pybind11::dict& given);
 
   /// Returns true if the argument is given, and marks it as used.
   bool has(const char* name);
-  /// Sets the field if the argument is given.
-  /// @throws TypeError  if its type is wrong; names the argument
+  /// Sets an option field if the argument is given.
+  /// @throws TypeError  if the argument has a wrong type; names the argument
   template <class T>
   void read(const char* name, T& field) {
     if (has(name)) field = cast<T>(name);
@@ -29,12 +29,12 @@ class Keywords {
     if (has(name)) field = cast<T>(name);
   }
   /// Returns the texts of an argument, which is a text, a path or a list of these.
-  std::vector<std::string> texts(const char* name);
+  std::vector<std::string> read_texts(const char* name);
   /// Checks that all given arguments were used.
   /// @throws TypeError  if an argument was not used; names it
   void check_all_used() const;
 
-  pybind11::object object(const char* name) const { return given_[name]; }
+  pybind11::object given_object(const char* name) const { return given_[name]; }
 
  private:
   template <class T>
@@ -51,7 +51,7 @@ class Keywords {
   std::vector<std::string> taken_;
 };
 
-/// Converts a text, a path or a list of these to texts.
+/// Converts a Python text, a path or a list of these to texts.
 std::vector<std::string> parse_texts(const pybind11::handle& object, const char* name);
 
 }  // namespace clast::python_detail

@@ -25,10 +25,10 @@ namespace py = pybind11;
 
 namespace {
 
-PopulationRequest population_request(Keywords& given) {
-  PopulationRequest request;
-  request.first.inputs = given.texts("inputs");
-  request.against.inputs = given.texts("against");
+PopulationReportRequest population_request(Keywords& given) {
+  PopulationReportRequest request;
+  request.first.inputs = given.read_texts("inputs");
+  request.against.inputs = given.read_texts("against");
   given.read("columns", request.first.columns);
   given.read("units", request.first.units);
   given.read("against_columns", request.against.columns);
@@ -42,14 +42,14 @@ PopulationRequest population_request(Keywords& given) {
   given.read("erdogan_limit", request.options.limits.erdogan_limit);
   given.read("seed", request.options.seed);
   if (given.has("size")) {
-    const auto size = py::cast<std::string>(given.object("size"));
+    const auto size = py::cast<std::string>(given.given_object("size"));
     if (size != "I" && size != "mean") {
       throw InputError("size = \"" + size + "\" must be \"I\" or \"mean\"");
     }
     request.options.size = size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
   }
-  for (const std::string& schemes : given.texts("scheme")) {
-    for (const std::string& scheme : split_list(schemes)) {
+  for (const std::string& schemes : given.read_texts("scheme")) {
+    for (const std::string& scheme : split_comma_separated(schemes)) {
       request.options.schemes.push_back(scheme);
     }
   }
@@ -60,8 +60,8 @@ PopulationRequest population_request(Keywords& given) {
 
 std::shared_ptr<PopulationReport> classify(const py::dict& keywords) {
   Keywords given(keywords);
-  const PopulationRequest request = population_request(given);
-  return without_gil([&] {
+  const PopulationReportRequest request = population_request(given);
+  return run_without_gil([&] {
     request.check();
     return std::make_shared<PopulationReport>(read_populations(request));
   });
@@ -89,8 +89,8 @@ void bind_populations(py::module_& module) {
   py::class_<PopulationReport, std::shared_ptr<PopulationReport>>(module, "PopulationReport")
       .def("table",
            [](const PopulationReport& report, const std::string& name) {
-             return make_table(
-                 without_gil([&] { return find_table(population_tables(), name).values(report); }));
+             return make_table_dicts(run_without_gil(
+                 [&] { return find_report_table(population_tables(), name).values(report); }));
            })
       .def("json",
            [](const PopulationReport& report) {
@@ -102,7 +102,7 @@ void bind_populations(py::module_& module) {
       .def("notes", &notes_of)
       .def("write",
            [](const PopulationReport& report, const std::filesystem::path& folder, bool replace) {
-             without_gil([&] {
+             run_without_gil([&] {
                OutputFolder output(folder, population_folder_kind(folder), replace);
                write_population_report(report, output.temporary_path());
                output.commit();

@@ -27,14 +27,14 @@ namespace {
 
 /// Metres per unit of a scan in which two points are so far apart.
 double measured_unit(const std::array<Vec3, 2>& points, double metres) {
-  if (!kBlockLength.contains(metres)) {
+  if (!kBlockLengthRange.contains(metres)) {
     throw InputError("scale_length = " + format_significant(metres, 6) + " m must be " +
-                     kBlockLength.describe());
+                     kBlockLengthRange.describe());
   }
   const double units = (points[1] - points[0]).norm();
-  if (!(units > 0.0) || !kLengthUnit.contains(metres / units)) {
+  if (!(units > 0.0) || !kLengthUnitRange.contains(metres / units)) {
     throw InputError("scale_length: the points are " + format_significant(units, 6) +
-                     " units apart, and a unit must be " + kLengthUnit.describe());
+                     " units apart, but a unit must be " + kLengthUnitRange.describe());
   }
   return metres / units;
 }
@@ -46,7 +46,7 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
       throw InputError("units and scale_length both give the scale; leave one out");
     }
     const auto [a, b, metres] =
-        py::cast<std::tuple<py::object, py::object, double>>(given.object("scale_length"));
+        py::cast<std::tuple<py::object, py::object, double>>(given.given_object("scale_length"));
     options.scale_points = {parse_vector(a, "scale_length"), parse_vector(b, "scale_length")};
     unit = measured_unit(*options.scale_points, metres);
   } else {
@@ -54,9 +54,9 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
     unit = parse_length_unit(options.units);
   }
   given.read("scale_factor", options.scale_factor);
-  if (!kScaleFactor.contains(options.scale_factor)) {
+  if (!kScaleFactorRange.contains(options.scale_factor)) {
     throw InputError("scale_factor = " + format_significant(options.scale_factor, 6) + " must be " +
-                     kScaleFactor.describe());
+                     kScaleFactorRange.describe());
   }
   options.scan.unit = unit * options.scale_factor;
 }
@@ -64,9 +64,9 @@ void take_scale(Keywords& given, ScanToBlockOptions& options) {
 void take_scan(Keywords& given, ScanToBlockOptions& options) {
   options.up_given = given.has("up");
   given.read("up", options.scan.up);
-  options.scan.columns = given.texts("columns");
+  options.scan.columns = given.read_texts("columns");
   if (given.has("ground")) {
-    const auto ground = py::cast<std::string>(given.object("ground"));
+    const auto ground = py::cast<std::string>(given.given_object("ground"));
     if (ground != "auto" && ground != "none") {
       throw InputError("ground = \"" + ground + "\" must be \"auto\" or \"none\"");
     }
@@ -83,7 +83,7 @@ void take_block(Keywords& given, ScanToBlockOptions& options) {
   block.density_given = given.has("density");
   given.read("vertices", options.vertices);
   given.read("radius", block.radius);
-  given.read("radius_share", block.radius_share);
+  given.read("radius_share", block.radius_fraction);
   given.read("core", block.core);
   given.read("convex", block.convex);
   given.read("density", block.density);
@@ -171,16 +171,17 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
 }
 
 /// Keeps what failed and what is to be known, and writes pages where they are wanted.
-class Follower : public BatchObserver {
+class Follower : public ScanBatchObserver {
  public:
-  Follower(const BatchOptions& options, const std::optional<fs::path>& pages) : options_(options) {
+  Follower(const ScanBatchOptions& options, const std::optional<fs::path>& pages)
+      : options_(options) {
     if (pages) pages_.emplace(*pages, options.replace || options.resume);
   }
 
   void on_block_made(const Block& block, const BlockOrigin& origin) override {
     if (!pages_) return;
     pages_->prepare(block, {.raw = origin.raw,
-                            .found = origin.field_block,
+                            .field_block = origin.field_block,
                             .options = options_.scan.scan,
                             .up = origin.up,
                             .scale = "one unit of the file is " +
@@ -210,7 +211,7 @@ class Follower : public BatchObserver {
   std::vector<std::pair<std::string, std::string>> failures;
 
  private:
-  const BatchOptions& options_;
+  const ScanBatchOptions& options_;
   std::optional<ScanReport> pages_;
 };
 
@@ -219,7 +220,7 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
                const py::dict& keywords, const py::object& progress) {
   using namespace pybind11::literals;
   const std::vector<std::string> inputs = parse_texts(scans, "scans");
-  BatchOptions options;
+  ScanBatchOptions options;
   options.library = output;
   Keywords given(batch_keywords), of_scans(keywords);
   std::optional<fs::path> pages;
@@ -230,11 +231,11 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   given.check_all_used();
   options.scan = options_from(of_scans);
   std::optional<Follower> follower;
-  const BatchResult result = run_with_progress(progress, [&](const ProgressCallback& step) {
+  const ScanBatchResult result = run_with_progress(progress, [&](const ProgressCallback& step) {
     const std::vector<ScanFile> files = list_scans(inputs);
     options.check(files.size());
     follower.emplace(options, pages);
-    const BatchResult made = reconstruct_batch(files, options, *follower, step);
+    const ScanBatchResult made = reconstruct_scan_batch(files, options, *follower, step);
     follower->finish();
     return made;
   });

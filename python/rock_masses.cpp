@@ -30,12 +30,14 @@ struct CutRequest {
 
 CutRequest cut_request(Keywords& given) {
   CutRequest request;
-  for (const std::string& joints : given.texts("joints")) {
+  for (const std::string& joints : given.read_texts("joints")) {
     request.options.joints.push_back(parse_joint_set(joints));
   }
   given.read("mass", request.file.path);
-  for (const std::string& file : given.texts("before")) request.terrains.before.emplace_back(file);
-  for (const std::string& file : given.texts("after")) request.terrains.after.emplace_back(file);
+  for (const std::string& file : given.read_texts("before"))
+    request.terrains.before.emplace_back(file);
+  for (const std::string& file : given.read_texts("after"))
+    request.terrains.after.emplace_back(file);
   given.read("min_thickness", request.difference.min_thickness);
   given.read("polygon", request.difference.polygon);
   given.read("bodies", request.difference.bodies);
@@ -48,22 +50,22 @@ CutRequest cut_request(Keywords& given) {
   given.read("replace", request.replace);
   given.read("prefix", request.options.prefix);
   given.read("seed", request.options.cutting.seed);
-  given.read("least_volume", request.options.cutting.least_volume);
-  given.read("most_blocks", request.options.cutting.most_blocks);
+  given.read("least_volume", request.options.cutting.min_volume);
+  given.read("most_blocks", request.options.cutting.max_blocks);
   given.read("density", request.options.block.density);
-  given.read("radius_share", request.options.block.radius_share);
+  given.read("radius_share", request.options.block.radius_fraction);
   given.read("threads", request.options.threads);
   given.check_all_used();
   check_block_id(request.options.prefix + "0001");
   request.options.block.check();
-  request.difference.least_volume = request.options.cutting.least_volume;
+  request.difference.min_volume = request.options.cutting.min_volume;
   request.difference.check();
   const bool both = !request.terrains.before.empty() && !request.terrains.after.empty();
   const bool none = request.terrains.before.empty() && request.terrains.after.empty();
   if (request.file.path.empty() ? !both : !none) {
     throw InputError("give a closed mesh of the mass, or both before and after");
   }
-  if (request.scar && !both) throw InputError("scar is for the mass between before and after");
+  if (request.scar && !both) throw InputError("scar applies to the mass between before and after");
   return request;
 }
 
@@ -75,7 +77,7 @@ RockMassBlocks blocks_between(const CutRequest& request) {
     check_mesh_output(*request.scar, rules);
   }
   const ReleasedMass mass = read_released_mass(request.terrains, request.difference);
-  if (request.scar) write_mesh(*request.scar, make_mass_mesh(mass), {.rules = rules});
+  if (request.scar) write_mesh(*request.scar, make_released_mass_mesh(mass), {.rules = rules});
   if (!request.options.joints.empty() || !request.scar) {
     return cut_released_mass(mass, request.terrains, request.difference, request.options);
   }
@@ -89,7 +91,7 @@ py::tuple cut(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
   CutRequest request = cut_request(given);
   const RockMassBlocks made = run_with_progress(progress, [&](const ProgressCallback& step) {
-    if (request.output) check_library_target(*request.output);
+    if (request.output) check_library_writable(*request.output);
     request.options.progress = step;
     const bool mesh = !request.file.path.empty();
     RockMassBlocks blocks =

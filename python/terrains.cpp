@@ -33,13 +33,14 @@ namespace {
 std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   Keywords given(keywords);
   TerrainOptions options;
-  for (const std::string& input : given.texts("inputs")) options.surface.emplace_back(input);
-  for (const std::string& zones : given.texts("zones")) {
-    for (const std::string& zone : split_list(zones)) options.zones.push_back(zone);
+  for (const std::string& input : given.read_texts("inputs")) options.surface.emplace_back(input);
+  for (const std::string& zones : given.read_texts("zones")) {
+    for (const std::string& zone : split_comma_separated(zones)) options.zones.push_back(zone);
   }
-  for (const std::string& lines : given.texts("breaklines")) options.breaklines.emplace_back(lines);
+  for (const std::string& lines : given.read_texts("breaklines"))
+    options.breaklines.emplace_back(lines);
   given.read("up", options.up);
-  options.columns = given.texts("columns");
+  options.columns = given.read_texts("columns");
   given.read("resolution", options.resolution);
   given.read("percentile", options.percentile);
   given.read("outliers", options.outliers);
@@ -50,7 +51,7 @@ std::shared_ptr<Terrain> read_terrain_files(const py::dict& keywords) {
   given.read("tolerance", options.tolerance);
   given.read("cut_zones", options.cut_zones);
   given.check_all_used();
-  return without_gil([&] {
+  return run_without_gil([&] {
     options.check();
     return std::make_shared<Terrain>(read_terrain(options));
   });
@@ -75,11 +76,11 @@ std::vector<Vec3> take_places(Keywords& given) {
   given.read("up", up);
   if (up != "y" && up != "z") throw InputError("up = \"" + up + "\" must be \"y\" or \"z\"");
   if (!given.has("release")) return {};
-  const py::object release = given.object("release");
+  const py::object release = given.given_object("release");
   if (!py::isinstance<py::str>(release) && !py::hasattr(release, "__fspath__")) {
     return parse_points(release, "release");
   }
-  std::vector<Vec3> places = read_points(py::cast<fs::path>(release));
+  std::vector<Vec3> places = read_point_table(py::cast<fs::path>(release));
   if (up == "y") {
     for (Vec3& place : places) place = y_up_to_z_up(place);
   }
@@ -99,10 +100,10 @@ std::vector<std::string> check_fit(const Terrain& terrain, const py::dict& keywo
     if (warning) warnings.push_back(*warning);
   };
   if (!places.empty()) {
-    check_over_ground(terrain, places, "release");
+    check_positions_over_terrain(terrain, places, "release");
     if (border_distance) add(border_warning(terrain, places, *border_distance));
   }
-  if (block_size) add(cell_size_warning(terrain, *block_size, *block_size));
+  if (block_size) add(edge_length_warning(terrain, *block_size, *block_size));
   return warnings;
 }
 
@@ -115,7 +116,7 @@ void draw(const Terrain& terrain, const fs::path& path, const py::dict& keywords
   given.read("barriers", barriers);
   given.read("replace", replace);
   given.check_all_used();
-  without_gil([&] {
+  run_without_gil([&] {
     if (lower_case_extension(path) != ".svg") {
       throw InputError(path.string() + ": is a map; its name must end in .svg");
     }
@@ -137,7 +138,7 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
   std::vector<double> found(static_cast<std::size_t>(xs.size()));
   const double* const eastings = xs.data();
   const double* const northings = ys.data();
-  without_gil([&] {
+  run_without_gil([&] {
     const TerrainSurface surface = make_terrain_surface(terrain);
     const double top = surface.extent().high.z();
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -153,16 +154,16 @@ py::array_t<double> heights(const Terrain& terrain, const py::object& x, const p
 
 void bind_terrains(py::module_& module) {
   py::class_<Terrain, std::shared_ptr<Terrain>>(
-      module, "TerrainData", "Checked ground: triangles in zones, and their place on the map.")
+      module, "TerrainData", "Checked ground: triangles with zones, and its position on the map.")
       .def_property_readonly("vertices",
                              [](const py::object& self) {
-                               return array_view(py::cast<const Terrain&>(self).surface.vertices,
-                                                 self);
+                               return make_array_view(
+                                   py::cast<const Terrain&>(self).surface.vertices, self);
                              })
       .def_property_readonly("triangles",
                              [](const py::object& self) {
-                               return array_view(py::cast<const Terrain&>(self).surface.triangles,
-                                                 self);
+                               return make_array_view(
+                                   py::cast<const Terrain&>(self).surface.triangles, self);
                              })
       .def_property_readonly("zones",
                              [](const py::object& self) {
@@ -183,13 +184,13 @@ void bind_terrains(py::module_& module) {
       .def("draw", &draw)
       .def("write",
            [](const Terrain& terrain, const fs::path& path, bool replace) {
-             without_gil([&] {
+             run_without_gil([&] {
                write_terrain(path, terrain, {.kind = kTerrainFormat, .replace = replace});
              });
            })
       .def("export", [](const Terrain& terrain, const fs::path& path, const std::string& up,
                         double cell, bool replace) {
-        without_gil([&] {
+        run_without_gil([&] {
           export_terrain(path, terrain, up, cell,
                          {.kind = file_kind_by_extension(path), .replace = replace});
         });

@@ -28,7 +28,7 @@ py::array array_of_numbers(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-py::tuple make_table(TableValues table) {
+py::tuple make_table_dicts(TableValues table) {
   py::dict values, units, meanings;
   for (ColumnValues& column : table) {
     const py::str name(column.name);
@@ -45,7 +45,7 @@ py::object to_python_object(const nlohmann::ordered_json& json) {
   return py::module_::import("json").attr("loads")(json.dump());
 }
 
-py::dict to_key_dict(const std::vector<KeyTable>& tables) {
+py::dict key_tables_to_dict(const std::vector<KeyTable>& tables) {
   py::dict keys;
   for (const KeyTable& table : tables) keys[py::str(table.name)] = table.key_names();
   return keys;

@@ -19,8 +19,8 @@ namespace py = pybind11;
 
 namespace {
 
-SeriesTargets steps_from(Keywords& given) {
-  SeriesTargets steps;
+VariationTargets steps_from(Keywords& given) {
+  VariationTargets steps;
   std::vector<std::pair<double, double>> to;
   given.read("to", to);
   for (const auto& [i_l, s_l] : to) {
@@ -29,7 +29,7 @@ SeriesTargets steps_from(Keywords& given) {
   }
   FormGrid grid;
   std::optional<std::pair<std::string, int>> diagram;
-  given.read("least", grid.least);
+  given.read("least", grid.min_ratio);
   given.read("grid", diagram);
   if (diagram) {
     std::tie(grid.diagram, grid.steps) = *diagram;
@@ -43,19 +43,19 @@ SeriesTargets steps_from(Keywords& given) {
   given.read("detail", steps.detail);
   given.read("degree", steps.degree);
   given.read("exponent", steps.exponent);
-  steps.reference = given.texts("reference");
-  steps.inertia = given.texts("inertia");
+  steps.reference = given.read_texts("reference");
+  steps.inertia = given.read_texts("inertia");
   return steps;
 }
 
-SeriesRequest series_request(Keywords& given) {
-  SeriesRequest request;
+VariationSeriesRequest series_request(Keywords& given) {
+  VariationSeriesRequest request;
   std::string keep = "mass";
   given.read("library", request.library);
-  request.ids = given.texts("ids");
-  request.like_ids = given.texts("like");
-  request.steps = steps_from(given);
-  given.read("draw", request.draw);
+  request.ids = given.read_texts("ids");
+  request.target_ratio_ids = given.read_texts("like");
+  request.targets = steps_from(given);
+  given.read("draw", request.sampled_count);
   given.read("table", request.table);
   given.read("units", request.units);
   given.read("prefix", request.prefix);
@@ -65,7 +65,7 @@ SeriesRequest series_request(Keywords& given) {
   given.read("output", request.output);
   given.read("replace", request.replace);
   given.check_all_used();
-  request.options.variation.keep = parse_preserved_size(keep);
+  request.options.variation.preserved_size = parse_preserved_size(keep);
   request.check();
   return request;
 }
@@ -73,10 +73,10 @@ SeriesRequest series_request(Keywords& given) {
 /// (blocks, why bodies could not be made, what `series_json` says)
 py::tuple vary(const py::dict& keywords, const py::object& progress) {
   Keywords given(keywords);
-  SeriesRequest request = series_request(given);
-  SeriesResult made = run_with_progress(progress, [&](const ProgressCallback& step) {
+  VariationSeriesRequest request = series_request(given);
+  VariationSeriesResult made = run_with_progress(progress, [&](const ProgressCallback& step) {
     request.options.progress = step;
-    return make_series(request);
+    return make_variation_series(request);
   });
   const py::object json = to_python_object(series_json(made.series, made.fit));
   py::list blocks;

@@ -52,7 +52,7 @@ std::mutex& file_mutex() { return py::get_or_create_shared_data<std::mutex>("cla
 void call_with_progress(const py::object& progress,
                         const std::function<void(const ProgressCallback&)>& job, std::mutex& busy) {
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) {
-    throw py::type_error("progress: must be something to call with a dict");
+    throw py::type_error("progress: must be a callable that takes a dict");
   }
   Exchange exchange;
   std::thread worker([&] {

@@ -10,20 +10,20 @@
 
 namespace clast::python_detail {
 
-/// Returns the mutex for file access, which both extensions share. It is needed because HDF5 is not
-/// thread-safe and Python may call from several threads. It must be locked without holding the GIL.
+/// Returns the mutex for file access, because HDF5 is not thread-safe. It must be locked without
+/// holding the GIL.
 /// @pre  the GIL is held
 std::mutex& file_mutex();
 
-/// Runs `job` on another thread that locks `busy`. Meanwhile, this thread releases the GIL, checks
-/// for signals every 50 ms, and calls `progress` with a dict (done, total, before, what) on
-/// changes. Signals and exceptions of `progress` end the job at its next step and are raised here.
+/// Runs a long job on another thread that locks `busy`. Meanwhile, this thread releases the GIL,
+/// checks for signals and calls `progress`. Signals and exceptions of `progress` end the job and
+/// are raised here.
 /// @param progress  None or a callable
 void call_with_progress(const pybind11::object& progress,
                         const std::function<void(const ProgressCallback&)>& job,
                         std::mutex& busy = file_mutex());
 
-/// Runs a job that returns a value (see `watch`).
+/// Runs a long job that returns a value, with progress (see `call_with_progress`).
 template <class Job>
 auto run_with_progress(const pybind11::object& progress, const Job& job) {
   std::optional<decltype(job(ProgressCallback()))> result;
@@ -33,7 +33,7 @@ auto run_with_progress(const pybind11::object& progress, const Job& job) {
 
 /// Runs a short job on this thread without the GIL, with exclusive file access.
 template <class Job>
-auto without_gil(const Job& job) {
+auto run_without_gil(const Job& job) {
   std::mutex& access = file_mutex();
   const pybind11::gil_scoped_release release;
   const std::lock_guard files(access);

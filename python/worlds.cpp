@@ -33,7 +33,7 @@ GroundParameters ground_from(const py::handle& object, const std::string& zone) 
   }
   Keywords given(py::reinterpret_borrow<py::dict>(object));
   GroundParameters ground;
-  for (const GroundParameterField& field : ground_fields())
+  for (const GroundParameterField& field : ground_parameter_fields())
     given.read(field.name, ground.*field.value);
   given.check_all_used();
   ground.check(zone);
@@ -71,8 +71,8 @@ class Experiment {
     }
     if (world_) {
       throw SimulationError("block " + block->id +
-                            " is new to a world that moves, whose stiffness follows from its "
-                            "blocks; add it, or name it with know(), before the first step");
+                            " is not known to this world, whose stiffness was chosen from its "
+                            "blocks; add it, or declare it with know(), before the first step");
     }
     const RigidBody body = rigid_body(*block);
     body.check("block " + block->id);
@@ -88,15 +88,15 @@ class Experiment {
     state.position = local(parse_vector(position, "position"));
     Quat turn = Quat::Identity();
     if (given.has("orientation")) {
-      turn = parse_rotation(given.object("orientation"), "orientation");
+      turn = parse_rotation(given.given_object("orientation"), "orientation");
     }
     state.orientation = (turn * block->principal.rotation).normalized();
     if (given.has("velocity_m_s")) {
-      state.velocity = parse_vector(given.object("velocity_m_s"), "velocity_m_s");
+      state.velocity = parse_vector(given.given_object("velocity_m_s"), "velocity_m_s");
     }
     if (given.has("angular_velocity_rad_s")) {
       state.angular_velocity =
-          parse_vector(given.object("angular_velocity_rad_s"), "angular_velocity_rad_s");
+          parse_vector(given.given_object("angular_velocity_rad_s"), "angular_velocity_rad_s");
     }
     bool fixed = false;
     given.read("fixed", fixed);
@@ -214,7 +214,7 @@ class Experiment {
     given.read("law", law);
     given.read("weights", weights);
     if (law) settings_.law = parse_contact_law(*law);
-    if (weights) settings_.weights = parse_contact_weighting(*weights);
+    if (weights) settings_.weighting = parse_contact_weighting(*weights);
     given.read("gravity_m_s2", settings_.gravity);
     given.read("rest_energy_j_kg", settings_.rest_energy);
     given.read("rest_duration_s", settings_.rest_duration);
@@ -232,11 +232,12 @@ class Experiment {
 
   void take_ground(Keywords& given) {
     if (given.has("between_blocks")) {
-      settings_.between_bodies = ground_from(given.object("between_blocks"), "between_blocks");
+      settings_.between_bodies =
+          ground_from(given.given_object("between_blocks"), "between_blocks");
     }
     const bool stated = given.has("ground");
     if (!terrain_) {
-      if (stated) throw InputError("ground: a world without a terrain has none");
+      if (stated) throw InputError("ground: a world without a terrain has no ground");
       return;
     }
     if (!stated) {
@@ -246,7 +247,7 @@ class Experiment {
                        "\"rolling_friction\": 0.2}}");
     }
     std::map<std::string, GroundParameters> parameters;
-    for (const auto& [zone, values] : py::cast<py::dict>(given.object("ground"))) {
+    for (const auto& [zone, values] : py::cast<py::dict>(given.given_object("ground"))) {
       const std::string name = py::str(zone);
       parameters[name] = ground_from(values, name);
     }
@@ -283,7 +284,8 @@ class Experiment {
   }
 
   World& started() {
-    if (running_) throw SimulationError("the world is moving; look at it when run() has returned");
+    if (running_)
+      throw SimulationError("the world is moving; read its state after run() has returned");
     if (world_) return *world_;
     if (bodies_.empty()) throw SimulationError("the world is empty; add a block first");
     std::vector<GroundParameters> grounds = zones_;

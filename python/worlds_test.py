@@ -84,7 +84,7 @@ def test_a_known_block_may_come_later_and_leave(stone, plane):
     world = clast.World(plane, ground=GROUND)
     world.add(stone, [0.0, 0.0, 1.0])
     world.step()
-    with pytest.raises(clast.SimulationError, match="other is new"):
+    with pytest.raises(clast.SimulationError, match="other is not known"):
         world.add(other, [3.0, 0.0, 1.0])
     assert world.add(stone, [3.0, 0.0, 1.0]) == 1 and len(world) == 2
     world.remove(0)
@@ -133,7 +133,7 @@ def test_starts_that_can_not_be_are_refused(stone, plane):
             world.add(stone, position)
     with pytest.raises(clast.InputError, match="orientation"):
         world.add(stone, [0.0, 0.0, 1.0], [2.0, 0.0, 0.0, 0.0])
-    with pytest.raises(clast.InputError, match="no rotation"):
+    with pytest.raises(clast.InputError, match="not a rotation"):
         world.add(stone, [0.0, 0.0, 1.0], 2 * np.eye(3))
     with pytest.raises(TypeError):
         world.add("stone", [0.0, 0.0, 1.0])

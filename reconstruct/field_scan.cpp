@@ -28,14 +28,16 @@ std::vector<std::string> check_cloud_system(const std::filesystem::path& path,
                                             const ScanOptions& options) {
   constexpr double kCorrection = 0.05;  // factors nearer to 1 correct metres, and are no unit
   const bool metres = std::abs(options.unit - 1.0) <= kCorrection;
-  const LengthUnitUse use{.unit = metres ? 1.0 : options.unit,
-                          .unit_given = !metres,
-                          .needs_z_up = false,
-                          .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
-                          .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
-                          .has_units_option = true};
-  std::vector<std::string> notes = check_length_units(path.string(), summary.lengths, use);
-  if (summary.points > 0) {
+  const LengthUnitRequirements use{
+      .unit = metres ? 1.0 : options.unit,
+      .unit_given = !metres,
+      .needs_z_up = false,
+      .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
+      .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE",
+      .has_units_option = true};
+  std::vector<std::string> notes =
+      check_length_units(path.string(), summary.unit_declarations, use);
+  if (summary.point_count > 0) {
     check_map_scale(path.string(), summary.crs, ((box.low + box.high) / 2.0).head<2>(),
                     use.conversion_command);
   }
@@ -65,7 +67,7 @@ std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
   as_given.check();
   FieldScanOptions options = as_given;
-  options.scan = resolve_options(path, as_given.scan);
+  options.scan = resolve_scan_options(path, as_given.scan);
   FieldScan scan;
   CloudSummary summary;
   if (is_cloud(path)) {
@@ -95,8 +97,8 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
     const auto left_out = [&](std::size_t count, const char* why) {
       if (count > 0) notes.push_back(std::to_string(count) + " points left out: " + why);
     };
-    left_out(summary.non_finite, "a coordinate is not finite");
-    left_out(summary.withheld, "the file flags them as withheld or classes them as noise");
+    left_out(summary.non_finite_points, "a coordinate is not finite");
+    left_out(summary.withheld_points, "the file flags them as withheld or classes them as noise");
   }
   return scan;
 }

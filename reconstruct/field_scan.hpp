@@ -22,7 +22,7 @@ struct FieldScanOptions {
   bool split =
       false;  ///< true: extracts all blocks above the ground; false: the one near the centre
   CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
-  /// Free space in file coordinates; null if unknown.
+  /// Observed free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
 
   void check() const;  ///< throws what its members throw

@@ -20,7 +20,7 @@ void ScanOptions::check() const {
   repair.check();
 }
 
-ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options) {
+ScanOptions resolve_scan_options(const std::filesystem::path& file, ScanOptions options) {
   options.up = resolve_up_axis(options.up, file);
   return options;
 }
@@ -29,7 +29,7 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
   options.check();
   const TriangleMesh raw = read_mesh(path);
   const std::string note = reconstruct_detail::check_coordinate_digits(raw, path, options.unit);
-  Scan scan = clean_scan(raw, path.string(), resolve_options(path, options));
+  Scan scan = clean_scan(raw, path.string(), resolve_scan_options(path, options));
   if (!note.empty()) scan.notes.push_back(note);
   return scan;
 }
@@ -45,7 +45,7 @@ Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOpti
     if (upright_pose) vertex = *upright_pose * vertex;
   }
   RepairOptions repair = options.repair;
-  repair.reported_place = [&](const Vec3& there) -> Vec3 {
+  repair.to_reported_position = [&](const Vec3& there) -> Vec3 {
     const Vec3 metres = upright_pose ? upright_pose->inverse() * there : there;
     return (y_up ? z_up_to_y_up(metres) : metres) / options.unit;
   };

@@ -34,7 +34,7 @@ void visit_fields(const ScanOptions& options, Visit&& visit) {
 }
 
 /// Replaces "auto" of `up` by the axis of the file, or by "z" if there is no file.
-ScanOptions resolve_options(const std::filesystem::path& file, ScanOptions options);
+ScanOptions resolve_scan_options(const std::filesystem::path& file, ScanOptions options);
 
 /// Closed mesh of a scan, with its repairs.
 struct Scan {
@@ -48,7 +48,7 @@ struct Scan {
 /// @throws GeometryError  if `repair_mesh` throws; names the file
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
-/// Processes a mesh in memory. Messages refer to it as `name`.
+/// Repairs, scales and rotates a mesh in memory like `read_scan`. Messages refer to it as `name`.
 /// @param upright_pose  pose in metres, z up. It is applied before the repair, because a later
 ///                      rotation would round the vertices of the verified surface
 Scan clean_scan(const TriangleMesh& raw, const std::string& name, const ScanOptions& options = {},

@@ -38,9 +38,9 @@ std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origi
   const std::vector<std::uint32_t> component = triangle_components(mesh);
   if (*std::max_element(component.begin(), component.end()) > 0) return std::nullopt;
   const TriangleMesh start = reconstruct_detail::snapped_to_grid(mesh, origin);
-  std::optional<reconstruct_detail::CrossingFreeSurface> freed =
-      reconstruct_detail::repair_crossings(start, origin);
-  if (!freed || freed->wrap_bias ||
+  std::optional<reconstruct_detail::IntersectionFreeSurface> freed =
+      reconstruct_detail::repair_self_intersections(start, origin);
+  if (!freed || freed->relative_wrap_excess ||
       static_cast<double>(freed->mesh.vertices.size()) >
           kMaxRefill * static_cast<double>(mesh.vertices.size())) {
     return std::nullopt;
@@ -63,7 +63,7 @@ void refuse_wide_fan(const TriangleMesh& mesh) {
   throw GeometryError(
       std::to_string(*most) + " triangles meet at one vertex, near " +
       format_point(mesh.vertices[static_cast<std::size_t>(most - around.begin())]) +
-      ": to simplify such a fan takes hours; remesh the surface with triangles of even "
+      ": simplifying such a fan takes hours; remesh the surface with triangles of even "
       "size first (isotropic remeshing), or request " +
       std::to_string(mesh.vertices.size()) + " vertices, which keeps all of them");
 }
@@ -81,7 +81,7 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
   options.check();
   const MeshReport report = inspect_mesh(mesh);
   if (!report.is_closed() || !report.is_oriented() || report.pinched_vertices > 0) {
-    throw GeometryError("only a closed surface can be simplified, but this one has " +
+    throw GeometryError("only a closed surface can be simplified; this one has " +
                         report.summary());
   }
   if (mesh.vertices.size() <= options.target_vertices) return mesh;
@@ -105,7 +105,7 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
   const auto lighter = [&](const TriangleMesh& from,
                            double multiple) -> std::optional<TriangleMesh> {
     std::optional<TriangleMesh> sound =
-        untangle_self_intersections(moved(decimate(from, times(multiple)), origin));
+        untangle_self_intersections(moved(decimate_mesh(from, times(multiple)), origin));
     if (!sound || sound->vertices.size() > most) return std::nullopt;
     return sound;
   };
@@ -116,12 +116,12 @@ TriangleMesh simplify_mesh(const TriangleMesh& mesh, const SimplifyOptions& opti
     return std::nullopt;
   };
   if (std::optional<TriangleMesh> found = lighter(centred, 1.0)) return std::move(*found);
-  const TriangleMesh finer = decimate(centred, times(kMost));
+  const TriangleMesh finer = decimate_mesh(centred, times(kMost));
   if (std::optional<TriangleMesh> found = lightest(finer)) return std::move(*found);
   TriangleMesh first;
   std::optional<std::size_t> fewest;
   for (const double multiple : kRefilledAt) {
-    const TriangleMesh tried = decimate(finer, times(multiple));
+    const TriangleMesh tried = decimate_mesh(finer, times(multiple));
     if (first.triangles.empty()) first = moved(tried, origin);
     std::optional<TriangleMesh> sound = untangle_self_intersections(moved(tried, origin));
     if (!sound) {

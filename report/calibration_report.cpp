@@ -10,7 +10,7 @@ namespace clast {
 std::filesystem::path calibration_page_file(const std::filesystem::path& target) {
   if (target.extension() == ".html") {
     throw InputError(target.string() +
-                     ": is the name of the page beside it; give the posterior the extension .h5");
+                     ": has the same name as its HTML page; give the posterior the extension .h5");
   }
   std::filesystem::path page = target;
   return page.replace_extension(".html");
@@ -18,7 +18,7 @@ std::filesystem::path calibration_page_file(const std::filesystem::path& target)
 
 namespace {
 
-OverwritePolicy page_rules(const std::filesystem::path& target, const CalibrateOptions& options) {
+OverwritePolicy page_rules(const std::filesystem::path& target, const CalibrationOptions& options) {
   const std::filesystem::path page = calibration_page_file(target);
   const bool replace = options.replace || options.resume;
   const OverwritePolicy rules{.kind = file_kind_by_extension(page), .replace = replace};
@@ -30,14 +30,14 @@ OverwritePolicy page_rules(const std::filesystem::path& target, const CalibrateO
 }  // namespace
 
 void check_calibration_output(const std::filesystem::path& target,
-                              const CalibrateOptions& options) {
+                              const CalibrationOptions& options) {
   page_rules(target, options);
 }
 
 Calibration calibrate_and_report(const CalibrationStudy& study, const std::filesystem::path& target,
-                                 const CalibrateOptions& options) {
+                                 const CalibrationOptions& options) {
   const OverwritePolicy rules = page_rules(target, options);
-  Calibration calibration = calibrate(study, target, options);
+  Calibration calibration = run_calibration(study, target, options);
   write_output(calibration_page_file(target), make_calibration_page(calibration), rules);
   return calibration;
 }

@@ -20,7 +20,7 @@ namespace clast {
 
 using namespace report_detail;
 
-FolderKind comparison_folder_kind() {
+OutputFolderKind comparison_folder_kind() {
   const auto is_own_file = [](const std::filesystem::path& file) {
     static const std::set<std::string> kFiles = {"stops.gpkg", "provenance.json", "report.html",
                                                  "report.pdf",
@@ -51,14 +51,15 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
     if (table.name == "measured" && !comparison.measured) continue;
     write(table.name + ".csv", table.csv(analyses));
   }
-  for (const ResponseFigure& picture :
-       draw_response_figures(analyses.forms(), has_several_files(comparison))) {
+  for (const ResponseDiagram& picture :
+       draw_response_diagrams(analyses.shape_outcomes(), has_several_files(comparison))) {
     write(picture.file, make_svg_file(picture.svg));
   }
   write("provenance.json", make_provenance_json(analyses));
   written.push_back(folder / "stops.gpkg");
   write_geopackage(written.back(), comparison);
-  for (const MapRasterSet* rasters : {&analyses.paths(), &analyses.deposits().rasters}) {
+  for (const MapRasterSet* rasters :
+       {&analyses.path_rasters(), &analyses.deposit_results().rasters}) {
     const std::vector<std::filesystem::path> files =
         write_rasters(folder / "rasters", *rasters, comparison.results.front().frame.crs);
     written.insert(written.end(), files.begin(), files.end());
@@ -73,7 +74,7 @@ namespace {
 std::optional<std::string> print_report(const std::filesystem::path& folder,
                                         const std::filesystem::path& browser) {
   try {
-    print_page(folder / "report.html", folder / "report.pdf", browser);
+    print_page_to_pdf(folder / "report.html", folder / "report.pdf", browser);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -82,12 +83,12 @@ std::optional<std::string> print_report(const std::filesystem::path& folder,
 
 }  // namespace
 
-WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
-                          const ComparisonReportOptions& extras) {
+WrittenReport write_report_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
+                                  const ComparisonReportOptions& extras) {
   std::vector<std::filesystem::path> written = write_comparison(analyses, folder.temporary_path());
-  if (extras.animated > 0) {
-    const std::filesystem::path animation = write_animation(folder.temporary_path() / "animation",
-                                                            analyses.comparison(), extras.animated);
+  if (extras.animated_runs > 0) {
+    const std::filesystem::path animation = write_animation(
+        folder.temporary_path() / "animation", analyses.comparison(), extras.animated_runs);
     if (animation.empty()) {
       throw InputError(
           "no trajectory is stored, so nothing can be animated; set [run] "
@@ -97,8 +98,9 @@ WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analys
   }
   WrittenReport filled;
   if (!extras.browser.empty()) {
-    filled.no_pdf = print_report(folder.temporary_path(), extras.browser);
-    if (!filled.no_pdf) written.insert(written.end() - 1, folder.temporary_path() / "report.pdf");
+    filled.pdf_failure = print_report(folder.temporary_path(), extras.browser);
+    if (!filled.pdf_failure)
+      written.insert(written.end() - 1, folder.temporary_path() / "report.pdf");
   }
   folder.commit();
   for (const std::filesystem::path& file : written) {

@@ -10,10 +10,11 @@
 
 namespace clast {
 
-/// Folder kind of folders written by `write_comparison` and `write_animation`.
-FolderKind comparison_folder_kind();
+/// Returns the folder kind of comparison reports, which identifies folders written by
+/// `write_comparison`.
+OutputFolderKind comparison_folder_kind();
 
-/// Writes tables, provenance.json, stops.gpkg, rasters/ and report.html to a folder.
+/// Writes the report of a comparison to a folder: tables, map layers, provenance and page.
 /// @return the written files, the report last
 /// @throws InputError  if the folder cannot be created or written
 std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& analyses,
@@ -21,22 +22,22 @@ std::vector<std::filesystem::path> write_comparison(const ComparisonAnalyses& an
 
 /// Optional contents of a report folder.
 struct ComparisonReportOptions {
-  std::size_t animated =
-      0;  ///< number of runs in animation/animation.pvd; 0: no animation is written
-  std::filesystem::path browser =
-      {};  ///< browser that prints report.pdf; if empty, no PDF is written
+  std::size_t animated_runs = 0;  ///< number of animated runs; if 0, no animation is written
+  /// Browser that prints report.pdf; if empty, no PDF is written.
+  std::filesystem::path browser = {};
 };
 
 struct WrittenReport {
-  std::vector<std::filesystem::path>
-      files;                          ///< written files, relative to the folder, the report last
-  std::optional<std::string> no_pdf;  ///< reason why the PDF could not be printed
+  /// Written files, relative to the folder, the report last.
+  std::vector<std::filesystem::path> files;
+  std::optional<std::string> pdf_failure;  ///< reason why the PDF could not be printed
 };
 
-/// Writes the report with its optional contents, and commits the folder.
+/// Writes the report of a comparison with its optional contents, and moves the folder to its final
+/// path.
 /// @throws InputError  if `write_comparison` or `OutputFolder::commit` throws, or if there is no
 ///                     trajectory to animate
-WrittenReport fill_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
-                          const ComparisonReportOptions& extras = {});
+WrittenReport write_report_folder(OutputFolder& folder, const ComparisonAnalyses& analyses,
+                                  const ComparisonReportOptions& extras = {});
 
 }  // namespace clast

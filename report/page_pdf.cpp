@@ -30,8 +30,8 @@ class BrowserProfile {
     std::string name = (fs::temp_directory_path(code) / "clast-browser-XXXXXX").string();
     if (code || ::mkdtemp(name.data()) == nullptr) {
       throw InputError(
-          "a folder for the browser can't be made in the one for temporary files; "
-          "name one that can be written to in TMPDIR");
+          "cannot make a folder for the browser in the folder for temporary files; set TMPDIR to a "
+          "writable folder");
     }
     folder_ = name;
   }
@@ -67,7 +67,7 @@ std::string without_print_marks(std::string pdf) {
   constexpr std::string_view kNode = "(node";
   constexpr std::size_t kDigits = 8;
   std::vector<std::size_t> places;
-  std::uint32_t least = UINT32_MAX;
+  std::uint32_t minimum = UINT32_MAX;
   const auto number_at = [&](std::size_t at) {
     std::uint32_t number = 0;
     std::from_chars(pdf.data() + at, pdf.data() + at + kDigits, number);
@@ -81,10 +81,10 @@ std::string without_print_marks(std::string pdf) {
       continue;
     }
     places.push_back(at);
-    least = std::min(least, number_at(at));
+    minimum = std::min(minimum, number_at(at));
   }
   for (const std::size_t at : places) {
-    const std::string number = std::to_string(number_at(at) - least + 1);
+    const std::string number = std::to_string(number_at(at) - minimum + 1);
     pdf.replace(at, kDigits, std::string(kDigits - number.size(), '0') + number);
   }
   return pdf;
@@ -98,7 +98,7 @@ fs::path find_browser() {
     const fs::path browser = find_executable(named);
     if (!browser.empty()) return browser;
     throw InputError("CLAST_BROWSER names " + std::string(named) +
-                     ", which is no program; name Chromium or Chrome");
+                     ", which is not an executable program; name Chromium or Chrome");
   }
   for (const char* name : {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
                            "chrome", "microsoft-edge"}) {
@@ -106,12 +106,12 @@ fs::path find_browser() {
     if (!browser.empty()) return browser;
   }
   throw InputError(
-      "there is no browser to print the report with; install Chromium (on Debian: apt install "
-      "chromium), name a browser in CLAST_BROWSER, or print report.html by hand");
+      "no browser was found to print the report; install Chromium (on Debian: apt install "
+      "chromium), name a browser in CLAST_BROWSER, or print report.html yourself");
 }
 
-void print_page(const fs::path& page, const fs::path& pdf, const fs::path& browser,
-                double seconds) {
+void print_page_to_pdf(const fs::path& page, const fs::path& pdf, const fs::path& browser,
+                       double seconds) {
   const BrowserProfile profile;
   std::error_code code;
   fs::remove(pdf, code);
@@ -131,12 +131,12 @@ void print_page(const fs::path& page, const fs::path& pdf, const fs::path& brows
                                               profile.folder() / "log", seconds);
   if (end.timed_out) {
     throw InputError(browser.string() + " did not print the report within " +
-                     format_significant(seconds, 3) + " s; print report.html by hand");
+                     format_significant(seconds, 3) + " s; print report.html yourself");
   }
   if (!is_pdf(pdf)) {
     fs::remove(pdf, code);
     throw InputError(browser.string() + " wrote no PDF (exit code " +
-                     std::to_string(end.exit_code) + "); print report.html by hand");
+                     std::to_string(end.exit_code) + "); print report.html yourself");
   }
   write_text_file(pdf, without_print_marks(read_text_file(pdf)));
 }

@@ -79,10 +79,11 @@ void add_brief_notes(std::vector<std::string>& brief, const std::string& input,
     brief.push_back(input + ": and " + std::to_string(table.notes.size() - kMaxBriefNotes) +
                     " more notes");
   }
-  if (table.skipped + table.sorted + table.without_mass > 0) {
+  if (table.skipped_rows + table.reordered_rows + table.blocks_without_mass > 0) {
     brief.push_back(input + ": " + format_count(table.blocks.size(), "row") + " used, " +
-                    std::to_string(table.skipped) + " skipped, " + std::to_string(table.sorted) +
-                    " sorted, " + std::to_string(table.without_mass) + " without a usable mass");
+                    std::to_string(table.skipped_rows) + " skipped, " +
+                    std::to_string(table.reordered_rows) + " sorted, " +
+                    std::to_string(table.blocks_without_mass) + " without a usable mass");
   }
 }
 
@@ -99,7 +100,7 @@ void add_table(ReportedPopulation& reported, const BlockMeasuringOptions& readin
   for (const std::string& note : table.notes) {
     reported.notes.push_back(stem.empty() ? note : stem + ": " + note);
   }
-  reported.skipped += table.skipped;
+  reported.skipped += table.skipped_rows;
 }
 
 void add_note(ReportedPopulation& reported, const std::string& note) {
@@ -115,7 +116,7 @@ void note_same_files(ReportedPopulation& reported) {
     std::vector<std::string>& same = names[input.sha256];
     if (same.size() < 2) continue;
     const std::string times = std::to_string(same.size()) + " times";
-    add_note(reported, "the same file was given " + times + " (" + comma_separated(same) +
+    add_note(reported, "the same file is given " + times + " (" + comma_separated(same) +
                            "): its blocks are counted " + times);
     same.clear();  // noted once
   }
@@ -129,7 +130,7 @@ ReportedPopulation read_population(const PopulationFiles& files,
   bool tables = false, libraries = false;
   for (const std::string& input : files.inputs) {
     const std::string stem = to_utf8(std::filesystem::path(input).stem().string());
-    const bool library = is_library(input);
+    const bool library = is_block_library(input);
     (library ? libraries : tables) = true;
     if (library) {
       add_library(reported, reading, input);
@@ -140,7 +141,7 @@ ReportedPopulation read_population(const PopulationFiles& files,
     reported.inputs.push_back({to_utf8(input), sha256_of_file(input)});
   }
   if (reported.population.blocks.empty()) {
-    throw InputError(reported.inputs.front().file + ": there is no block in it to classify");
+    throw InputError(reported.inputs.front().file + ": it contains no block to classify");
   }
   if (reading.surfaces) reported.surfaces.resize(reported.population.blocks.size());
   const std::string box_words = "sides of the " + reading.box + " box of the rounded body";
@@ -170,7 +171,7 @@ void note_shared_files(const ReportedPopulation& first, ReportedPopulation& seco
 }
 
 /// The second population with what it takes over from the first.
-PopulationFiles files_against(const PopulationRequest& request) {
+PopulationFiles files_against(const PopulationReportRequest& request) {
   PopulationFiles files = request.against;
   if (files.columns.empty()) files.columns = request.first.columns;
   if (files.units.empty()) files.units = request.first.units;
@@ -179,7 +180,7 @@ PopulationFiles files_against(const PopulationRequest& request) {
 
 }  // namespace
 
-bool is_library(const std::string& path) {
+bool is_block_library(const std::string& path) {
   return is_hdf5(path) || path.ends_with(".h5") || path.ends_with(".hdf5");
 }
 
@@ -187,14 +188,14 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
   DimensionColumns columns;
   if (!units.empty()) columns.units = parse_length_unit(units);
   std::map<std::string, std::string> quantities, given;  // by each other
-  for (const std::string& item : split_list(text)) {
+  for (const std::string& item : split_comma_separated(text)) {
     const std::size_t equals = item.find('=');
     const std::string quantity = item.substr(0, equals);
     const std::string column = equals == std::string::npos ? "" : item.substr(equals + 1);
     const bool axis = quantity == "L" || quantity == "I" || quantity == "S";
     if (column.empty() || (!axis && quantity != "mass" && quantity != "name")) {
       throw InputError("`columns`: \"" + item +
-                       "\" is not understood; expected something like L=5,I=6,S=7,mass=4 or "
+                       "\" is not valid; expected for example L=5,I=6,S=7,mass=4 or "
                        "L=length,I=width,S=height,name=label");
     }
     if (!given.emplace(quantity, column).second) {
@@ -214,25 +215,24 @@ DimensionColumns parse_dimension_columns(const std::string& text, const std::str
   return columns;
 }
 
-void PopulationRequest::check() const {
+void PopulationReportRequest::check() const {
   options.check();
-  if (first.inputs.empty()) throw InputError("no library and no table of blocks is given");
-  if (reading.axis_error && !kAxisError.contains(*reading.axis_error)) {
+  if (first.inputs.empty()) throw InputError("no block library and no table of blocks is given");
+  if (reading.axis_error && !kAxisErrorRange.contains(*reading.axis_error)) {
     throw InputError("`axis_error` = " + format_significant(*reading.axis_error, 6) + " must be " +
-                     kAxisError.describe());
+                     kAxisErrorRange.describe());
   }
   for (const PopulationFiles& files : {first, files_against(*this)}) {
     parse_dimension_columns(files.columns, files.units);
     for (const std::string& input : files.inputs) {
-      if (!reading.box_given || is_library(input)) continue;
+      if (!reading.box_given || is_block_library(input)) continue;
       throw InputError("`box`: " + input +
-                       " is a table: its axes are what was measured, and no box can be put around "
-                       "them");
+                       " is a table of measured axes, to which no box convention applies");
     }
   }
 }
 
-PopulationReport read_populations(const PopulationRequest& request) {
+PopulationReport read_populations(const PopulationReportRequest& request) {
   request.check();
   PopulationReport report;
   report.options = request.options;

@@ -12,46 +12,46 @@ namespace clast {
 /// Input files of a population, and options for reading them.
 struct PopulationFiles {
   std::vector<std::string> inputs;  ///< libraries or text tables
-  std::string columns;              ///< columns of tables, such as "L=5,I=6,S=7,mass=4"
-  std::string units;  ///< unit of lengths; if empty, that of the table header, otherwise m
+  std::string columns;              ///< columns of text tables, such as "L=5,I=6,S=7,mass=4"
+  std::string units;                ///< unit of lengths; if empty, that of the table heading, or m
 };
 
 struct BlockMeasuringOptions {
   std::string box = "smallest";  ///< box whose sides are the axes of library blocks
-  bool box_given =
-      false;  ///< true if the box was requested explicitly, which is an error for tables
-  std::optional<double> axis_error =
-      {};  ///< error of the axes, m; if empty, it depends on the kind of source
-  /// If true, surface measures of library blocks are computed. If `roundness_edge` (m) is also set,
-  /// roundness is computed with triangles of this edge length.
+  /// True if the user requested the box, which is an error for text tables.
+  bool box_given = false;
+  /// Error of the axes, m; if empty, it depends on the kind of source.
+  std::optional<double> axis_error = {};
+  /// True if surface measures of library blocks are computed.
   bool surfaces = false;
   std::optional<double> roundness_edge = {};
 };
 
-/// Request for one population, or two to compare.
-struct PopulationRequest {
+/// Input files and options of a report on one population, or on two that are compared.
+struct PopulationReportRequest {
   PopulationFiles first = {{}, "L=L,I=I,S=S", ""};
-  /// Second population; absent without inputs. Empty columns or units are those of the first.
+  /// Second population; not used without inputs.
   PopulationFiles against = {};
   BlockMeasuringOptions reading = {};
   PopulationOptions options = {};
 
-  /// Checks all fields.
+  /// Checks columns, units and schemes.
   /// @throws InputError  if columns, units or schemes are invalid, or a box is requested for a
   ///                     table
   void check() const;
 };
 
-/// True if a file is a block library: it is an HDF5 file, or its name ends in .h5 or .hdf5.
-bool is_library(const std::string& path);
+/// True if a file is a block library rather than a text table.
+bool is_block_library(const std::string& path);
 
 /// Parses columns such as "L=5,I=6,S=7,mass=4,name=2", and the unit of lengths, which may be empty.
-/// @throws InputError  if they are invalid; names `columns` or `units`
+/// @throws InputError  if columns or unit are invalid
 DimensionColumns parse_dimension_columns(const std::string& columns, const std::string& units);
 
 /// Reads, summarises and compares the requested populations.
-/// @throws InputError  if `PopulationRequest::check` throws, or if a file cannot be read or has no
+/// @throws InputError  if `PopulationReportRequest::check` throws, or if a file cannot be read or
+/// has no
 ///                     block
-PopulationReport read_populations(const PopulationRequest& request);
+PopulationReport read_populations(const PopulationReportRequest& request);
 
 }  // namespace clast

@@ -15,7 +15,8 @@ namespace clast {
 using namespace report_detail;
 namespace {
 
-nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams& diagrams) {
+nlohmann::ordered_json provenance(const PopulationReport& report,
+                                  const PopulationDiagrams& diagrams) {
   nlohmann::ordered_json json;
   json["program_version"] = version();
   json["options"] = {{"size", name_of(report.options.size)},
@@ -28,7 +29,7 @@ nlohmann::ordered_json provenance(const PopulationReport& report, const Diagrams
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   };
   for (const ReportedPopulation& reported : report.populations) {
-    const MeasuringOptions& reading = reported.reading;
+    const AppliedMeasuringOptions& reading = reported.reading;
     auto inputs = nlohmann::ordered_json::array();
     for (const InputFile& input : reported.inputs) {
       inputs.push_back({{"file", input.file}, {"sha256", input.sha256}});
@@ -64,7 +65,7 @@ std::set<std::string> earlier_diagrams(const std::filesystem::path& folder) {
 
 }  // namespace
 
-FolderKind population_folder_kind(const std::filesystem::path& folder) {
+OutputFolderKind population_folder_kind(const std::filesystem::path& folder) {
   const auto is_own_file = [diagrams =
                                 earlier_diagrams(folder)](const std::filesystem::path& file) {
     const std::string name = file.string();
@@ -82,7 +83,7 @@ void write_population_report(const PopulationReport& report, const std::filesyst
   if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
     throw InputError(folder.string() + ": is a file; name a folder for the tables and the report");
   }
-  const Diagrams diagrams = draw_population_diagrams(report);
+  const PopulationDiagrams diagrams = draw_population_diagrams(report);
   write_classes_csv(report, folder / "classes.csv");
   for (const PopulationTable& table : population_tables()) {
     if (table.name == "classes") continue;  // written above, never whole in memory

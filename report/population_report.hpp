@@ -7,12 +7,11 @@
 
 namespace clast {
 
-/// Returns the folder kind by which folders of `write_population_report` are recognised. It
-/// includes the diagrams listed in provenance.json of `folder`.
-FolderKind population_folder_kind(const std::filesystem::path& folder);
+/// Returns the folder kind of population reports, which identifies folders written by
+/// `write_population_report`.
+OutputFolderKind population_folder_kind(const std::filesystem::path& folder);
 
-/// Writes classes.csv, shares.csv, sizes.csv, tests.csv, provenance.json, SVG diagrams and a
-/// self-contained report.html.
+/// Writes the report of one or two populations to a folder: tables, diagrams, provenance and page.
 /// @throws InputError  if the folder cannot be created or written
 void write_population_report(const PopulationReport& report, const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Results for one or two block populations.
+/// Results of reports on block populations.
 #include <map>
 #include <optional>
 #include <string>
@@ -16,8 +16,8 @@ struct InputFile {
   std::string sha256;
 };
 
-/// Options used to measure the axes of blocks. Empty if they were not given or do not apply.
-struct MeasuringOptions {
+/// Options that were used to measure the axes of blocks; empty if not given.
+struct AppliedMeasuringOptions {
   std::optional<std::string> box = {};      ///< box whose sides are the axes, for library blocks
   std::optional<std::string> columns = {};  ///< columns of tables
   std::optional<std::string> units = {};    ///< unit of lengths in tables
@@ -26,29 +26,30 @@ struct MeasuringOptions {
 
 /// Measures computed from the whole surface of a block.
 struct SurfaceMeasures {
-  std::map<std::string, double>
-      indices;  ///< shape indices by name, including those computed from the axes
-  std::optional<Equilibria> sides;     ///< number of equilibria; empty for balls and capsules
-  std::optional<Roundness> roundness;  ///< set if requested
+  /// Shape indices by name, including those computed from the axes.
+  std::map<std::string, double> indices;
+  std::optional<StaticEquilibriumCounts>
+      sides;                           ///< number of equilibria; empty for balls and capsules
+  std::optional<Roundness> roundness;  ///< roundness; empty if not requested
 };
 
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
-  std::string
-      measured;  ///< origin of L, I, S, such as "sides of the smallest box" or "as in the table"
-  MeasuringOptions reading;
+  /// Origin of L, I, S, such as "sides of the smallest box" or "as in the table".
+  std::string measured;
+  AppliedMeasuringOptions reading;
   std::vector<InputFile> inputs;
   std::size_t skipped = 0;         ///< number of skipped table rows
-  std::vector<std::string> notes;  ///< problems of the inputs
-  /// Short notes for terminals: the first note on each table, with the name of the table.
+  std::vector<std::string> notes;  ///< notes on problems of the inputs
+  /// Short notes for terminals, one per text table.
   std::vector<std::string> brief_notes;
   /// Surface measures, one entry per block; `nullopt` for blocks read from a table. Empty if not
   /// requested.
   std::vector<std::optional<SurfaceMeasures>> surfaces;
 };
 
-/// One population, or two with their comparison.
+/// Results for one population, or for two with their comparison.
 struct PopulationReport {
   std::vector<ReportedPopulation> populations;
   std::optional<PopulationComparison> comparison;

@@ -72,7 +72,7 @@ BoxRatios box_ratios(const OrientedBox& box) {
   return {box.lengths[1] / box.lengths[0], box.lengths[2] / box.lengths[0]};
 }
 
-double ratio_difference(const BoxRatios& ratios, const BoxRatios& target) {
+double max_ratio_difference(const BoxRatios& ratios, const BoxRatios& target) {
   return std::max(std::abs(ratios.i_l / target.i_l - 1.0), std::abs(ratios.s_l / target.s_l - 1.0));
 }
 
@@ -80,7 +80,7 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
   target.check();
   if (body.faces.empty()) throw GeometryError("a ball or a capsule has no core to stretch");
   const OrientedBox before = smallest_box(body);
-  const double gap = ratio_difference(box_ratios(before), target);
+  const double gap = max_ratio_difference(box_ratios(before), target);
   if (gap <= kSameRatios) return {body, Vec3::Ones(), gap};
   if (before.lengths[2] - 2.0 * body.radius <= kNoThickness * before.lengths[0]) {
     throw GeometryError("the core is flat, so stretching can't change its S");
@@ -93,7 +93,8 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
   Mat3 map = Mat3::Identity(), best_map = map;
   MappedBox found{before, body.radius};
   StretchedBody result{body, Vec3::Ones(), gap};
-  for (int round = 0; round < kStretchRounds && result.ratio_difference > kGoodEnough; ++round) {
+  for (int round = 0; round < kStretchRounds && result.max_ratio_difference > kGoodEnough;
+       ++round) {
     const Vec3 sides = found.box.lengths - Vec3::Constant(2.0 * found.radius);
     Vec3 factors = wanted.cwiseQuotient(sides);
     factors /= std::cbrt(factors.prod());
@@ -104,9 +105,9 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
     }
     map = found.box.axes * factors.asDiagonal() * found.box.axes.transpose() * map;
     found = mapped_box(corners, map, share, found.radius);
-    const double left = ratio_difference(box_ratios(found.box), target);
-    if (left >= result.ratio_difference) continue;
-    result.ratio_difference = left;
+    const double left = max_ratio_difference(box_ratios(found.box), target);
+    if (left >= result.max_ratio_difference) continue;
+    result.max_ratio_difference = left;
     result.body.radius = found.radius;
     best_map = map;
   }
@@ -115,8 +116,8 @@ StretchedBody stretch_to_ratios(const SpheroPolyhedron& body, const BoxRatios& t
     vertex = before.centre + stretch * (vertex - before.centre);
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stretch, Eigen::EigenvaluesOnly);
-  result.stretch = eigen.eigenvalues().reverse();
-  result.ratio_difference = ratio_difference(box_ratios(smallest_box(result.body)), target);
+  result.principal_stretches = eigen.eigenvalues().reverse();
+  result.max_ratio_difference = max_ratio_difference(box_ratios(smallest_box(result.body)), target);
   return result;
 }
 

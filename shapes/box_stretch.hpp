@@ -5,7 +5,7 @@
 
 namespace clast {
 
-/// Side ratios of a box with L >= I >= S.
+/// Side ratios of a box with sides L >= I >= S.
 struct BoxRatios {
   double i_l = 1.0;  ///< I/L
   double s_l = 1.0;  ///< S/L
@@ -17,14 +17,15 @@ struct BoxRatios {
 
 BoxRatios box_ratios(const OrientedBox& box);
 
-/// Returns the larger relative difference of I/L and S/L from the target.
-double ratio_difference(const BoxRatios& ratios,
-                        const BoxRatios& target);  ///< from the target ratios
+/// Returns the larger of the relative differences of I/L and S/L from the target.
+double max_ratio_difference(const BoxRatios& ratios, const BoxRatios& target);
 
 struct StretchedBody {
   SpheroPolyhedron body;
-  Vec3 stretch = Vec3::Ones();    ///< principal stretches of the core, descending; product 1
-  double ratio_difference = 0.0;  ///< remaining difference from the target
+  Vec3 principal_stretches =
+      Vec3::Ones();  ///< principal stretches of the core, descending; product 1
+  double max_ratio_difference =
+      0.0;  ///< remaining relative difference of the ratios from the target
 };
 
 /// Stretches the core so that the smallest box has the ratios `target`. The volume of the core

@@ -145,7 +145,7 @@ TriangleMesh ConvexCell::mesh() const {
   return mesh;
 }
 
-std::optional<TriangleMesh> ConvexCell::cleaned_mesh() const {
+std::optional<TriangleMesh> ConvexCell::welded_mesh() const {
   const double near = kSameVertex * std::cbrt(volume());
   std::vector<Vec3> distinct;
   for (const Vec3& vertex : vertices_) {
@@ -175,12 +175,12 @@ std::optional<SpheroPolyhedron> inscribed_rounded_body(const TriangleMesh& polyh
     core = core->clipped_below({normal, offset - radius}, tolerance);
     if (!core) return std::nullopt;
   }
-  const std::optional<TriangleMesh> hull = core->cleaned_mesh();
+  const std::optional<TriangleMesh> hull = core->welded_mesh();
   if (!hull) return std::nullopt;
   Pose to_place;
   to_place.translation = origin;
   return merge_coplanar_faces(make_sphero_polyhedron(transformed(*hull, to_place), radius),
-                              kFileFlatness);
+                              kFileFlatnessTolerance);
 }
 
 }  // namespace clast

@@ -26,7 +26,7 @@ class ConvexCell {
   Vec3 centre() const;    ///< mean of the vertices, which is inside
   TriangleMesh mesh() const;
   /// Returns the cell as a mesh, with vertices merged within 1e-4 of its size; empty if it is flat.
-  std::optional<TriangleMesh> cleaned_mesh() const;
+  std::optional<TriangleMesh> welded_mesh() const;
 
  private:
   ConvexCell() = default;

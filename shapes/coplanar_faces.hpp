@@ -5,7 +5,7 @@
 namespace clast {
 
 /// Flatness tolerance for shapes from files: rounding of single precision or eight digits.
-inline constexpr double kFileFlatness = 1e-7;
+inline constexpr double kFileFlatnessTolerance = 1e-7;
 
 /// Merges connected coplanar faces to polygons. Vertices inside polygons and on straight edges are
 /// removed. The cost of contacts then depends on the shape, not on the mesh. Faces that would have

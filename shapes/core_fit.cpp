@@ -50,7 +50,7 @@ constexpr double kTurn = 0.3;
 constexpr int kShorterTries = 3, kTries = 12;
 constexpr double kShorter = 0.3, kLonger = 1.5;
 constexpr int kRoundsAfterCollapse = 6;  ///< left to repair what a collapse did
-/// Depth inside the body, as a fraction of `good_enough`, from which a point may lie under a
+/// Depth inside the body, as a fraction of `target_distance`, from which a point may lie under a
 /// crease.
 constexpr double kDeep = 0.5;
 /// A fit that, after this many rounds, is still this many times too far won't get there.
@@ -115,11 +115,11 @@ class Fit {
         since_milestone = 0;
       }
       const bool ended = since_milestone == kRoundsWithoutProgress || round == last_round;
-      if (least <= options_.good_enough || (ended && least <= options_.hopeless)) {
+      if (least <= options_.target_distance || (ended && least <= options_.max_distance)) {
         core_ = best;
         const SpheroPolyhedron body = corrected();
         core_.mesh = core_mesh(body);
-        if (!add_distant_points()) return {body, options_.hopeless};
+        if (!add_distant_points()) return {body, options_.max_distance};
         if (searches++ == kMaxSearches) return {body};
         least = milestone = 1e300;
         since_milestone = 0;
@@ -128,7 +128,7 @@ class Fit {
         continue;
       }
       if (ended) break;
-      if (round >= kRoundsOfHope && least > kHope * options_.hopeless) break;
+      if (round >= kRoundsOfHope && least > kHope * options_.max_distance) break;
       if (pulls.largest > kWorse * least) {
         share *= kShorter;
         may_collapse_ = false;
@@ -194,7 +194,7 @@ class Fit {
     const shapes_detail::RoundedSurfaceDistance surface_distance(tree, radius_, 2.0 * size_);
     for_each_in_chunks(scan_points_.size(), [&](std::size_t i) {
       const bool is_sample = i < count_;
-      if (is_sample && pulls[i]->gap >= -kDeep * options_.good_enough) return;
+      if (is_sample && pulls[i]->gap >= -kDeep * options_.target_distance) return;
       if (pulls[i]->gap < 0.0)
         pulls[i]->gap = surface_distance(scan_points_[i], scan_point_hints_[i]).value;
     });
@@ -240,11 +240,11 @@ class Fit {
   }
 
   /// Adds points of both surfaces that are too far from the other surface, if one is farther than
-  /// `hopeless`. Returns false if none is.
+  /// `max_distance`. Returns false if none is.
   bool add_distant_points() {
     shapes_detail::DeviationSearch search(scan_, core_.mesh, radius_, threads_);
     const auto [on_scan, on_body] =
-        search.find_distant_points(options_.hopeless, options_.good_enough);
+        search.find_distant_points(options_.max_distance, options_.target_distance);
     scan_points_.insert(scan_points_.end(), on_scan.begin(), on_scan.end());
     for (const Vec3& point : on_body) {
       const TriangleTree::SignedClosest foot = search.core_tree().signed_closest_point(point);
@@ -385,9 +385,10 @@ void CoreFitOptions::check() const {
   if (rounds < 0) {
     throw InputError("rounds = " + std::to_string(rounds) + ": must be zero or more");
   }
-  if (!(good_enough >= 0.0) || !(hopeless >= 0.0)) {
-    throw InputError("good_enough = " + format_significant(good_enough, 6) + " and hopeless = " +
-                     format_significant(hopeless, 6) + ": must be zero or more");
+  if (!(target_distance >= 0.0) || !(max_distance >= 0.0)) {
+    throw InputError("target_distance = " + format_significant(target_distance, 6) +
+                     " and max_distance = " + format_significant(max_distance, 6) +
+                     ": must be zero or more");
   }
 }
 

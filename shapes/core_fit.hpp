@@ -9,10 +9,10 @@ namespace clast {
 
 struct CoreFitOptions {
   int rounds = 30;
-  double good_enough = 0.0;  ///< stop if the largest distance is at most this, m
-  double hopeless = 1e300;   ///< stop if this largest distance cannot be reached, m
-  /// Last correction of a body that is good enough, for example to a volume. It moves the surface
-  /// by little.
+  double target_distance = 0.0;  ///< the fit ends if no distance is larger, m
+  double max_distance = 1e300;   ///< the fit is abandoned if this cannot be reached, m
+  /// Correction of a body at the target distance, for example to a given volume. It must not move
+  /// the surface by more than a few percent of the target distance.
   std::function<SpheroPolyhedron(SpheroPolyhedron)> correct = {};
   unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
 
@@ -21,17 +21,18 @@ struct CoreFitOptions {
 
 /// Result of `fit_core`.
 struct CoreFit {
-  SpheroPolyhedron body;  ///< corrected, if there is a correction
-  double bound = 1e300;   ///< upper bound of the largest distance of `body`, m; 1e300 if unknown
+  SpheroPolyhedron body;          ///< corrected, if there is a correction
+  double distance_bound = 1e300;  ///< upper bound of the distances between `body` and scan, m;
+                                  ///< 1e300 if unknown
 };
 
 /// Moves the core vertices to minimise the largest distance between rounded surface and scan, in
 /// both directions. The method is damped least squares over points of both surfaces. Weights
-/// increase towards the largest distances, as for a p-norm with p rising from 2 to 8. If all points
-/// are good enough, others that are too far are searched and added, until there are none (exchange
-/// method for semi-infinite problems). Edges that block the motion are collapsed. Returns the best
-/// core found. It has no more vertices than `start` and no new self-intersections. The result is
-/// deterministic.
+/// increase towards the largest distances, as for a p-norm with p rising from 2 to 8. When all
+/// points are within the target distance, points beyond `max_distance` are searched by branch and
+/// bound and added, until there are none (exchange method of semi-infinite programming). Edges that
+/// block the motion are collapsed. Returns the best core found. It has no more vertices than
+/// `start` and no new self-intersections. The result is deterministic.
 /// @param start  closed core with a radius, near the scan, for example from `inset_core`
 /// @cite lawson1961 hettich1993
 CoreFit fit_core(const ScanSurface& scan, const SpheroPolyhedron& start,

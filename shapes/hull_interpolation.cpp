@@ -36,7 +36,7 @@ double sixfold(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }  // namespace
 
 HullInterpolation::HullInterpolation(const TriangleMesh& surface) : surface_(surface) {
-  const std::optional<Vec3> centre = find_kernel_point(surface);
+  const std::optional<Vec3> centre = find_kernel_centroid(surface);
   if (!centre) {
     throw GeometryError(
         "the surface is not star-shaped: no inner point has a straight line of sight to all of it");
@@ -112,7 +112,7 @@ void HullInterpolation::find_edge_flips() {
       if (changed[first] || changed[second]) return;
       const EdgeKey edge = {pair[0].low, pair[0].high};
       const EdgeKey other =
-          edge_key(across(mesh.triangles[first], edge), across(mesh.triangles[second], edge));
+          make_edge_key(across(mesh.triangles[first], edge), across(mesh.triangles[second], edge));
       if (edges.contains(other) || !flip_edge(mesh, first, second, edge)) return;
       edges.insert(other);
       changed[first] = changed[second] = any = true;

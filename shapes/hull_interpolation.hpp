@@ -14,13 +14,13 @@ namespace clast {
 /// always cover each direction once. Therefore no intermediate surface intersects itself.
 class HullInterpolation {
  public:
-  /// Prepares the interpolation.
+  /// Prepares the interpolation of a surface.
   /// @param surface  closed, outward
   /// @throws GeometryError  if the surface is not star-shaped
   explicit HullInterpolation(const TriangleMesh& surface);
 
   std::size_t edge_flips() const { return edge_flips_.size(); }
-  /// Returns an intermediate surface.
+  /// Returns a surface between the given one and its hull.
   /// @param fraction  0 for the surface itself, 1 for all vertices on the hull
   /// @param edge_flips  number of flipped edges, at most `edge_flips()`
   TriangleMesh interpolate(double fraction, std::size_t edge_flips) const;

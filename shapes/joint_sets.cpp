@@ -67,7 +67,7 @@ double polygon_area(const std::vector<Vec3>& polygon) {
 
 class Cutting {
  public:
-  Cutting(const TriangleMesh& mass, const CuttingOptions& options)
+  Cutting(const TriangleMesh& mass, const JointCuttingOptions& options)
       : mass_(mass), options_(options), tree_(mass), slack_(kMassSlack * bounds(mass).diagonal()) {
     for (const TriangleMesh::Triangle& triangle : mass.triangles) {
       Bounds box;
@@ -80,9 +80,9 @@ class Cutting {
     Random random(options_.seed);
     std::vector<ConvexCell> cells = {ConvexCell(bounds(mass_))};
     for (const JointSet& set : sets) {
-      const std::vector<Plane> planes = planes_of(set, mass_, random, 10 * options_.most_blocks);
+      const std::vector<Plane> planes = planes_of(set, mass_, random, 10 * options_.max_blocks);
       if (planes.empty()) continue;
-      if (planes.size() > 10 * options_.most_blocks) refuse_count();
+      if (planes.size() > 10 * options_.max_blocks) refuse_count();
       std::vector<ConvexCell> parts;
       for (const ConvexCell& cell : cells) {
         add_slices(cell, planes, parts);
@@ -95,12 +95,12 @@ class Cutting {
   }
 
   void check_count(std::size_t count) const {
-    if (count > options_.most_blocks) refuse_count();
+    if (count > options_.max_blocks) refuse_count();
   }
 
   [[noreturn]] void refuse_count() const {
     throw InputError(
-        "the joint sets cut the mass into more than " + std::to_string(options_.most_blocks) +
+        "the joint sets cut the mass into more than " + std::to_string(options_.max_blocks) +
         " blocks; use wider spacings or a smaller mass, raise the limit, or check the units");
   }
 
@@ -119,7 +119,7 @@ class Cutting {
   /// @param same  least cosine between normals of what is cut off together
   std::optional<ConvexCell> trimmed(std::optional<ConvexCell> cell, double same) const {
     for (int trim = 0; cell && trim < kMaxTrims; ++trim) {
-      if (cell->volume() < options_.least_volume) return std::nullopt;
+      if (cell->volume() < options_.min_volume) return std::nullopt;
       const std::vector<Piece> pieces = surface_in(*cell);
       if (pieces.empty()) return cell;
       cell = cell->clipped_below(inner_plane(pieces, same), slack_);
@@ -132,7 +132,7 @@ class Cutting {
                   std::vector<ConvexCell>& slices) const {
     std::optional<ConvexCell> rest = cell;
     const auto keep = [&](std::optional<ConvexCell> part) {
-      if (part && part->volume() >= options_.least_volume) slices.push_back(*std::move(part));
+      if (part && part->volume() >= options_.min_volume) slices.push_back(*std::move(part));
     };
     double low = 1e300, high = -1e300;
     for (const Vec3& vertex : cell.vertices()) {
@@ -167,7 +167,8 @@ class Cutting {
           unit_normal(mass_, triangle)};
       for (const Plane& plane : planes) {
         if (piece.corners.size() < 3) break;
-        piece.corners = clip_below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
+        piece.corners =
+            clip_polygon_below(piece.corners, {plane.normal, plane.distance - 10.0 * slack_});
       }
       if (piece.corners.size() < 3) continue;
       piece.area = polygon_area(piece.corners);
@@ -196,7 +197,7 @@ class Cutting {
   }
 
   const TriangleMesh& mass_;
-  const CuttingOptions& options_;
+  const JointCuttingOptions& options_;
   TriangleTree tree_;
   double slack_;
   std::vector<Bounds> boxes_;  ///< of the triangles
@@ -242,8 +243,8 @@ JointSet parse_joint_set(const std::string& text) {
   return {numbers[0] * kRadiansPerDegree, numbers[1] * kRadiansPerDegree, numbers[2], numbers[3]};
 }
 
-JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
-                          const CuttingOptions& options) {
+JointedRockMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> sets,
+                              const JointCuttingOptions& options) {
   if (sets.empty()) throw InputError("no joint set is given; at least one is needed to cut a mass");
   const MeshReport report = inspect_mesh(on_map);
   if (!report.is_closed() || !report.is_oriented()) {
@@ -258,7 +259,7 @@ JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> 
   // Map coordinates would cost digits.
   const Vec3 origin = bounds(on_map).low.array().round();
   const TriangleMesh mass = transformed(on_map, Pose{-origin, Quat::Identity()});
-  JointedMass cut;
+  JointedRockMass cut;
   cut.volume = signed_volume(mass);
   if (!(cut.volume > 0.0)) {
     throw GeometryError("the surface of the mass faces inwards; turn its triangles around");
@@ -266,7 +267,7 @@ JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> 
   const Cutting cutting(mass, options);
   for (const ConvexCell& cell : cutting.cells_between(sets)) {
     const std::optional<ConvexCell> inside = cutting.inside(cell);
-    std::optional<TriangleMesh> block = inside ? inside->cleaned_mesh() : std::nullopt;
+    std::optional<TriangleMesh> block = inside ? inside->welded_mesh() : std::nullopt;
     if (!block) continue;
     cut.blocks.push_back(*std::move(block));
     cut.block_volume += signed_volume(cut.blocks.back());
@@ -274,7 +275,7 @@ JointedMass cut_by_joints(const TriangleMesh& on_map, std::span<const JointSet> 
     cutting.check_count(cut.blocks.size());
   }
   if (cut.blocks.empty()) {
-    throw InputError("no block of " + format_significant(options.least_volume, 3) +
+    throw InputError("no block of " + format_significant(options.min_volume, 3) +
                      " m3 or more fits into the mass of " + format_significant(cut.volume, 3) +
                      " m3; use wider spacings or a smaller least volume");
   }

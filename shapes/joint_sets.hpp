@@ -24,18 +24,19 @@ struct JointSet {
 ///                     to 360, spacing 1e-3 to 1000 m, scatter 0 to 3 times the spacing
 JointSet parse_joint_set(const std::string& text);
 
-struct CuttingOptions {
-  double least_volume = 1e-3;       ///< smallest volume of a block, m^3; smaller cells are omitted
-  std::size_t most_blocks = 10000;  ///< largest number of blocks; more are an error
-  std::uint64_t seed = 1;           ///< seed of the random joint positions
+struct JointCuttingOptions {
+  double min_volume = 1e-3;        ///< smallest volume of a block, m^3; smaller cells are omitted
+  std::size_t max_blocks = 10000;  ///< largest number of blocks; more are an error
+  std::uint64_t seed = 1;          ///< seed of the random joint positions
 };
 
-/// Blocks cut from a rock mass.
-struct JointedMass {
+/// Blocks cut from a rock mass by joint sets.
+struct JointedRockMass {
   double volume = 0.0;               ///< volume of the mass, m^3
   std::vector<TriangleMesh> blocks;  ///< convex, closed, outward, disjoint, inside the mass
   double block_volume = 0.0;         ///< total volume of the blocks, m^3
-  /// Returns the volume of the mass in no block: omitted cells and parts cut at curved surfaces.
+  /// Returns the volume of the mass that belongs to no block: omitted cells and parts cut at curved
+  /// surfaces.
   double lost_volume() const { return volume - block_volume; }
 };
 
@@ -47,7 +48,7 @@ struct JointedMass {
 /// @throws GeometryError  if the mass is not closed or has no volume
 /// @throws InputError  if there is no joint set, if there are more blocks than allowed, or if none
 ///                     is large enough
-JointedMass cut_by_joints(const TriangleMesh& mass, std::span<const JointSet> sets,
-                          const CuttingOptions& options = {});
+JointedRockMass cut_by_joints(const TriangleMesh& mass, std::span<const JointSet> sets,
+                              const JointCuttingOptions& options = {});
 
 }  // namespace clast

@@ -68,7 +68,7 @@ std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
     return hull.face_area(a) > hull.face_area(b);
   });
   for (const std::size_t f : order) {
-    face_volume[f] = hull.best_box_about(hull.normal(f), kMargin * best).volume;
+    face_volume[f] = hull.smallest_box_along(hull.normal(f), kMargin * best).volume;
     best = std::min(best, face_volume[f]);
   }
   std::vector<Candidate> candidates;
@@ -80,7 +80,7 @@ std::vector<Candidate> scan_gauss_image(GaussImage& hull) {
     volumes.assign(1, face_volume[hull.edge_faces(e)[0]]);
     for (std::size_t i = 1; i < pieces; ++i) {
       const Vec3 direction = hull.point_on_arc(e, static_cast<double>(i) * reach);
-      volumes.push_back(hull.best_box_about(direction, kMargin * best).volume);
+      volumes.push_back(hull.smallest_box_along(direction, kMargin * best).volume);
       best = std::min(best, volumes.back());
     }
     volumes.push_back(face_volume[hull.edge_faces(e)[1]]);
@@ -111,7 +111,7 @@ Refined refined(GaussImage& hull, const Candidate& candidate, int steps) {
   Refined best = {candidate, {}};
   const auto look = [&](double share) {
     const BoxCandidate posture =
-        hull.best_box_about(hull.point_on_arc(candidate.edge, share), kInfinity);
+        hull.smallest_box_along(hull.point_on_arc(candidate.edge, share), kInfinity);
     if (posture.volume < best.posture.volume) {
       best.posture = posture;
       best.candidate.share = share;
@@ -148,7 +148,7 @@ BoxCandidate settled(GaussImage& hull, BoxCandidate posture, int rounds) {
   for (int round = 0; smaller && round < rounds; ++round) {
     smaller = false;
     for (int axis = 0; axis < 3; ++axis) {
-      const BoxCandidate next = hull.best_box_about(posture.axes.col(axis), kInfinity);
+      const BoxCandidate next = hull.smallest_box_along(posture.axes.col(axis), kInfinity);
       if (next.volume < posture.volume * (1.0 - 1e-14)) {
         posture = next;
         smaller = true;

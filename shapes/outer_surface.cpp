@@ -25,7 +25,7 @@ double finest_length(const SpheroPolyhedron& shape) {
 
 }  // namespace
 
-std::optional<double> wrap_edge_length(const SpheroPolyhedron& shape, int segments) {
+std::optional<double> outer_surface_edge_length(const SpheroPolyhedron& shape, int segments) {
   const std::vector<EdgeConvexity> bends = edge_convexities(shape);
   const bool has_reflex =
       std::find(bends.begin(), bends.end(), EdgeConvexity::kReflex) != bends.end();
@@ -33,13 +33,13 @@ std::optional<double> wrap_edge_length(const SpheroPolyhedron& shape, int segmen
   return std::max(piece_length(shape, segments), finest_length(shape));
 }
 
-int max_wrap_segments(const SpheroPolyhedron& shape) {
+int max_outer_surface_segments(const SpheroPolyhedron& shape) {
   return std::max(1, static_cast<int>(std::ceil(piece_length(shape, 1) / finest_length(shape))));
 }
 
 TriangleMesh outer_surface_mesh(const SpheroPolyhedron& shape, int segments) {
   TriangleMesh crossing = rounded_surface_mesh(shape, segments);  // also refuses what has no skin
-  const std::optional<double> length = wrap_edge_length(shape, segments);
+  const std::optional<double> length = outer_surface_edge_length(shape, segments);
   if (!length) return crossing;
   const TriangleMesh core = core_mesh(shape);
   TriangleMesh skin = alpha_wrap(core, *length, shape.radius);

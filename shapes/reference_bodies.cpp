@@ -148,8 +148,8 @@ ReferenceShape parse_reference_shape(const std::string& name) {
 
 void ReferenceBodyOptions::check() const {
   ratios.check();
-  if (!(radius_share >= 0.0 && radius_share <= kMaxFraction)) {
-    throw InputError("the radius as a fraction of S is " + format_significant(radius_share, 4) +
+  if (!(radius_fraction >= 0.0 && radius_fraction <= kMaxFraction)) {
+    throw InputError("the radius as a fraction of S is " + format_significant(radius_fraction, 4) +
                      "; it must be between 0 and " + format_significant(kMaxFraction, 2));
   }
   if (!(exponent >= 1.0 && exponent <= 20.0)) {
@@ -170,10 +170,10 @@ SpheroPolyhedron make_reference_body(ReferenceShape form, const ReferenceBodyOpt
   if (own_ratios) ratios = {1.0, form == ReferenceShape::kEota111 ? 1.0 : 0.5};
   std::vector<Vec3> points = points_of(form, options);
   for (Vec3& p : points) p = 0.5 * p.cwiseProduct(Vec3(1.0, ratios.i_l, ratios.s_l));
-  const double radius = options.radius_share * ratios.s_l;
+  const double radius = options.radius_fraction * ratios.s_l;
   std::optional<SpheroPolyhedron> body = inscribed_rounded_body(convex_hull(points), radius);
   if (!body) {
-    throw GeometryError("rounded with " + format_significant(options.radius_share, 4) +
+    throw GeometryError("rounded with " + format_significant(options.radius_fraction, 4) +
                         " of S, no core is left of the " + name_of(form) +
                         "; give a smaller radius");
   }

@@ -33,7 +33,8 @@ TriangleMesh inset(const TriangleMesh& mesh, double depth) {
     }
   }
   TriangleMesh result = mesh;
-  for (std::size_t v = 0; v < fits.size(); ++v) result.vertices[v] += fits[v].minimising_step();
+  for (std::size_t v = 0; v < fits.size(); ++v)
+    result.vertices[v] += fits[v].step_to_intersection();
   return result;
 }
 
@@ -93,11 +94,11 @@ double largest_radius(const TriangleMesh& scan, double too_large) {
 std::optional<SpheroPolyhedron> try_inset_core(const TriangleMesh& scan, double minkowski_radius) {
   const MeshReport report = inspect_mesh(scan);
   if (!report.is_closed() || !report.is_oriented()) {
-    throw GeometryError("only a closed surface can be rounded, this one has " + report.summary());
+    throw GeometryError("only a closed surface can be rounded; this one has " + report.summary());
   }
   if (!(signed_volume(scan) > 0.0)) {
     throw GeometryError(
-        "only a surface that faces outwards can be rounded, this one faces inwards");
+        "only a surface that faces outwards can be rounded; this one faces inwards");
   }
   if (!(minkowski_radius > 0.0) || !std::isfinite(minkowski_radius)) {
     return make_sphero_polyhedron(scan, minkowski_radius);
@@ -118,11 +119,10 @@ SpheroPolyhedron inset_core(const TriangleMesh& scan, double minkowski_radius) {
   if (largest > 0.0) {
     message << "its core would vanish or turn inside out; " << largest << " m works";
   } else if (!crossing(scan).empty()) {
-    message
-        << "no smaller radius works either, because the surface passes through itself; repair it "
-           "first, for example in MeshLab or CloudCompare";
+    message << "smaller radii do not work either, because the surface intersects itself; repair it "
+               "first, for example in MeshLab or CloudCompare";
   } else {
-    message << "no smaller radius works either; simplify the scan first";
+    message << "smaller radii do not work either; simplify the scan first";
   }
   throw GeometryError(message.str());
 }

@@ -6,9 +6,9 @@
 
 namespace clast {
 
-/// Makes the core of a closed scan. Vertices move inwards so that the planes of their faces move by
-/// `minkowski_radius`. If a vertex has more than three planes, this holds in the least-squares
-/// sense (`PlaneQuadric`). Flipped triangles are collapsed.
+/// Makes the core whose rounded body is near a closed scan. The vertices of the scan move inwards
+/// so that the planes of their faces move by `minkowski_radius`. If a vertex has more than three
+/// planes, this holds in the least-squares sense (`PlaneQuadric`). Flipped triangles are collapsed.
 /// @param scan  closed, outward-facing and simplified; edges not much shorter than the radius
 /// @throws GeometryError  if the mesh is open, or if the radius is so large that the core would
 ///                        vanish or invert; the message gives the largest possible radius

@@ -28,7 +28,7 @@ SpheroPolyhedron make_sphero_polyhedron(const TriangleMesh& core, double minkows
 /// Returns the edges of the faces, in the form of `SpheroPolyhedron::edges`.
 std::vector<SpheroPolyhedron::Edge> face_edges(const std::vector<SpheroPolyhedron::Face>& faces);
 
-/// Returns the face normal with the length of twice the area.
+/// Returns the normal of a face, with the length of twice its area.
 Vec3 doubled_face_area_vector(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);
 /// Returns the outward unit normal of a face.
 Vec3 face_normal(const SpheroPolyhedron& shape, const SpheroPolyhedron::Face& face);

@@ -15,7 +15,7 @@ constexpr double kMinDepth = 1e-5;
 
 }  // namespace
 
-std::optional<Vec3> find_kernel_point(const TriangleMesh& mesh) {
+std::optional<Vec3> find_kernel_centroid(const TriangleMesh& mesh) {
   const Bounds box = bounds(mesh);
   const Vec3 origin = 0.5 * (box.low + box.high);
   const double diagonal = box.diagonal();

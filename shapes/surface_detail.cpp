@@ -158,11 +158,12 @@ void SurfaceDetailOptions::check() const {
   }
 }
 
-DetailedSurface scale_surface_detail(const TriangleMesh& mesh,
-                                     const SurfaceDetailOptions& options) {
+ScaledDetailSurface scale_surface_detail(const TriangleMesh& mesh,
+                                         const SurfaceDetailOptions& options) {
   options.check();
-  const std::optional<Vec3> centre = find_kernel_point(mesh);
-  const CoarseShape form = centre ? CoarseShape::kHarmonics : CoarseShape::kBilaplacian;
+  const std::optional<Vec3> centre = find_kernel_centroid(mesh);
+  const CoarseShapeMethod form =
+      centre ? CoarseShapeMethod::kHarmonics : CoarseShapeMethod::kBilaplacian;
   if (options.gain == 1.0) return {mesh, form};
   if (!centre) return {bilaplacian_detail(mesh, options), form};
   const double needed = kVerticesEach * (options.degree + 1.0) * (options.degree + 1.0);

@@ -13,11 +13,12 @@ struct SurfaceDetailOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-enum class CoarseShape { kHarmonics, kBilaplacian };
+/// Method by which the coarse shape was computed: spherical harmonics or a bilaplacian filter.
+enum class CoarseShapeMethod { kHarmonics, kBilaplacian };
 
-struct DetailedSurface {
+struct ScaledDetailSurface {
   TriangleMesh mesh;
-  CoarseShape coarse = CoarseShape::kHarmonics;
+  CoarseShapeMethod coarse_shape_method = CoarseShapeMethod::kHarmonics;
 };
 
 /// Scales the surface detail. A gain of 1 returns the mesh unchanged.
@@ -31,6 +32,7 @@ struct DetailedSurface {
 /// @throws GeometryError  if a vertex would come too near the centre, or if the surface would
 ///                        intersect itself
 /// @cite garboczi2002
-DetailedSurface scale_surface_detail(const TriangleMesh& mesh, const SurfaceDetailOptions& options);
+ScaledDetailSurface scale_surface_detail(const TriangleMesh& mesh,
+                                         const SurfaceDetailOptions& options);
 
 }  // namespace clast

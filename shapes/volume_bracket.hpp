@@ -7,24 +7,24 @@
 
 namespace clast {
 
-/// Bounds of each side L, I, S of the smallest box, m.
-struct SideBounds {
+/// Lower and upper bounds of the sides L, I, S of the smallest box, m.
+struct BoxSideBounds {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
 };
 
-/// Bounds of volume and sides of a block. They allow for holes, an unscanned base, gaps between
-/// points, noise and duplicate surfaces.
+/// Bounds of the volume and box sides of a block. They allow for holes, an unscanned base, gaps
+/// between points, noise and duplicate surfaces.
 struct VolumeBracket {
   double lower_volume = 0.0;      ///< m^3
   double estimated_volume = 0.0;  ///< volume of the closed surface, m^3
   /// Upper bound of the volume, m^3; empty if too much of the surface is unscanned.
   std::optional<double> upper_volume = {};
-  std::optional<SideBounds> sides = {};  ///< empty if the sides are unknown
-  double filled_fraction = 0.0;          ///< area of filled holes over area of the closed surface
+  std::optional<BoxSideBounds> sides = {};  ///< empty if the sides are unknown
+  double filled_fraction = 0.0;  ///< area of filled holes over area of the closed surface
   std::string assumption = {};  ///< assumption of the bounds, as a sentence; empty if there is none
 };
 
-/// Converts the bracket to another length unit.
+/// Converts a volume bracket to another length unit.
 /// @param unit  new units per old unit
 VolumeBracket scaled(VolumeBracket bracket, double unit);
 

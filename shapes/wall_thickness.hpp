@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Wall: two opposite faces of a body.
+/// Thin wall between two opposite faces of a body.
 struct ThinWall {
   double thickness = 0.0;        ///< m
   Vec3 position = Vec3::Zero();  ///< midpoint of the wall

@@ -20,10 +20,10 @@ struct PlanBox {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  PlanBox expand(double by) const { return {low.array() - by, high.array() + by}; }
+  PlanBox expanded(double by) const { return {low.array() - by, high.array() + by}; }
 };
 
-/// Uniform grid of boxes; each box is listed in all cells that it overlaps.
+/// Uniform grid of plan boxes. Each box is listed in all cells that it overlaps.
 class PlanIndex {
  public:
   explicit PlanIndex(std::span<const PlanBox> boxes);

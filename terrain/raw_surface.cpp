@@ -53,9 +53,9 @@ TriangleMesh triangulate_grid(const HeightGrid& grid, const std::filesystem::pat
 void retain_triangles(RawSurface& surface, const std::vector<bool>& keep) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < keep.size(); ++t) {
-    if (keep[t]) surface.source[kept++] = surface.source[t];
+    if (keep[t]) surface.source_file[kept++] = surface.source_file[t];
   }
-  surface.source.resize(kept);
+  surface.source_file.resize(kept);
   surface.mesh = extract_triangles(surface.mesh, keep);
 }
 

@@ -21,7 +21,7 @@
 namespace clast {
 namespace {
 
-using terrain_detail::OverlayBody;
+using terrain_detail::BodyBetweenSurfaces;
 using terrain_detail::ZonePolygon;
 
 /// Walls higher than the least thickness by more are noted, m.
@@ -34,7 +34,7 @@ std::set<std::size_t> chosen_numbers(const std::string& bodies) {
   if (bodies == "largest") return {1};
   std::set<std::size_t> numbers;
   if (bodies == "all") return numbers;
-  for (const std::string& each : split_list(bodies)) {
+  for (const std::string& each : split_comma_separated(bodies)) {
     const std::optional<double> number = parse_number(each);
     if (!number || *number < 1.0 || *number > 1e9 || *number != std::floor(*number)) {
       numbers.clear();
@@ -126,7 +126,7 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
     text += "outside the polygon it is, by up to " + format_significant(range.high, 3) + " m at " +
             at(range.high_position) + ": check the polygon and its map system, or `least_volume`";
   } else if (range.high > 0.0) {
-    text += "the most is " + format_significant(range.high, 3) + " m at " +
+    text += "the largest difference is " + format_significant(range.high, 3) + " m at " +
             at(range.high_position) + ": give a smaller `min_thickness`";
   } else {
     text += "`before` is above `after` nowhere";
@@ -141,8 +141,8 @@ std::vector<ZonePolygon> outlines_of(const ReleasedMassOptions& options, const M
 /// True if a position is below the top of a body.
 class Cover {
  public:
-  explicit Cover(const std::vector<const OverlayBody*>& bodies) {
-    for (const OverlayBody* body : bodies) {
+  explicit Cover(const std::vector<const BodyBetweenSurfaces*>& bodies) {
+    for (const BodyBetweenSurfaces* body : bodies) {
       TriangleMesh top = body->mesh;
       top.triangles.resize(body->top_triangles);
       tops_ = merged(std::move(tops_), top);
@@ -191,7 +191,7 @@ void check_mass_heights(const TriangleMesh& mesh, const char* name, const Cover&
                       "uses the highest point of each cell, or cut a closed mesh of the mass");
 }
 
-MassBody body_of(const OverlayBody& pair, const MapFrame& frame) {
+ReleasedBody body_of(const BodyBetweenSurfaces& pair, const MapFrame& frame) {
   const Bounds box = bounds(pair.mesh);
   return {.mesh = {},
           .volume = signed_volume(pair.mesh),
@@ -200,7 +200,8 @@ MassBody body_of(const OverlayBody& pair, const MapFrame& frame) {
           .centre = frame.to_map((box.low + box.high) / 2.0)};
 }
 
-TriangleMesh solid_on_map(const OverlayBody& pair, const MassBody& body, const MapFrame& frame) {
+TriangleMesh solid_on_map(const BodyBetweenSurfaces& pair, const ReleasedBody& body,
+                          const MapFrame& frame) {
   TriangleMesh mesh = pair.mesh;
   for (Vec3& vertex : mesh.vertices) vertex = frame.to_map(vertex);
   const MeshReport report = inspect_mesh(mesh);
@@ -217,19 +218,20 @@ TriangleMesh solid_on_map(const OverlayBody& pair, const MassBody& body, const M
   return mesh;
 }
 
-void note_wall(const OverlayBody& pair, const MassBody& body, const ReleasedMassOptions& options,
-               const MapFrame& frame, std::vector<std::string>& notes) {
+void note_wall(const BodyBetweenSurfaces& pair, const ReleasedBody& body,
+               const ReleasedMassOptions& options, const MapFrame& frame,
+               std::vector<std::string>& notes) {
   if (pair.max_wall_height <= options.min_thickness + kWallSlack) return;
-  notes.push_back("body " + std::to_string(body.rank) + " ends at a wall of up to " +
-                  format_significant(pair.max_wall_height, 3) + " m, as at " +
+  notes.push_back("body " + std::to_string(body.rank) + " ends at a vertical wall of up to " +
+                  format_significant(pair.max_wall_height, 3) + " m, for example at " +
                   format_map_point(frame.to_map(pair.wall_position)) +
-                  ", which is the border or a step of a surface, or the polygon; the mass beyond "
-                  "it is not included");
+                  ": the border of a surface or of the polygon, or a step of a surface; the mass "
+                  "beyond the wall is not included");
 }
 
-double sum_of_volumes(const std::vector<MassBody>& bodies) {
+double sum_of_volumes(const std::vector<ReleasedBody>& bodies) {
   return std::accumulate(bodies.begin(), bodies.end(), 0.0,
-                         [](double sum, const MassBody& body) { return sum + body.volume; });
+                         [](double sum, const ReleasedBody& body) { return sum + body.volume; });
 }
 
 }  // namespace
@@ -240,8 +242,8 @@ void ReleasedMassOptions::check() const {
     throw InputError("`" + std::string(field) + "` = " + format_significant(value, 6) +
                      ": must be " + range.describe());
   };
-  check_range("min_thickness", min_thickness, kMassThickness);
-  if (resolution) check_range("resolution", *resolution, kCellSize);
+  check_range("min_thickness", min_thickness, kMassThicknessRange);
+  if (resolution) check_range("resolution", *resolution, kCellSizeRange);
   chosen_numbers(bodies);
 }
 
@@ -256,15 +258,15 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   mass.crs = after.frame.crs.empty() ? before.frame.crs : after.frame.crs;
   const Surfaces surfaces = read_surfaces(before, after, options);
   const MapFrame& frame = surfaces.frame;
-  mass.edge_before = median_edge_length(surfaces.before);
-  mass.edge_after = median_edge_length(surfaces.after);
-  std::vector<OverlayBody> pairs = terrain_detail::extract_bodies_between(
+  mass.median_edge_before = median_edge_length(surfaces.before);
+  mass.median_edge_after = median_edge_length(surfaces.after);
+  std::vector<BodyBetweenSurfaces> pairs = terrain_detail::extract_bodies_between(
       terrain_detail::overlay_surfaces(surfaces.before, surfaces.after, options.min_thickness,
                                        outlines_of(options, frame, mass.crs)),
       options.min_thickness);
-  std::vector<std::pair<double, const OverlayBody*>> order;
-  for (const OverlayBody& pair : pairs) order.emplace_back(signed_volume(pair.mesh), &pair);
-  std::erase_if(order, [&](const auto& each) { return each.first < options.least_volume; });
+  std::vector<std::pair<double, const BodyBetweenSurfaces*>> order;
+  for (const BodyBetweenSurfaces& pair : pairs) order.emplace_back(signed_volume(pair.mesh), &pair);
+  std::erase_if(order, [&](const auto& each) { return each.first < options.min_volume; });
   if (order.empty()) refuse_nothing(surfaces, options);
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -274,7 +276,7 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
                      (order.size() == 1 ? "is " : "are ") +
                      format_count(order.size(), "body", "bodies") + "; choose among them");
   }
-  std::vector<const OverlayBody*> chosen;
+  std::vector<const BodyBetweenSurfaces*> chosen;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (numbers.empty() || numbers.contains(i + 1)) chosen.push_back(order[i].second);
   }
@@ -282,8 +284,8 @@ ReleasedMass find_released_mass(const Terrain& before, const Terrain& after,
   check_mass_heights(surfaces.before, "`before`", cover, frame);
   check_mass_heights(surfaces.after, "`after`", cover, frame);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const OverlayBody& pair = *order[i].second;
-    MassBody body = body_of(pair, frame);
+    const BodyBetweenSurfaces& pair = *order[i].second;
+    ReleasedBody body = body_of(pair, frame);
     body.rank = i + 1;
     if (!numbers.empty() && !numbers.contains(i + 1)) {
       mass.excluded.push_back(std::move(body));

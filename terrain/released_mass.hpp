@@ -19,12 +19,13 @@ struct ReleasedMassOptions {
   /// Selected bodies: "largest", "all", or ranks by volume such as "1,3" (1 is the largest).
   std::string bodies = "largest";
   /// Minimum volume of bodies, m^3.
-  double least_volume = 1e-3;
+  double min_volume = 1e-3;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-struct MassBody {
+/// Closed body of rock that was released between two surveys.
+struct ReleasedBody {
   std::size_t rank = 0;        ///< rank by volume, from 1
   TriangleMesh mesh;           ///< closed, outward, map coordinates; empty for excluded bodies
   double volume = 0.0;         ///< m^3
@@ -34,10 +35,10 @@ struct MassBody {
 };
 
 struct ReleasedMass {
-  std::vector<MassBody> bodies;    ///< selected bodies, the largest first
-  std::vector<MassBody> excluded;  ///< bodies that are not selected, the largest first
-  double edge_before = 0.0;        ///< median edge lengths of both surfaces, m
-  double edge_after = 0.0;
+  std::vector<ReleasedBody> bodies;    ///< selected bodies, the largest first
+  std::vector<ReleasedBody> excluded;  ///< bodies that are not selected, the largest first
+  double median_edge_before = 0.0;     ///< median edge lengths of both surfaces, m
+  double median_edge_after = 0.0;
   std::string crs;                 ///< empty if neither surface has one
   std::vector<std::string> notes;  ///< warnings, as sentences
 
@@ -45,10 +46,10 @@ struct ReleasedMass {
   double excluded_volume() const;  ///< m^3
 };
 
-/// Finds the bodies where `before` is more than the minimum thickness above `after`. The edges of
-/// both surfaces become edges of the bodies. Along their outline the bodies have walls as high as
-/// the minimum thickness. Their volume is the integral of the vertical thickness over the plan, so
-/// that overhangs cannot be represented.
+/// Finds the released bodies: where `before` is above `after` by more than the minimum thickness.
+/// The edges of both surfaces become edges of the bodies. Along their outline the bodies have walls
+/// as high as the minimum thickness. Their volume is the integral of the vertical thickness over
+/// the plan, so that overhangs cannot be represented.
 /// @param before, after  surfaces in one coordinate system, with one height per plan point, z up
 /// @throws InputError  if map systems differ, if the surfaces do not overlap, if no difference is
 ///                     thick enough, if the polygon file is invalid (`read_outline_polygons`), or

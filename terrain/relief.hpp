@@ -25,7 +25,7 @@ struct Relief {
   std::vector<std::uint16_t> zone;
 };
 
-/// Samples the surface at the centres of square cells in `window` (local frame).
+/// Samples height and zone of a terrain at the centres of square cells in `window` (local frame).
 /// @param columns  number of cells along x
 Relief sample_relief(const Terrain& terrain, const PlanWindow& window, std::uint32_t columns);
 

@@ -20,7 +20,7 @@ struct MapFrame {
   Vec3 to_map(const Vec3& local) const { return local + origin; }
 };
 
-/// Findings and repairs of the input.
+/// Numbers of defects and repairs of a terrain's input.
 struct TerrainReport {
   std::size_t triangles_read = 0;
   std::size_t welded_vertices = 0;
@@ -48,7 +48,7 @@ struct Terrain {
   std::vector<std::string> sources;  ///< "path sha256" of each input file
 };
 
-/// Makes the contact surface for the dynamics.
+/// Makes the contact surface of a terrain for simulations.
 TerrainSurface make_terrain_surface(const Terrain& terrain, double radius = 0.0);
 
 }  // namespace clast

@@ -47,8 +47,8 @@ double border_distance(const Terrain& terrain, const Vec2& place) {
   return distance_to(border_edges(terrain), place);
 }
 
-void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
-                       const std::string& name) {
+void check_positions_over_terrain(const Terrain& terrain, std::span<const Vec3> positions,
+                                  const std::string& name) {
   const TriangleMesh& mesh = terrain.surface;
   const terrain_detail::PlanIndex index(terrain_detail::plan_boxes(mesh));
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -73,8 +73,8 @@ void check_over_ground(const Terrain& terrain, std::span<const Vec3> positions,
   }
 }
 
-void check_near_ground(const Terrain& terrain, std::span<const Vec2> positions,
-                       const std::string& name) {
+void check_positions_near_terrain(const Terrain& terrain, std::span<const Vec2> positions,
+                                  const std::string& name) {
   const Bounds box = bounds(terrain.surface);
   const Vec2 low = terrain.frame.to_map(box.low).head<2>();
   const Vec2 high = terrain.frame.to_map(box.high).head<2>();
@@ -113,8 +113,8 @@ std::optional<std::string> border_warning(const Terrain& terrain, std::span<cons
          "; blocks may leave the survey there, so extend it";
 }
 
-std::optional<std::string> cell_size_warning(const Terrain& terrain, double smallest,
-                                             double largest) {
+std::optional<std::string> edge_length_warning(const Terrain& terrain, double smallest,
+                                               double largest) {
   const double edge = median_edge_length(terrain.surface);
   const auto text = [&](const std::string& what, double block, const std::string& advice) {
     return "the edges of the ground, " + format_significant(edge, 3) + " m (median), are " + what +

@@ -215,13 +215,13 @@ void TerrainOptions::check() const {
     throw InputError(std::string(field) + " = " + format_significant(*value, 6) + ": must be " +
                      range.describe());
   };
-  check_range("resolution", resolution, kCellSize);
-  check_range("percentile", percentile, kPercentile);
-  check_range("outliers", outliers, kOutlierDistance);
-  check_range("crack", crack, kCrackWidth);
-  check_range("spike_steepness", spike_steepness, kSpikeSteepness);
-  check_range("tolerance", tolerance, kSurfaceTolerance);
-  check_range("fill", fill, kHoleWidth);
+  check_range("resolution", resolution, kCellSizeRange);
+  check_range("percentile", percentile, kPercentileRange);
+  check_range("outliers", outliers, kOutlierDistanceRange);
+  check_range("crack", crack, kCrackWidthRange);
+  check_range("spike_steepness", spike_steepness, kSpikeSteepnessRange);
+  check_range("tolerance", tolerance, kSurfaceToleranceRange);
+  check_range("fill", fill, kHoleWidthRange);
   if (smoothing < 0 || smoothing > kMaxSmoothing) {
     throw InputError("smoothing = " + std::to_string(smoothing) + ": must be from 0 to " +
                      std::to_string(kMaxSmoothing) + " rounds");
@@ -279,7 +279,7 @@ Terrain read_terrain(const TerrainOptions& options) {
   } else if (rules) {
     terrain_detail::assign_zones(terrain, options.zones);
   } else {
-    for (const std::uint16_t file : raw.source) terrain.zone.push_back(zone_of_file[file]);
+    for (const std::uint16_t file : raw.source_file) terrain.zone.push_back(zone_of_file[file]);
   }
   note_doubts(terrain);
   return terrain;

@@ -33,7 +33,8 @@ struct TerrainOptions {
   /// highest. If empty, their mean is used.
   std::optional<double> percentile = {};
   /// Largest distance of a cloud's point from the median of the surrounding 5 x 5 cells, m; other
-  /// points are outliers. It must exceed the relief within a cell. If empty, none is.
+  /// points are outliers. It must exceed the relief within a cell. If empty, no point is an
+  /// outlier.
   std::optional<double> outliers = {};
   /// Largest length and width of holes that are filled, m. If empty: three cells for clouds, three
   /// median edges for meshes; holes of rasters are not filled.
@@ -41,7 +42,7 @@ struct TerrainOptions {
   /// Largest width of cracks between mesh tiles that are closed, m.
   double crack = 0.01;
   /// Spikes are levelled: vertices farther from the plane through their neighbours than this
-  /// multiple of the neighbours' mean distance. If 0, none is.
+  /// multiple of the neighbours' mean distance. If 0, no spike is levelled.
   double spike_steepness = 3.0;
   /// Number of smoothing rounds. Each moves vertices halfway to the plane through their neighbours.
   int smoothing = 0;
@@ -62,7 +63,7 @@ struct ZoneFile {
   std::filesystem::path path;
   std::map<long, std::string> names = {};  ///< by class number; if empty, the number is the name
 
-  std::vector<std::string> option_texts() const;  ///< as in TerrainOptions
+  std::vector<std::string> zone_option_values() const;  ///< values of `TerrainOptions::zones`
 };
 
 /// Parses `zones` as a zone file ("zones.asc", "zones.asc:1=blue,2=gray", "polygons.geojson");

@@ -4,19 +4,19 @@
 
 namespace clast {
 
-/// Map coordinate; the earth's circumference is 4e7 m.
-inline constexpr NumberRange kMapCoordinate{-1e8, 1e8, "m"};
+/// Allowed map coordinates; the earth's circumference is 4e7 m.
+inline constexpr NumberRange kMapCoordinateRange{-1e8, 1e8, "m"};
 
-inline constexpr NumberRange kCellSize{1e-4, 1e5, "m"};
-inline constexpr NumberRange kPercentile{1e-6, 100.0, "", "the lowest point"};
-inline constexpr NumberRange kOutlierDistance{1e-6, 1e5, "m"};
-inline constexpr NumberRange kHoleWidth{1e-6, 1e6, "m", "none is filled"};
-inline constexpr NumberRange kCrackWidth{1e-9, 1e3, "m", "none is closed"};
-inline constexpr NumberRange kSpikeSteepness{1e-3, 1e3, "", "none is levelled"};
-inline constexpr NumberRange kSurfaceTolerance{1e-9, 1e3, "m"};
-inline constexpr NumberRange kBorderDistance{1e-3, 1e6, "m"};
-inline constexpr NumberRange kMassThickness{1e-6, 1e4, "m", "all counts"};
-inline constexpr NumberRange kGroundRadius{1e-6, 100.0, "m", ""};
+inline constexpr NumberRange kCellSizeRange{1e-4, 1e5, "m"};
+inline constexpr NumberRange kPercentileRange{1e-6, 100.0, "", "the lowest point"};
+inline constexpr NumberRange kOutlierDistanceRange{1e-6, 1e5, "m"};
+inline constexpr NumberRange kHoleWidthRange{1e-6, 1e6, "m", "none is filled"};
+inline constexpr NumberRange kCrackWidthRange{1e-9, 1e3, "m", "none is closed"};
+inline constexpr NumberRange kSpikeSteepnessRange{1e-3, 1e3, "", "none is levelled"};
+inline constexpr NumberRange kSurfaceToleranceRange{1e-9, 1e3, "m"};
+inline constexpr NumberRange kBorderDistanceRange{1e-3, 1e6, "m"};
+inline constexpr NumberRange kMassThicknessRange{1e-6, 1e4, "m", "all counts"};
+inline constexpr NumberRange kGroundRadiusRange{1e-6, 100.0, "m", ""};
 inline constexpr int kMaxSmoothing = 1000;  ///< rounds
 
 }  // namespace clast

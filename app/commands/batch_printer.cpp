@@ -29,7 +29,7 @@ std::string describe_block_scale(const ScanToBlockOptions& options) {
 
 }  // namespace
 
-BatchPrinter::BatchPrinter(std::size_t scans, const BatchOptions& options,
+BatchPrinter::BatchPrinter(std::size_t scans, const ScanBatchOptions& options,
                            const std::string& report, bool json)
     : options_(options), scans_(scans), json_(json), bar_("scans", scans) {
   if (!report.empty()) report_.emplace(report, options.replace || options.resume);
@@ -45,13 +45,13 @@ void BatchPrinter::on_block_made(const Block& block, const BlockOrigin& origin) 
   }
   if (!report_) return;
   report_->prepare(block, {.raw = origin.raw,
-                           .found = origin.field_block,
+                           .field_block = origin.field_block,
                            .options = options_.scan.scan,
                            .up = origin.up,
                            .scale = describe_block_scale(options_.scan),
                            .density_given = options_.scan.block.density_given,
                            .photos = origin.photos,
-                           .evidence = evidence ? &*evidence : nullptr});
+                           .photo_summary = evidence ? &*evidence : nullptr});
 }
 
 void BatchPrinter::check_block(const Block& block) { accepted_ = block_json(block); }
@@ -105,10 +105,10 @@ void BatchPrinter::on_note(const std::string& text) {
   std::cerr << "clast: " << format_for_terminal(text) << "\n";
 }
 
-void BatchPrinter::finish(const BatchResult& result) {
+void BatchPrinter::finish(const ScanBatchResult& result) {
   bar_.clear();
   if (report_) report_->finish();
-  print_end(result);
+  print_summary(result);
   if (failed_.empty()) return;
   if (scans_ == 1) throw InputError(last_failure_);
   throw InputError(std::to_string(result.failed_scans) + " of " + std::to_string(scans_) +
@@ -117,7 +117,7 @@ void BatchPrinter::finish(const BatchResult& result) {
                    "; the reasons are above");
 }
 
-void BatchPrinter::print_end(const BatchResult& result) const {
+void BatchPrinter::print_summary(const ScanBatchResult& result) const {
   if (json_) {
     Json json = {{"blocks", made_}, {"failed", failed_}};
     if (options_.resume) json["skipped"] = result.skipped;

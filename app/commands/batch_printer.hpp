@@ -12,15 +12,16 @@
 
 namespace clast {
 
-/// Prints blocks to stdout, as lines or JSON, and failures to stderr. Optionally writes pages.
-class BatchPrinter : public BatchObserver {
+/// Prints the blocks of a batch of scans to stdout, as lines or JSON, and failures to stderr.
+/// Optionally writes report pages.
+class BatchPrinter : public ScanBatchObserver {
  public:
-  /// Starts the output.
+  /// Starts the output of a batch.
   /// @param scans  number of scans
   /// @param report  folder of pages; if empty, no pages are written
-  /// @param json  true: prints the blocks as JSON at the end; false: prints lines
+  /// @param json  true if blocks are printed as JSON at the end; false if as lines
   /// @throws InputError  if the folder of pages cannot be written
-  BatchPrinter(std::size_t scans, const BatchOptions& options, const std::string& report,
+  BatchPrinter(std::size_t scans, const ScanBatchOptions& options, const std::string& report,
                bool json);
 
   void on_block_made(const Block& block, const BlockOrigin& origin) override;
@@ -31,20 +32,20 @@ class BatchPrinter : public BatchObserver {
   void on_scan_failed(const ScanFile& scan, const std::string& reason) override;
   void on_note(const std::string& text) override;
 
-  /// Updates the progress bar. Slow steps have their own line unless scans run in parallel.
+  /// Updates the progress bar.
   void show(const ProgressUpdate& step) {
     bar_.update(step.done, step.activity, step.is_slow && options_.jobs == 1);
   }
   /// Prints the summary and writes the summary page.
   /// @throws InputError  if a scan gave no block; states the reason if there is a single scan
-  void finish(const BatchResult& result);
+  void finish(const ScanBatchResult& result);
 
  private:
   using Json = nlohmann::ordered_json;
 
-  void print_end(const BatchResult& result) const;
+  void print_summary(const ScanBatchResult& result) const;
 
-  const BatchOptions& options_;
+  const ScanBatchOptions& options_;
   std::size_t scans_;
   bool json_;
   ProgressBar bar_;

@@ -45,16 +45,17 @@ void print_calibration(const Calibration& calibration, const std::filesystem::pa
   std::cout << "\n"
             << format_unknowns_table(calibration) << "\n"
             << format_statistics_table(calibration) << "\n"
-            << format_ground_block(calibration) << "\n"
+            << format_ground_tables(calibration) << "\n"
             << escape_nonprintable(calibration.file.string()) << "\n"
             << escape_nonprintable(page.string()) << "\n";
 }
 
 void print_members(const Calibration& calibration, const Shard& shard) {
   std::size_t members = 0;
-  for (std::uint32_t i = 0; i < calibration.study.design.members; ++i) members += shard.has(i);
+  for (std::uint32_t i = 0; i < calibration.study.design.member_count; ++i)
+    members += shard.contains(i);
   std::cout << escape_nonprintable(calibration.file.string()) << ": " << members << " of "
-            << format_count(calibration.study.design.members, "member")
+            << format_count(calibration.study.design.member_count, "member")
             << " simulated. When all shards are finished, join them: "
             << escape_nonprintable(
                    format_shell_command({"clast", "calibrate", calibration.study.file.string()}))
@@ -69,8 +70,8 @@ std::string resume_command(const CalibrateArgs& args) {
 }
 
 /// The file itself or that of the shard.
-void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptions options,
-                    const std::filesystem::path& output, const InterruptionWatch& watch) {
+void run_calibration_with(ProcessTeam& team, const CalibrateArgs& args, CalibrationOptions options,
+                          const std::filesystem::path& output, const InterruptionWatch& watch) {
   std::optional<CalibrationStudy> read;
   const bool whole = options.shard.count == 1;
   team.check_agreement([&] {
@@ -80,8 +81,8 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
   });
   const CalibrationStudy& study = *read;
   options.team = &team;
-  if (!team.is_leader()) return serve_calibration(study, options);
-  ProgressBar bar("members", study.sites.size() * study.design.members);
+  if (!team.is_leader()) return simulate_members_for_leader(study, options);
+  ProgressBar bar("members", study.sites.size() * study.design.member_count);
   bool started = false;
   options.progress = [&](const ProgressUpdate& step) {
     if (!std::exchange(started, true)) bar.start_from(step.done_before);
@@ -92,8 +93,8 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
                           std::to_string(step.total) +
                           " members are kept. Go on with: " + resume_command(args));
   };
-  const Calibration calibration =
-      whole ? calibrate_and_report(study, output, options) : calibrate(study, output, options);
+  const Calibration calibration = whole ? calibrate_and_report(study, output, options)
+                                        : run_calibration(study, output, options);
   bar.clear();
   if (!whole) {
     print_members(calibration, options.shard);
@@ -105,7 +106,7 @@ void calibrate_with(ProcessTeam& team, const CalibrateArgs& args, CalibrateOptio
 }
 
 void calibrate_study(const CalibrateArgs& args) {
-  CalibrateOptions options;
+  CalibrationOptions options;
   options.threads = args.threads;
   options.resume = args.resume;
   options.replace = args.replace;
@@ -115,13 +116,13 @@ void calibrate_study(const CalibrateArgs& args) {
   check_usage([&] { calibration_page_file(args.output); });
   const InterruptionWatch watch;  // before any file is touched
   run_in_team([&](ProcessTeam& team) {
-    calibrate_with(team, args, options, shard_file(args.output, shard), watch);
+    run_calibration_with(team, args, options, shard_results_path(args.output, shard), watch);
   });
 }
 
 }  // namespace
 
-void add_calibrate(CLI::App& app) {
+void add_calibrate_command(CLI::App& app) {
   const auto args = std::make_shared<CalibrateArgs>();
   CLI::App* command = app.add_subcommand(
       "calibrate", "Estimate ground parameters from field observations, with their uncertainty");
@@ -135,7 +136,7 @@ void add_calibrate(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   CLI::Option* resume = command->add_flag("--resume", args->resume,
@@ -158,10 +159,9 @@ void add_calibrate(CLI::App& app) {
   command->footer(
       "Simulates parameter sets that are evenly distributed over their ranges, fits how the "
       "observed statistics depend on the parameters, and draws parameter sets that explain the "
-      "observations.\nCtrl-C stops "
-      "after the current member; --resume continues from there. Results do not depend on "
-      "--threads, on --shard, or on\nthe number of mpirun processes; each process has one thread "
-      "unless --threads is given.\nExamples:\n"
+      "observations.\nCtrl-C stops after the current member; --resume continues the "
+      "calibration.\nResults do not depend on --threads, on --shard, or on the number of mpirun "
+      "processes.\nEach process has one thread unless --threads is given.\nExamples:\n"
       "  clast calibrate study.toml -o posterior.h5\n"
       "  mpirun -n 8 clast calibrate study.toml -o posterior.h5\n"
       "  clast calibrate study.toml -o posterior.h5 --shard "

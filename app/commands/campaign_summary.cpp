@@ -28,16 +28,17 @@ std::string ground_draws_text(const CampaignPlan& prepared) {
 /// "4 release points, 64 orientations", for each release set, and how often the ground is drawn.
 std::string releases_text(const CampaignPlan& prepared) {
   std::string text;
-  if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.stay) {
-    text = format_count(prepared.campaign.stay->realisations, "realisation") + " of " +
-           format_count(stay->blocks_each, "block") + (stay->at_once ? "" : " that stay");
-    const std::size_t masses = prepared.campaign.stay->masses.size();
+  if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.persistent_blocks) {
+    text = format_count(prepared.campaign.persistent_blocks->realisations, "realisation") + " of " +
+           format_count(stay->blocks_per_realisation, "block") +
+           (stay->at_once ? "" : " that stay");
+    const std::size_t masses = prepared.campaign.persistent_blocks->masses.size();
     if (stay->at_once) {
       return text +
              (masses > 1 ? " in " + format_count(masses, "mass", "masses") : " released at once") +
              ground_draws_text(prepared);
     }
-    const std::vector<std::string>& cleared = prepared.campaign.stay->cleared_zones;
+    const std::vector<std::string>& cleared = prepared.campaign.persistent_blocks->cleared_zones;
     if (!cleared.empty())
       text += ", but are removed from " + escape_nonprintable(comma_separated(cleared));
   }
@@ -52,7 +53,7 @@ std::string releases_text(const CampaignPlan& prepared) {
 
 /// Describes a mass at its start, with ranges over the realisations.
 std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
-  const std::vector<MultiBlockRelease>& plans = prepared.campaign.stay->masses;
+  const std::vector<MultiBlockRelease>& plans = prepared.campaign.persistent_blocks->masses;
   const auto range = [&](auto value) {
     double low = INFINITY, high = -INFINITY;
     for (std::size_t i = mass; i < prepared.masses.size(); i += plans.size()) {
@@ -82,7 +83,7 @@ std::string mass_text(const CampaignPlan& prepared, std::size_t mass) {
 std::string masses_text(const CampaignPlan& prepared) {
   std::string text;
   if (prepared.masses.empty()) return text;
-  for (std::size_t mass = 0; mass < prepared.campaign.stay->masses.size(); ++mass) {
+  for (std::size_t mass = 0; mass < prepared.campaign.persistent_blocks->masses.size(); ++mass) {
     text += mass_text(prepared, mass);
   }
   return text;
@@ -108,13 +109,13 @@ constexpr std::size_t kMaxPrintedStarts = 20;
 
 /// Stiffness and time step of the runs of each block, and over all blocks where there are many.
 TextTable stiffness_table(const CampaignPlan& prepared) {
-  const std::vector<BlockStiffness> blocks =
+  const std::vector<BlockStiffnessRanges> blocks =
       collect_stiffness_by_block(prepared.header, prepared.runs);
   TextTable table{{"block"}, {}};
   for (const StiffnessRange& value : blocks.front().values) {
     table.headings.push_back(value.heading);
   }
-  const auto add = [&](const BlockStiffness& block) {
+  const auto add = [&](const BlockStiffnessRanges& block) {
     std::vector<std::string> row = format_stiffness_cells(block);
     row.insert(row.begin(), block.block);
     table.rows.push_back(row);

@@ -5,13 +5,13 @@
 
 namespace clast {
 
-/// Prints runs, blocks, release points and warnings to stdout.
+/// Prints the plan of a campaign to stdout: runs, blocks, release points and warnings.
 void print_plan(const CampaignPlan& prepared);
 
-/// Prints stiffness and time step by block to stdout.
+/// Prints contact stiffness and time step of each block to stdout.
 void print_stiffness(const CampaignPlan& prepared);
 
-/// Prints stop reasons, runs below ground, barrier crossings and largest energy errors to stdout.
+/// Prints the outcome of a campaign to stdout: stop reasons, barrier crossings and energy errors.
 void print_outcome(const CampaignResults& results);
 
 }  // namespace clast

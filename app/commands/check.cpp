@@ -88,7 +88,7 @@ void check_one(const CheckArgs& args) {
 
 }  // namespace
 
-void add_check(CLI::App& app) {
+void add_check_command(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
   CLI::App* command = app.add_subcommand(
       "check", "List all errors in a campaign or calibration study, without running it");
@@ -108,8 +108,9 @@ void add_check(CLI::App& app) {
       ->excludes(file)
       ->excludes(json);
   command->footer(
-      "Lists the errors in each table of the file, in the library, the terrain and the starts, for "
-      "a study also\nin the campaigns of its sites. The exit code is 0 if the file can be run, "
+      "Lists the errors in each table of the file, in the library, the terrain and the "
+      "starts.\nFor a study, the errors in the campaigns of its sites are listed too.\nThe exit "
+      "code is 0 if the file can be run, "
       "else 1.\n"
       "Example:\n"
       "  clast check campaign.toml\n"

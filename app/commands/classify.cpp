@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kMaxPrintedBlocks = 1000;  // blocks in a printed table
 
 struct ClassifyArgs {
-  PopulationRequest request;
+  PopulationReportRequest request;
   std::string schemes = "sneed-folk,zingg,garcia";
   std::string size = "I";
   std::string output;
@@ -56,8 +56,9 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
   const PopulationFiles &first = args.request.first, &against = args.request.against;
   const auto given = [&](const char* option) { return command.count(option) > 0; };
   const auto any = [](const std::vector<std::string>& inputs, bool library) {
-    return std::any_of(inputs.begin(), inputs.end(),
-                       [&](const std::string& input) { return is_library(input) == library; });
+    return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+      return is_block_library(input) == library;
+    });
   };
   const auto need = [&](const char* option, bool applies, const char* reason) {
     if (given(option) && !applies) throw CLI::ValidationError(option, reason);
@@ -77,17 +78,18 @@ void check_options_apply(const ClassifyArgs& args, const CLI::App& command) {
   }
   for (const char* option : {"--columns", "--units"}) {
     need(option, any(first.inputs, false) || any(against.inputs, false),
-         "is for tables, and every input is a library, whose axes are in metres");
+         "applies to tables, but every input is a library, whose axes are in metres");
   }
   for (const char* option : {"--against-columns", "--against-units"}) {
-    need(option, any(against.inputs, false), "is for tables, and --against has no table");
+    need(option, any(against.inputs, false), "applies to tables, but --against has no table");
   }
   need("--roundness", any(first.inputs, true) || any(against.inputs, true),
-       "is measured on the surface of a library's blocks, and no input is a library");
+       "is measured on the surface of blocks of a library, but no input is a library");
   need("--roundness", args.json, "is printed with --json only");
-  need("--erdogan-limit", args.json || names("erdogan"), "is for the scheme erdogan: add --scheme");
+  need("--erdogan-limit", args.json || names("erdogan"),
+       "applies to the scheme erdogan: add --scheme");
   need("--thirds", args.json || !args.output.empty() || names("sneed-folk"),
-       "is for the scheme sneed-folk: add --scheme");
+       "applies to the scheme sneed-folk: add --scheme");
 }
 
 void classify(const ClassifyArgs& args) {
@@ -131,7 +133,7 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
       .add_option("--axis-error", args.request.reading.axis_error,
                   "Error of the axes, m; default: 0.05 for a table (tape), twice the "
                   "deviation from the scan for a library")
-      ->check(within(kAxisError))
+      ->check(number_in_range(kAxisErrorRange))
       ->type_name("M");
   command.add_flag("--thirds", args.request.options.limits.sneed_folk_thirds,
                    "Sneed & Folk: limits 1/3 and 2/3 for the second letter of a class, instead of "
@@ -139,18 +141,18 @@ void add_class_options(CLI::App& command, ClassifyArgs& args) {
   command
       .add_option("--erdogan-limit", args.request.options.limits.erdogan_limit,
                   "Scheme erdogan: two axes count as different if their ratio is at least this")
-      ->check(within(kErdoganLimit))
+      ->check(number_in_range(kErdoganLimitRange))
       ->type_name("RATIO")
       ->capture_default_str();
   command
       .add_option("--roundness", args.request.reading.roundness_edge,
                   "With --json: also compute Wadell roundness of blocks of a library, on their "
                   "surface remeshed to this edge length, m")
-      ->check(within(kBlockLength))
+      ->check(number_in_range(kBlockLengthRange))
       ->type_name("M");
 }
 
-void add_table_options(CLI::App& command, PopulationRequest& request) {
+void add_table_options(CLI::App& command, PopulationReportRequest& request) {
   command
       .add_option("--columns", request.first.columns,
                   "Columns of a table, by name or number from 1; also mass=.. and name=..")
@@ -173,7 +175,7 @@ void add_table_options(CLI::App& command, PopulationRequest& request) {
 
 }  // namespace
 
-void add_classify(CLI::App& app) {
+void add_classify_command(CLI::App& app) {
   const auto args = std::make_shared<ClassifyArgs>();
   CLI::App* command = app.add_subcommand(
       "classify", "Determine the shape classes of blocks, from libraries or tables of L, I, S");
@@ -199,7 +201,7 @@ void add_classify(CLI::App& app) {
   command
       ->add_option("--seed", args->request.options.seed,
                    "Seed of the random samples for the p-values of fits")
-      ->check(whole_number())
+      ->check(integer_in_range())
       ->type_name("N")
       ->capture_default_str();
   command
@@ -214,11 +216,12 @@ void add_classify(CLI::App& app) {
       "  clast classify talus.csv --columns L=5,I=6,S=7,mass=4 --units cm --scheme zingg\n"
       "  clast classify talus.csv --against blocks.h5 -o classes");
   command->callback([args, command] {
-    PopulationRequest& request = args->request;
+    PopulationReportRequest& request = args->request;
     request.reading.box_given = command->count("--box") > 0;
     request.reading.surfaces = args->json;
     request.options.size = args->size == "I" ? SizeMeasure::kIntermediate : SizeMeasure::kMean;
-    request.options.schemes = args->schemes == "all" ? scheme_names() : split_list(args->schemes);
+    request.options.schemes =
+        args->schemes == "all" ? scheme_names() : split_comma_separated(args->schemes);
     check_options_apply(*args, *command);
     check_usage([&] { request.check(); });
     classify(*args);

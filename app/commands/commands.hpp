@@ -10,28 +10,28 @@
 
 namespace clast {
 
-void add_reconstruct(CLI::App& app);
-void add_cut(CLI::App& app);
-void add_vary(CLI::App& app);
-void add_show(CLI::App& app);
-void add_classify(CLI::App& app);
-void add_export(CLI::App& app);
-void add_library(CLI::App& app);
-void add_terrain(CLI::App& app);
-void add_new(CLI::App& app);
-void add_check(CLI::App& app);
-void add_simulate(CLI::App& app);
-void add_compare(CLI::App& app);
-void add_import(CLI::App& app);
-void add_calibrate(CLI::App& app);
+void add_reconstruct_command(CLI::App& app);
+void add_cut_command(CLI::App& app);
+void add_vary_command(CLI::App& app);
+void add_show_command(CLI::App& app);
+void add_classify_command(CLI::App& app);
+void add_export_command(CLI::App& app);
+void add_library_command(CLI::App& app);
+void add_terrain_command(CLI::App& app);
+void add_new_command(CLI::App& app);
+void add_check_command(CLI::App& app);
+void add_simulate_command(CLI::App& app);
+void add_compare_command(CLI::App& app);
+void add_import_command(CLI::App& app);
+void add_calibrate_command(CLI::App& app);
 
-/// Functions that give the help of `reconstruct`, which is a separate executable.
+/// Functions that give the help of the command `reconstruct`, which is a separate executable.
 struct ReconstructHelp {
-  std::function<void()> show;             ///< prints its help to stdout
-  std::function<CommandEntry()> options;  ///< returns its options
+  std::function<void()> show;             ///< prints the help of the command to stdout
+  std::function<CommandEntry()> options;  ///< returns the options of the command
 };
 /// Adds the command `help`.
 /// @param app  must outlive the parsing
-void add_help(CLI::App& app, const ReconstructHelp& reconstruct);
+void add_help_command(CLI::App& app, const ReconstructHelp& reconstruct);
 
 }  // namespace clast

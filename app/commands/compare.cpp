@@ -29,7 +29,7 @@ struct CompareArgs {
   std::string folder = "comparison";
   std::vector<std::string> by;
   std::string measured;
-  std::size_t animated = 0;
+  std::size_t animated_runs = 0;
   bool replace = false;
   bool summary = false;
   bool pdf = false;
@@ -40,7 +40,7 @@ struct CompareArgs {
 Comparison read_and_compare(const CompareArgs& args) {
   std::vector<CampaignResults> results;
   for (const std::string& file : args.results) results.push_back(read_results(file));
-  CompareOptions options;
+  ComparisonOptions options;
   options.by = args.by;
   if (!args.measured.empty()) options.measured = args.measured;
   if (args.margin > 0.0) options.margin = args.margin;
@@ -59,45 +59,45 @@ void print_lines(const std::vector<std::string>& lines) {
 
 void print_effects(const CompareArgs& args, const ComparisonAnalyses& analyses) {
   if (!args.effects) return;
-  print_lines(describe_effects(analyses.effects()));
-  print_lines(describe_trends(analyses.trends(), analyses.comparison().margin));
+  print_lines(describe_effects(analyses.design_effects()));
+  print_lines(describe_trends(analyses.shape_trends(), analyses.comparison().margin));
 }
 
 void compare_results(const CompareArgs& args) {
   if (args.folder.empty()) throw CLI::ValidationError("--output", "names no folder");
-  ComparisonReportOptions extras{.animated = args.animated};
+  ComparisonReportOptions extras{.animated_runs = args.animated_runs};
   if (args.pdf) extras.browser = find_browser();
   OutputFolder folder(args.folder, comparison_folder_kind(), args.replace);
   const Comparison comparison = read_and_compare(args);
   const ComparisonAnalyses analyses(comparison);
-  const WrittenReport filled = fill_folder(folder, analyses, extras);
+  const WrittenReport filled = write_report_folder(folder, analyses, extras);
   print_warnings(comparison);
   if (args.summary) {
-    print_lines(describe_first_screen(comparison, analyses.answer()));
+    print_lines(describe_results_and_warnings(comparison, analyses.key_results()));
   } else {
-    print_lines(describe_key_results(comparison, analyses.answer()));
+    print_lines(describe_key_results(comparison, analyses.key_results()));
     print_lines(describe_measured_stops(comparison));
   }
   print_effects(args, analyses);
   for (const std::filesystem::path& file : filled.files) {
     std::cout << escape_nonprintable((std::filesystem::path(args.folder) / file).string()) << "\n";
   }
-  if (filled.no_pdf) {
+  if (filled.pdf_failure) {
     throw InputError(args.folder +
-                     " holds the report, but report.pdf could not be made: " + *filled.no_pdf);
+                     " holds the report, but report.pdf could not be made: " + *filled.pdf_failure);
   }
 }
 
 /// The first screen alone; no folder is written.
 void print_summary(const CompareArgs& args) {
   const Comparison comparison = read_and_compare(args);
-  print_lines(describe_first_screen(comparison, summarise_key_results(comparison)));
+  print_lines(describe_results_and_warnings(comparison, summarise_key_results(comparison)));
   print_effects(args, comparison);
 }
 
 }  // namespace
 
-void add_compare(CLI::App& app) {
+void add_compare_command(CLI::App& app) {
   const auto args = std::make_shared<CompareArgs>();
   CLI::App* command = app.add_subcommand(
       "compare", "Compare runs by block shape and class: tables, map layers and an HTML report");
@@ -115,10 +115,10 @@ void add_compare(CLI::App& app) {
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   command
-      ->add_option("--animate", args->animated,
+      ->add_option("--animate", args->animated_runs,
                    "Write animation/animation.pvd for ParaView, with this number of runs")
       ->type_name("RUNS")
-      ->check(whole_number(0, 1000000))
+      ->check(integer_in_range(0, 1000000))
       ->capture_default_str();
   command
       ->add_option("--measured", args->measured,
@@ -130,11 +130,10 @@ void add_compare(CLI::App& app) {
                     "barrier passage that are explained by form, mass, orientation and release "
                     "point, if every combination was run, and the trends with block shape");
   command
-      ->add_option(
-          "--margin", args->margin,
-          "Largest difference in runout that does not matter: report whether the differences "
-          "between blocks are smaller, and the number of runs that this test needs")
-      ->check(within({1e-3, 1e5, "m"}))
+      ->add_option("--margin", args->margin,
+                   "Largest negligible difference in runout: test whether differences between "
+                   "blocks are smaller, and report the number of runs that the test requires")
+      ->check(number_in_range({1e-3, 1e5, "m"}))
       ->type_name("M");
   command->add_flag("--pdf", args->pdf,
                     "Write the report as report.pdf too (needs Chromium or Chrome)");
@@ -143,11 +142,11 @@ void add_compare(CLI::App& app) {
                     "written");
   command->footer(
       "Writes tables (runs, barriers, crossings, deposits, impacts, differences, profiles, ...), "
-      "map layers and report.html;\nthe path of the report is printed last. Units are in the "
+      "map layers and report.html.\nThe path of the report is printed last. Units are in the "
       "column names.\n"
       "Example:\n  clast compare compact.h5 elongated.h5 -o comparison --by release_set");
   command->callback([args, command] {
-    const bool writes = command->count("--output") > 0 || args->pdf || args->animated > 0;
+    const bool writes = command->count("--output") > 0 || args->pdf || args->animated_runs > 0;
     if (args->summary && !writes) return print_summary(*args);
     compare_results(*args);
   });

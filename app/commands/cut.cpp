@@ -59,8 +59,10 @@ constexpr std::size_t kMaxBodies = 10;
 BeforeAfterTerrains terrains_of(const CutArgs& args) {
   BeforeAfterTerrains terrains;
   terrains.up = args.up;
-  for (const std::string& file : split_list(args.before)) terrains.before.emplace_back(file);
-  for (const std::string& file : split_list(args.after)) terrains.after.emplace_back(file);
+  for (const std::string& file : split_comma_separated(args.before))
+    terrains.before.emplace_back(file);
+  for (const std::string& file : split_comma_separated(args.after))
+    terrains.after.emplace_back(file);
   return terrains;
 }
 
@@ -87,9 +89,9 @@ void print_mass(const ReleasedMass& mass) {
     std::cerr << "clast: warning: " << format_for_terminal(note) << "\n";
   }
   TextTable table{{"body", "m3", "m2 in plan", "m thick", "x", "y", "z", ""}, {}};
-  std::vector<std::pair<const MassBody*, const char*>> bodies;
-  for (const MassBody& body : mass.bodies) bodies.emplace_back(&body, "taken");
-  for (const MassBody& body : mass.excluded) bodies.emplace_back(&body, "left out");
+  std::vector<std::pair<const ReleasedBody*, const char*>> bodies;
+  for (const ReleasedBody& body : mass.bodies) bodies.emplace_back(&body, "taken");
+  for (const ReleasedBody& body : mass.excluded) bodies.emplace_back(&body, "left out");
   std::sort(bodies.begin(), bodies.end(),
             [](const auto& a, const auto& b) { return a.first->rank < b.first->rank; });
   for (const auto& [body, what] : bodies) {
@@ -107,8 +109,8 @@ void print_mass(const ReleasedMass& mass) {
     std::cout << format_count(mass.excluded.size(), "body", "bodies") << " of "
               << format_significant(mass.excluded_volume(), 3) << " m3 together\n";
   }
-  std::cout << "edges of the surfaces, median: " << format_significant(mass.edge_before, 3)
-            << " m before, " << format_significant(mass.edge_after, 3) << " m after\n";
+  std::cout << "edges of the surfaces, median: " << format_significant(mass.median_edge_before, 3)
+            << " m before, " << format_significant(mass.median_edge_after, 3) << " m after\n";
 }
 
 /// Files that the mesh of the mass may replace.
@@ -119,11 +121,11 @@ OverwritePolicy scar_rules(const CutArgs& args) {
 RockMassBlocks blocks_between(const CutArgs& args) {
   const BeforeAfterTerrains terrains = terrains_of(args);
   ReleasedMassOptions difference = args.difference;
-  difference.least_volume = args.options.cutting.least_volume;
+  difference.min_volume = args.options.cutting.min_volume;
   const ReleasedMass mass = read_released_mass(terrains, difference);
   print_mass(mass);
   if (!args.scar.empty()) {
-    write_mesh(args.scar, make_mass_mesh(mass), {.rules = scar_rules(args)});
+    write_mesh(args.scar, make_released_mass_mesh(mass), {.rules = scar_rules(args)});
     std::cout << escape_nonprintable(args.scar) << ": written\n";
   }
   if (args.joints.empty()) return {};
@@ -141,7 +143,7 @@ void check_sources(const CutArgs& args) {
         "--joints is required; to write the mass without cutting it, give --before, --after and "
         "--scar");
   }
-  for (const std::string& input : split_list(args.before + "," + args.after)) {
+  for (const std::string& input : split_comma_separated(args.before + "," + args.after)) {
     std::error_code none;
     if (input.empty() || args.scar.empty()) continue;
     if (std::filesystem::weakly_canonical(input, none) ==
@@ -199,7 +201,7 @@ void cut(CutArgs args) {
     args.difference.check();
   });
   if (!args.scar.empty()) check_mesh_output(args.scar, scar_rules(args));
-  if (!args.joints.empty()) check_library_target(args.output);
+  if (!args.joints.empty()) check_library_writable(args.output);
   const RockMassBlocks made =
       args.mass.empty() ? blocks_between(args)
                         : cut_blocks(args, [&](const RockMassOptions& options) {
@@ -238,7 +240,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
           "--min-thickness", args.difference.min_thickness,
           "Smallest vertical difference between the two terrains that counts as rock mass, m; 0: "
           "any")
-      ->check(within(kMassThickness))
+      ->check(number_in_range(kMassThicknessRange))
       ->needs(before)
       ->type_name("M")
       ->capture_default_str();
@@ -260,7 +262,7 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
           "--resolution", args.difference.resolution,
           "First convert both terrains to grids with this cell size, using the highest point of "
           "each cell, m; default: both as they are")
-      ->check(within(kCellSize))
+      ->check(number_in_range(kCellSizeRange))
       ->needs(before)
       ->type_name("M");
   command
@@ -273,36 +275,36 @@ void add_difference_options(CLI::App& command, CLI::Option* mass, CutArgs& args)
 
 void add_block_making_options(CLI::App& command, RockMassOptions& options) {
   command.add_option("--seed", options.cutting.seed, "Random seed of the joint positions")
-      ->check(whole_number())
+      ->check(integer_in_range())
       ->type_name("N")
       ->capture_default_str();
   command
-      .add_option("--least-volume", options.cutting.least_volume,
+      .add_option("--least-volume", options.cutting.min_volume,
                   "Pieces smaller than this are left out, m3")
-      ->check(within(kBlockVolume))
+      ->check(number_in_range(kBlockVolumeRange))
       ->type_name("M3")
       ->capture_default_str();
   command
-      .add_option("--most-blocks", options.cutting.most_blocks,
+      .add_option("--most-blocks", options.cutting.max_blocks,
                   "Largest number of blocks; joints that would cut more are refused")
-      ->check(whole_number(1, 1'000'000))
+      ->check(integer_in_range(1, 1'000'000))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--density", options.block.density, "Density, kg/m3")
-      ->check(within(kBlockDensity))
+      ->check(number_in_range(kBlockDensityRange))
       ->type_name("KG/M3")
       ->capture_default_str();
   command
-      .add_option("--radius-share", options.block.radius_share,
+      .add_option("--radius-share", options.block.radius_fraction,
                   "Minkowski radius of the rounding as a fraction of S, 0 to 0.25")
-      ->check(within(kRadiusFraction))
+      ->check(number_in_range(kRadiusFractionRange))
       ->type_name("SHARE")
       ->capture_default_str();
 }
 
 }  // namespace
 
-void add_cut(CLI::App& app) {
+void add_cut_command(CLI::App& app) {
   const auto args = std::make_shared<CutArgs>();
   RockMassOptions& options = args->options;
   CLI::App* command = app.add_subcommand("cut", "Cut a rock mass into its blocks by joint sets");
@@ -340,13 +342,12 @@ void add_cut(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command->add_option("--threads", options.threads, "Threads to use; 0: one for each core")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->footer(
       "The joints cut through the whole mass. Blocks are convex and keep their position on the "
-      "map: a "
-      "campaign\nwith [[mass]] in_place = true releases them from there.\n"
+      "map.\nA campaign with [[mass]] in_place = true releases the blocks from this position.\n"
       "Examples:\n"
       "  clast cut scar.ply -j 65/095/1.2/0.3 -j 80/190/1.5 -j 20/310/0.8/0.2 -o insitu.h5\n"
       "  clast cut --before 2019.tif --after 2024.tif --polygon scar.geojson --scar scar.ply\n"

@@ -84,7 +84,7 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
                   "Segments per quarter circle of the skin, 1 to 64; the error of its volume "
                   "decreases with N squared. The skin of a concave block has no triangles smaller "
                   "than 1/150 of its diagonal")
-      ->check(whole_number(1, 64))
+      ->check(integer_in_range(1, 64))
       ->type_name("N")
       ->capture_default_str();
   command
@@ -105,7 +105,7 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
 
 }  // namespace
 
-void add_export(CLI::App& app) {
+void add_export_command(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
   CLI::App* command = app.add_subcommand("export", "Export blocks, or a campaign, for other tools");
   command->add_option("library", args->library, "Block library, or with --to a campaign file")
@@ -122,11 +122,10 @@ void add_export(CLI::App& app) {
   add_format_options(*command, *args);
   add_scene_options(*command, args->scene);
   command->footer(
-      "Mesh files are in metres. shp files hold core and radius in metres in the principal frame, "
-      "origin at\nthe centre of mass, coplanar faces as one polygon, and the pose of that frame in "
-      "the scan.\n"
-      "Scenes (--to) hold blocks, terrain, starts and contact parameters of each run in the format "
-      "of Rockable or\nExaDEM; features that these formats can't express are listed.\n"
+      "Mesh files are in metres. shp files contain the core and the radius in metres, in the "
+      "principal frame.\nThe origin of this frame is the centre of mass, and the file states its "
+      "pose in the scan.\nScenes (--to) contain blocks, terrain, starts and contact parameters of "
+      "each run for Rockable or ExaDEM.\nFeatures that these formats can't express are listed.\n"
       "Examples:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl\n"
       "  clast export campaign.toml --to rockable --runs 0-15 -o scenes");
   command->callback([args, command] {
@@ -138,8 +137,8 @@ void add_export(CLI::App& app) {
     if (!args->scene.runs.empty()) {
       throw CLI::ValidationError("--runs", "applies to scenes of a campaign (--to)");
     }
-    args->options.formats = split_list(args->formats);
-    args->options.what = kSurfaces.at(args->what);
+    args->options.formats = split_comma_separated(args->formats);
+    args->options.surface = kSurfaces.at(args->what);
     args->options.frame = kFrames.at(args->frame);
     if (command->count("--segments") > 0) args->options.segments = args->segments;
     run_export(*args);

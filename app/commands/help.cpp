@@ -45,9 +45,9 @@ const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>
 
 void help(const CLI::App& app, const ReconstructHelp& reconstruct, const HelpArgs& args) {
   if (args.completion == "bash") {
-    std::cout << write_bash_completion(whole_tree(app, reconstruct));
+    std::cout << make_bash_completion(whole_tree(app, reconstruct));
   } else if (args.completion == "zsh") {
-    std::cout << write_zsh_completion(whole_tree(app, reconstruct));
+    std::cout << make_zsh_completion(whole_tree(app, reconstruct));
   } else if (!args.command.empty() && args.command.front() == "reconstruct") {
     reconstruct.show();
   } else {
@@ -60,7 +60,7 @@ void help(const CLI::App& app, const ReconstructHelp& reconstruct, const HelpArg
 
 }  // namespace
 
-void add_help(CLI::App& app, const ReconstructHelp& reconstruct) {
+void add_help_command(CLI::App& app, const ReconstructHelp& reconstruct) {
   const auto args = std::make_shared<HelpArgs>();
   CLI::App* command = app.add_subcommand("help", "Explain a command; print shell completion");
   CLI::Option* words = command->add_option("command", args->command, "Command, one or two words")

@@ -36,7 +36,7 @@ void import_results(ImportArgs& args) {
   if (args.json) {
     nlohmann::ordered_json json = {{"runs", found.runs},
                                    {"planned_runs", found.planned},
-                                   {"scenes_without_results", found.without},
+                                   {"scenes_without_results", found.without_output},
                                    {"notes", found.notes}};
     json.update(outcome_json(results));
     std::cout << json.dump(2) << "\n";
@@ -51,7 +51,7 @@ void import_results(ImportArgs& args) {
 
 }  // namespace
 
-void add_import(CLI::App& app) {
+void add_import_command(CLI::App& app) {
   const auto args = std::make_shared<ImportArgs>();
   CLI::App* command = app.add_subcommand(
       "import",
@@ -77,9 +77,9 @@ void add_import(CLI::App& app) {
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
       "Positions, speeds, energies and crossings of barriers come from the states in the conf "
-      "files. "
-      "Quantities that require contact data\n(penetration, impacts, dissipation by cause) are left "
-      "out, and reports say so.\n"
+      "files.\nPenetration, impacts and dissipation by mechanism require contact data; they are "
+      "omitted, "
+      "and reports state this.\n"
       "Example:\n"
       "  clast export campaign.toml --to rockable -o scenes\n"
       "  for run in scenes/run*; do (cd $run && rockable input.txt); done\n"

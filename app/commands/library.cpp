@@ -124,19 +124,20 @@ std::string scales_by_tape(const Axes& taped, const Axes& units) {
 }
 
 /// "L,I,S" in metres, in any order.
-/// @throws CLI::ValidationError  not three numbers in `kBlockLength`
+/// @throws CLI::ValidationError  not three numbers in `kBlockLengthRange`
 Axes axes_from(const std::string& text) {
-  const std::vector<std::string> items = split_list(text);
+  const std::vector<std::string> items = split_comma_separated(text);
   std::vector<double> lengths;
   for (const std::string& item : items) {
     const std::optional<double> length = parse_number(item);
-    if (length && kBlockLength.contains(*length)) lengths.push_back(*length);
+    if (length && kBlockLengthRange.contains(*length)) lengths.push_back(*length);
   }
   if (items.size() == 3 && lengths.size() == 3) {
     return Axes::sorted(lengths[0], lengths[1], lengths[2]);
   }
   throw CLI::ValidationError("--taped", "\"" + text + "\" is not three lengths " +
-                                            kBlockLength.describe() + ", such as 0.65,0.53,0.38");
+                                            kBlockLengthRange.describe() +
+                                            ", such as 0.65,0.53,0.38");
 }
 
 void set_field_notes(const SetArgs& args) {
@@ -182,7 +183,7 @@ void add_set(CLI::App& app) {
   command->add_option("--note", args->note, "Anything else")->type_name("TEXT");
   command->add_option("--taped", args->taped, "Axes measured by tape, m")->type_name("L,I,S");
   command->add_option("--weighed", args->weighed, "Weighed mass, kg")
-      ->check(within(kBlockMass))
+      ->check(number_in_range(kBlockMassRange))
       ->type_name("KG");
   command->footer(
       "Field notes are stored beside the computed values and do not change them.\n"
@@ -193,7 +194,7 @@ void add_set(CLI::App& app) {
 
 }  // namespace
 
-void add_library(CLI::App& app) {
+void add_library_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("library", "Join libraries, remove blocks, attach field notes");
   command->require_subcommand(1);

@@ -25,7 +25,7 @@ struct NewCampaignArgs {
 };
 
 void print_proposal(const CampaignProposal& proposal) {
-  const ProposedLines& places = proposal.places;
+  const ProposedReleaseAndBarrier& places = proposal.places;
   std::cout << format_count(proposal.blocks.count, "block") << ", "
             << format_count(places.release_points, "release point") << " on ground of "
             << format_decimals(places.release_slope * kDegreesPerRadian, 0) << " degrees, "
@@ -36,13 +36,14 @@ void print_proposal(const CampaignProposal& proposal) {
             << " m below, " << format_decimals(places.distance, 0) << " m away\n";
   TextTable ground{{"zone", "taken for", "e_n^2", "mu", "mu_R"}, {}};
   for (const ProposedGround& zone : proposal.ground) {
-    ground.rows.push_back({zone.zone, zone.type.name + (zone.by_name ? "" : " (a guess)"),
+    ground.rows.push_back({zone.zone,
+                           zone.type.name + (zone.identified_by_name ? "" : " (a guess)"),
                            format_significant(zone.type.energy_restitution.value, 3),
                            format_significant(zone.type.friction.value, 3),
                            format_significant(zone.type.rolling_friction.value, 3)});
   }
   std::cout << ground.text();
-  for (const std::string& doubt : proposal.doubts) {
+  for (const std::string& doubt : proposal.proposal_warnings) {
     std::cout << "warning: " << format_for_terminal(doubt) << "\n";
   }
 }
@@ -60,7 +61,7 @@ void write_campaign(const NewCampaignArgs& args) {
 
 }  // namespace
 
-void add_new(CLI::App& app) {
+void add_new_command(CLI::App& app) {
   const auto args = std::make_shared<NewCampaignArgs>();
   CLI::App* parent = app.add_subcommand("new", "Write a first campaign file to edit");
   parent->require_subcommand(1);
@@ -78,12 +79,11 @@ void add_new(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--replace", args->replace, "Replace an existing campaign file");
   command->footer(
-      "Release points are proposed on steep ground in the upper part of the terrain, a barrier "
-      "across the path\nof the blocks at the foot of the slope, or higher up if few of 16 trial "
-      "runs reach "
-      "the foot. Ground parameters are typical of the\nground type that a zone is named after "
-      "(rock, talus, scree, soil hard, soil medium, soil soft), else\nof scree: see "
-      "docs/parameters.md.\n"
+      "Release points are proposed on steep ground in the upper part of the terrain.\nA barrier is "
+      "proposed across the path at the foot of the slope, or higher if few of 16 trial runs reach "
+      "it.\nGround parameters are typical of the ground type in the name of a "
+      "zone (docs/parameters.md).\nGround types are rock, talus, scree, soil hard, soil medium and "
+      "soil soft; scree is the default.\n"
       "Example:\n"
       "  clast new campaign --library blocks.h5 --terrain slope.h5 -o campaign.toml");
   command->callback([args] { write_campaign(*args); });

@@ -13,7 +13,7 @@ constexpr NumberRange kColmapMinutes{0.01, 1e4, "minutes"};
 
 /// "ID,ID,METRES".
 ScaleBar bar_from(const std::string& text) {
-  const std::vector<std::string> items = split_list(text);
+  const std::vector<std::string> items = split_comma_separated(text);
   std::vector<double> numbers;
   for (const std::string& item : items) {
     if (const std::optional<double> number = parse_number(item)) numbers.push_back(*number);
@@ -22,12 +22,12 @@ ScaleBar bar_from(const std::string& text) {
                      numbers[1] >= 0.0 && numbers[0] < 1e5 && numbers[1] < 1e5 &&
                      numbers[0] == static_cast<int>(numbers[0]) &&
                      numbers[1] == static_cast<int>(numbers[1]) && numbers[0] != numbers[1] &&
-                     kBarLength.contains(numbers[2]);
+                     kBarLengthRange.contains(numbers[2]);
   if (!whole) {
     throw CLI::ValidationError(
         "--scale-bar",
         "\"" + text + "\" is not two different markers and the distance between their centres, " +
-            kBarLength.describe() + ", such as 0,3,1.254");
+            kBarLengthRange.describe() + ", such as 0,3,1.254");
   }
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1]), numbers[2]};
 }
@@ -56,7 +56,7 @@ void add_camera_options(CLI::App& command, PhotoArgs& args) {
   command
       .add_option("--colmap-minutes", args.colmap_minutes,
                   "Time limit for each colmap step, minutes")
-      ->check(within(kColmapMinutes))
+      ->check(number_in_range(kColmapMinutes))
       ->type_name("MIN")
       ->capture_default_str()
       ->group(kGroup);
@@ -106,7 +106,7 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
   command
       .add_option("--marker-size", args.marker_size,
                   "Side of the black square of every marker, m: sets the scale, or checks the bars")
-      ->check(within(kMarkerSide))
+      ->check(number_in_range(kMarkerSideRange))
       ->type_name("M")
       ->group(kGroup);
   std::vector<std::string> dictionaries = marker_dictionary_names();

@@ -16,7 +16,7 @@ struct PhotoArgs {
   double colmap_minutes = 60.0;
   PhotoScanOptions options;
 
-  /// Parses the options.
+  /// Parses the options for photographs.
   /// @throws CLI::ValidationError  if a scale bar is invalid, or a marker is not on the board
   /// @throws InputError  if `read_scale_board` throws
   PhotoScanOptions parse() const;

@@ -22,7 +22,7 @@ namespace {
 
 struct ReconstructArgs {
   std::vector<std::string> scans;  ///< files and folders
-  BatchOptions batch;
+  ScanBatchOptions batch;
   bool json = false;
   std::string report;  ///< folder of pages; empty: none are written
   std::string scale_length;
@@ -44,14 +44,14 @@ MeasuredLength measured_length(const std::string& text) {
   std::string commas = text;
   for (const char other : {';', ' '}) std::replace(commas.begin(), commas.end(), other, ',');
   std::vector<double> numbers;
-  for (const std::string& item : split_list(commas)) {
+  for (const std::string& item : split_comma_separated(commas)) {
     numbers.push_back(parse_number(item).value_or(std::nan("")));
   }
   const auto refuse = [&](const std::string& what) {
     throw CLI::ValidationError(
         "--scale-length", "\"" + text + "\" " + what +
                               "; expected two points of the scan and the metres between them (" +
-                              kBlockLength.describe() +
+                              kBlockLengthRange.describe() +
                               "), such as \"0.2,1.1,0;3.9,1.3,0.4;0.52\"");
   };
   if (numbers.size() != 7)
@@ -60,19 +60,19 @@ MeasuredLength measured_length(const std::string& text) {
     if (!std::isfinite(number)) refuse("holds a word that is not a number");
   }
   const Vec3 a(numbers[0], numbers[1], numbers[2]), b(numbers[3], numbers[4], numbers[5]);
-  if (!kBlockLength.contains(numbers[6]))
-    refuse("gives a length that is not " + kBlockLength.describe());
+  if (!kBlockLengthRange.contains(numbers[6]))
+    refuse("gives a length that is not " + kBlockLengthRange.describe());
   if (a == b) refuse("gives the same point twice");
   const double unit = numbers[6] / (b - a).norm();
-  if (!kLengthUnit.contains(unit)) {
-    refuse("makes a unit of the scan " + format_significant(unit, 6) + " m long, and it must be " +
-           kLengthUnit.describe());
+  if (!kLengthUnitRange.contains(unit)) {
+    refuse("makes a unit of the scan " + format_significant(unit, 6) + " m long, but it must be " +
+           kLengthUnitRange.describe());
   }
   return {{a, b}, unit};
 }
 
 void reconstruct(const ReconstructArgs& args) {
-  BatchOptions batch = args.batch;
+  ScanBatchOptions batch = args.batch;
   ScanToBlockOptions& options = batch.scan;
   options.photos = args.photos.parse();
   options.scale_factor = args.scale_factor;
@@ -85,7 +85,7 @@ void reconstruct(const ReconstructArgs& args) {
     unit = length.unit;
   }
   options.scan.unit = unit * args.scale_factor;
-  options.scan.columns = split_list(args.columns);
+  options.scan.columns = split_comma_separated(args.columns);
   const std::vector<ScanFile> scans = list_scans(args.scans);
   check_usage([&] { batch.check(scans.size()); });
   const InterruptionWatch watch(
@@ -97,7 +97,7 @@ void reconstruct(const ReconstructArgs& args) {
     printer.show(step);
   };
   try {
-    printer.finish(reconstruct_batch(scans, batch, printer, progress));
+    printer.finish(reconstruct_scan_batch(scans, batch, printer, progress));
   } catch (const Cancelled&) {
     throw InputError("interrupted; finished blocks are in " + batch.library.string() +
                      ". To continue, repeat the command with `resume`");
@@ -120,7 +120,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
   command
       .add_option("--scale-factor", args.scale_factor,
                   "Factor for all lengths, applied after --units or --scale-length")
-      ->check(within(kScaleFactor))
+      ->check(number_in_range(kScaleFactorRange))
       ->type_name("F")
       ->capture_default_str();
   command
@@ -152,17 +152,17 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
       .add_option("--vertices", options.vertices,
                   "Largest number of vertices of a block, 4 or more; default: the smallest number "
                   "up to 2000 that meets the tolerance")
-      ->check(whole_number(4, 1000000))
+      ->check(integer_in_range(4, 1000000))
       ->type_name("N");
   CLI::Option* radius =
       command.add_option("--radius", options.block.radius, "Minkowski radius of the rounding, m")
-          ->check(within(kMinkowskiRadius))
+          ->check(number_in_range(kMinkowskiRadiusRange))
           ->type_name("M");
   command
-      .add_option("--radius-share", options.block.radius_share,
+      .add_option("--radius-share", options.block.radius_fraction,
                   "Minkowski radius as a fraction of S, the shortest side, 0 to 0.25; default: "
                   "0.02, without --vertices halved down to 0.0025 if the tolerance requires it")
-      ->check(within(kRadiusFraction))
+      ->check(number_in_range(kRadiusFractionRange))
       ->excludes(radius)
       ->type_name("SHARE")
       ->capture_default_str();
@@ -177,26 +177,26 @@ void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
                 "Use the convex hull of each scan, for example to compare with simpler models")
       ->excludes("--core");
   command.add_option("--density", options.block.density, "Density, kg/m3")
-      ->check(within(kBlockDensity))
+      ->check(number_in_range(kBlockDensityRange))
       ->type_name("KG/M3")
       ->capture_default_str();
   command
       .add_option("--mass", options.block.mass,
                   "Weighed mass of the block, kg: sets the density, or checks the volume if "
                   "--density is also given")
-      ->check(within(kBlockMass))
+      ->check(number_in_range(kBlockMassRange))
       ->type_name("KG");
   command
       .add_option("--accuracy", options.block.accuracy,
                   "Relative accuracy of volume and inertia, 1e-6 to 1e-2")
-      ->check(within(kMassAccuracy))
+      ->check(number_in_range(kMassAccuracyRange))
       ->type_name("REL")
       ->capture_default_str();
   command
       .add_option("--tolerance", options.block.tolerance,
                   "Largest Hausdorff distance between a block and its scan, as a fraction of L, "
                   "the longest side; a larger distance gives a warning")
-      ->check(within(kScanTolerance))
+      ->check(number_in_range(kScanToleranceRange))
       ->type_name("SHARE")
       ->capture_default_str();
   command
@@ -218,7 +218,7 @@ void add_batch_options(CLI::App& command, ReconstructArgs& args) {
       .add_option("--jobs", args.batch.jobs,
                   "Number of scans processed at the same time, 0: one per core; memory use grows "
                   "with the number, the results are the same")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--resume", args.batch.resume,
@@ -235,7 +235,7 @@ void add_batch_options(CLI::App& command, ReconstructArgs& args) {
 
 }  // namespace
 
-void add_reconstruct(CLI::App& app) {
+void add_reconstruct_command(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
   CLI::App* command = app.add_subcommand("reconstruct", kReconstructSummary);
   command

@@ -13,7 +13,7 @@ struct SceneExportArgs {
 
 void add_scene_options(CLI::App& command, SceneExportArgs& args);
 
-/// Writes the scenes and prints their folders and notes.
+/// Exports the scenes of a campaign and prints their folders and notes.
 void export_scenes(const std::filesystem::path& campaign, const std::filesystem::path& folder,
                    bool replace, const SceneExportArgs& args);
 

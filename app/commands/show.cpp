@@ -44,8 +44,8 @@ void print_shown_blocks(const ShowArgs& args, std::span<const Block* const> bloc
     std::cout << all.dump(2) << "\n";
     return;
   }
-  std::cout << block_table(blocks).text();
-  const std::string note = describe_unscaled(blocks);
+  std::cout << make_block_table(blocks).text();
+  const std::string note = describe_unscaled_blocks(blocks);
   if (!note.empty()) std::cout << "\n" << format_for_terminal(note) << "\n";
   if (args.ids.empty()) return;
   for (const Block* block : blocks) print_details(*block);
@@ -71,7 +71,7 @@ void show(const ShowArgs& args) {
 
 }  // namespace
 
-void add_show(CLI::App& app) {
+void add_show_command(CLI::App& app) {
   const auto args = std::make_shared<ShowArgs>();
   CLI::App* command = app.add_subcommand("show", "Show the blocks of a library");
   command->add_option("library", args->library, "Block library")->required()->type_name("LIB");

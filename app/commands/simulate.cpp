@@ -58,7 +58,7 @@ void print_results(const std::filesystem::path& file, const SimulateArgs& args,
     print_outcome(results);
     std::cout << escape_nonprintable(file.string()) << ": " << done << "\n";
   }
-  check_outcome(results, file);
+  check_no_failed_runs(results, file);
 }
 
 void join_parts(const SimulateArgs& args) {
@@ -72,8 +72,8 @@ constexpr double kProbeTime = 2.0;  ///< s that a dry run spends on runs
 
 /// Estimates which differences the campaign could detect, from the trial runs.
 PlannedPower power_of(const SimulateArgs& args, const CampaignPlan& prepared,
-                      const TimeProbe& probe) {
-  PlannedPower plan = planned_power(prepared, probe);
+                      const RunTimeProbe& probe) {
+  PlannedPower plan = compute_planned_power(prepared, probe);
   if (args.margin > 0.0) plan.margin = args.margin;
   return plan;
 }
@@ -85,11 +85,11 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
   map.replace_extension(".map.svg");
   const OverwritePolicy rules{.kind = file_kind_by_extension(map)};
   check_output_target(map, rules);
-  const TimeProbe probe = probe_time(prepared, kProbeTime);
+  const RunTimeProbe probe = measure_run_time(prepared, kProbeTime);
   const unsigned threads = resolve_thread_count(args.threads);
   const std::size_t together = prepared.header.runs_per_realisation();
-  const std::size_t items = shard.runs_of(prepared) / together;
-  const double each = probe.each * static_cast<double>(together);
+  const std::size_t items = shard.run_count(prepared) / together;
+  const double each = probe.time_per_run * static_cast<double>(together);
   const double expected = estimate_time(prepared, probe, shard, threads);
   write_output(map, draw_svg_map(make_site_map(prepared.header)), rules);
   const PlannedPower power = power_of(args, prepared, probe);
@@ -97,24 +97,26 @@ void report_dry_run(const SimulateArgs& args, const CampaignPlan& prepared, cons
     summary.update(power_json(power));
     summary["expected_time_s"] = expected;
     summary["probed_runs"] = probe.runs;
-    summary["probe_cut_short"] = probe.cut_short;
-    summary["probe_failure"] = probe.failure;
+    summary["probe_cut_short"] = probe.last_run_stopped;
+    summary["probe_failure"] = probe.first_failure;
     summary["threads"] = threads;
     summary["map"] = map.string();
     std::cout << summary.dump(2) << "\n";
     return;
   }
-  if (!probe.failure.empty()) {
+  if (!probe.first_failure.empty()) {
     std::cout << "warning: a trial run failed, so the estimated time is unreliable: "
-              << escape_nonprintable(probe.failure) << "\n";
+              << escape_nonprintable(probe.first_failure) << "\n";
   }
   const std::string sentence = describe_planned_power(power);
-  std::cout << (probe.at_most ? "at most " : "about ") << format_duration(expected) << " for "
-            << format_count(items, prepared.header.stay ? "realisation" : "run") << " on "
-            << format_count(threads, "thread") << ", judging by "
-            << format_count(probe.runs / together, prepared.header.stay ? "realisation" : "run")
+  std::cout << (probe.is_upper_bound ? "at most " : "about ") << format_duration(expected)
+            << " for "
+            << format_count(items, prepared.header.persistent_blocks ? "realisation" : "run")
+            << " on " << format_count(threads, "thread") << ", judging by "
+            << format_count(probe.runs / together,
+                            prepared.header.persistent_blocks ? "realisation" : "run")
             << " of " << format_rounded(each, 2) << " s"
-            << (!probe.cut_short         ? ""
+            << (!probe.last_run_stopped  ? ""
                 : probe.runs == together ? ", which was stopped early"
                                          : ", the last of which was stopped early")
             << "\n"
@@ -157,17 +159,17 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   const Shard shard = given_shard.value_or(Shard());
   std::optional<CampaignPlan> plan;
   bool finished = false;
-  const std::filesystem::path output = shard_file(args.output, given_shard);
-  const std::filesystem::path part = journal_path(output);
+  const std::filesystem::path output = shard_results_path(args.output, given_shard);
+  const std::filesystem::path part = results_journal_path(output);
   team.check_agreement([&] {
     const bool begun = std::filesystem::exists(part);
     const bool keep = !args.replace && !args.resume && !args.dry_run && !begun;
     if (team.is_leader()) check_results_target(output, !keep);
     plan.emplace(prepared_campaign(args, team, watch));
     if (args.resume && !args.replace && !begun) {
-      finished = is_finished(output, plan->header, shard.runs_of(*plan));
+      finished = has_finished_results(output, plan->header, shard.run_count(*plan));
     }
-    if (team.is_leader() && !args.dry_run && !args.resume) refuse_interrupted(output);
+    if (team.is_leader() && !args.dry_run && !args.resume) check_not_interrupted(output);
     return fingerprint(*plan) + (finished ? "finished" : "");
   });
   const CampaignPlan& prepared = *plan;
@@ -187,8 +189,8 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
   resume.push_back("--resume");
   const std::string resume_hint = format_shell_command(resume);
   std::cout.flush();
-  ProgressBar bar("runs", shard.runs_of(prepared));
-  RunOptions options;
+  ProgressBar bar("runs", shard.run_count(prepared));
+  CampaignRunOptions options;
   options.threads = args.threads;
   options.resume = args.resume;
   options.replace = args.replace;
@@ -201,10 +203,12 @@ void simulate_with(ProcessTeam& team, const SimulateArgs& args,
     bar.update(step.done, step.activity);
     if (!watch.interrupted() || step.done == step.total) return;
     bar.clear();
-    throw SimulationError(
-        "interrupted; " + std::to_string(step.done) + " of " + std::to_string(step.total) +
-        " runs" + (prepared.header.stay ? " and the checkpoints of unfinished realisations" : "") +
-        " are kept. Continue with: " + resume_hint);
+    throw SimulationError("interrupted; " + std::to_string(step.done) + " of " +
+                          std::to_string(step.total) + " runs" +
+                          (prepared.header.persistent_blocks
+                               ? " and the checkpoints of unfinished realisations"
+                               : "") +
+                          " are kept. Continue with: " + resume_hint);
   };
   run_campaign(prepared, output, options);
   bar.clear();
@@ -222,7 +226,7 @@ void simulate(const SimulateArgs& args) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app) {
+void add_simulate_command(CLI::App& app) {
   const auto args = std::make_shared<SimulateArgs>();
   CLI::App* command = app.add_subcommand("simulate", "Run a campaign of releases");
   CLI::Option* campaign =
@@ -234,7 +238,7 @@ void add_simulate(CLI::App& app) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--threads", args->threads, "Threads to use; 0: one for each core")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--resume", args->resume, "Continue an interrupted campaign");
@@ -243,7 +247,7 @@ void add_simulate(CLI::App& app) {
       ->add_option("--checkpoint-interval", args->checkpoint_interval,
                    "Persistent blocks: seconds between checkpoints of a realisation, from which "
                    "--resume continues after a crash; 0: checkpoints only on Ctrl-C")
-      ->check(within({0.0, 1e6, "s"}))
+      ->check(number_in_range({0.0, 1e6, "s"}))
       ->type_name("S")
       ->capture_default_str();
   command
@@ -264,15 +268,14 @@ void add_simulate(CLI::App& app) {
       ->add_option("--margin", args->margin,
                    "Difference in runout that matters: the dry run reports how many runs are "
                    "needed to detect it")
-      ->check(within({1e-3, 1e5, "m"}))
+      ->check(number_in_range({1e-3, 1e5, "m"}))
       ->type_name("M");
   command->add_flag("--json", args->json, "Print the summary as JSON");
   command->footer(
-      "Ctrl-C stops after the current runs, with persistent blocks at once, after writing "
-      "checkpoints (other processes of mpirun finish their realisations). --resume continues. "
-      "Results do not "
-      "depend on interruptions, on --threads, on --shard, or on the number of mpirun "
-      "processes;\neach process has one thread unless --threads is given.\n"
+      "Ctrl-C stops after the current runs; --resume continues the campaign.\nWith persistent "
+      "blocks, it writes checkpoints and stops at once; other mpirun processes finish their "
+      "realisations.\nResults do not depend on interruptions, on --threads, on --shard, or on the "
+      "number of mpirun processes.\nEach process has one thread unless --threads is given.\n"
       "Examples:\n"
       "  clast simulate campaign.toml --dry-run\n"
       "  clast simulate campaign.toml -o results.h5 --threads 4\n"

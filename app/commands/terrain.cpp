@@ -139,7 +139,7 @@ nlohmann::ordered_json report_json(const Terrain& terrain) {
 std::vector<Vec3> release_points(const TerrainArgs& args) {
   std::vector<Vec3> points;
   if (args.releases.empty()) return points;
-  points = read_points(args.releases);
+  points = read_point_table(args.releases);
   if (resolve_up_axis(args.options.up, args.inputs.front()) == "y") {
     for (Vec3& point : points) point = y_up_to_z_up(point);
   }
@@ -152,10 +152,10 @@ void check_fit(const TerrainArgs& args, const std::vector<Vec3>& releases, Terra
     if (warning) terrain.report.notes.push_back(*warning);
   };
   if (!releases.empty()) {
-    check_over_ground(terrain, releases, args.releases);
+    check_positions_over_terrain(terrain, releases, args.releases);
     note(border_warning(terrain, releases, args.border_distance));
   }
-  if (args.block_size) note(cell_size_warning(terrain, *args.block_size, *args.block_size));
+  if (args.block_size) note(edge_length_warning(terrain, *args.block_size, *args.block_size));
 }
 
 /// Files that an export or an image of that name may replace.
@@ -204,7 +204,7 @@ void check_outputs(const TerrainArgs& args) {
   check_extension("--export", args.exported,
                   {".stl", ".ply", ".obj", ".vtp", ".glb", ".tif", ".tiff"});
   check_extension("--picture", args.picture, {".svg"});
-  std::vector<std::string> inputs = split_list(args.breaklines);
+  std::vector<std::string> inputs = split_comma_separated(args.breaklines);
   for (const std::string& file : {args.releases, args.barriers}) {
     if (!file.empty()) inputs.push_back(file);
   }
@@ -225,9 +225,9 @@ void check_outputs(const TerrainArgs& args) {
 
 void make_terrain(TerrainArgs args) {
   args.options.surface.assign(args.inputs.begin(), args.inputs.end());
-  args.options.zones = split_list(args.zones);
-  args.options.columns = split_list(args.columns);
-  for (const std::string& file : split_list(args.breaklines)) {
+  args.options.zones = split_comma_separated(args.zones);
+  args.options.columns = split_comma_separated(args.columns);
+  for (const std::string& file : split_comma_separated(args.breaklines)) {
     args.options.breaklines.emplace_back(file);
   }
   check_usage([&] {
@@ -265,25 +265,25 @@ void add_grid_options(CLI::App& command, TerrainArgs& args) {
       .add_option("--resolution", options.resolution,
                   "Cell size for clouds, and for rasters and meshes that are to be resampled, m; "
                   "default: about four points of a cloud per cell, no resampling of others")
-      ->check(within(kCellSize))
+      ->check(number_in_range(kCellSizeRange))
       ->type_name("M");
   command
       .add_option("--percentile", options.percentile,
                   "Height of a cell of a cloud: this percentile of the heights of its points, 0 "
                   "for the lowest; default: their mean")
-      ->check(within(kPercentile))
+      ->check(number_in_range(kPercentileRange))
       ->type_name("P");
   command
       .add_option("--outliers", options.outliers,
                   "Leave out points of a cloud that are farther than this above or below the "
                   "surrounding ground, m")
-      ->check(within(kOutlierDistance))
+      ->check(number_in_range(kOutlierDistanceRange))
       ->type_name("M");
   command
       .add_option("--fill", options.fill,
                   "Fill holes up to this width, m; default: 3 cells of a cloud, 3 median edges of "
                   "a mesh, none of a raster")
-      ->check(within(kHoleWidth))
+      ->check(number_in_range(kHoleWidthRange))
       ->type_name("M");
   command
       .add_option("--breaklines", args.breaklines,
@@ -296,25 +296,25 @@ void add_repair_options(CLI::App& command, TerrainOptions& options) {
   command
       .add_option("--crack", options.crack,
                   "Close cracks between tiles up to this width, m; 0: none")
-      ->check(within(kCrackWidth))
+      ->check(number_in_range(kCrackWidthRange))
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--spikes", options.spike_steepness,
                   "Level single vertices that protrude by more than this many times the distance "
                   "to their neighbours; 0: none")
-      ->check(within(kSpikeSteepness))
+      ->check(number_in_range(kSpikeSteepnessRange))
       ->type_name("X")
       ->capture_default_str();
   command.add_option("--smoothing", options.smoothing, "Rounds of smoothing")
-      ->check(whole_number(0, kMaxSmoothing))
+      ->check(integer_in_range(0, kMaxSmoothing))
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--tolerance", options.tolerance,
                   "Simplify: remove vertices while the surface moves up or down by no more than "
                   "this, m; overhangs are kept")
-      ->check(within(kSurfaceTolerance))
+      ->check(number_in_range(kSurfaceToleranceRange))
       ->type_name("M");
   command.add_flag("--cut-zones", options.cut_zones,
                    "Cut the borders of zone polygons into the triangles");
@@ -329,14 +329,14 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
   command
       .add_option("--border-distance", args.border_distance,
                   "Warn if a release point is nearer than this to the border, m")
-      ->check(within(kBorderDistance))
+      ->check(number_in_range(kBorderDistanceRange))
       ->needs(releases)
       ->type_name("M")
       ->capture_default_str();
   command
       .add_option("--block-size", args.block_size,
                   "Diameter of the blocks, m: warn if the ground is much coarser or finer")
-      ->check(within(kBlockLength))
+      ->check(number_in_range(kBlockLengthRange))
       ->type_name("M");
   CLI::Option* picture =
       command
@@ -353,7 +353,7 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
 
 }  // namespace
 
-void add_terrain(CLI::App& app) {
+void add_terrain_command(CLI::App& app) {
   const auto args = std::make_shared<TerrainArgs>();
   CLI::App* command = app.add_subcommand(
       "terrain", "Check a surveyed terrain with its zones and prepare it for simulation");
@@ -399,7 +399,7 @@ void add_terrain(CLI::App& app) {
       ->type_name("AXIS")
       ->capture_default_str();
   command->add_option("--export-cell", args->export_cell, "Cell size of an exported tif, m")
-      ->check(within(kCellSize))
+      ->check(number_in_range(kCellSizeRange))
       ->needs(exported)
       ->type_name("M")
       ->capture_default_str();

@@ -26,13 +26,13 @@ namespace clast {
 namespace {
 
 struct VaryArgs {
-  SeriesRequest request;
+  VariationSeriesRequest request;
   std::string library;
   std::string output = "series.h5";
   std::vector<std::string> forms;  ///< --to
   std::string grid;
   double least = 0.2;
-  SeriesTargets steps;
+  VariationTargets steps;
   std::string table;
   std::string keep = "mass";
   bool json = false;
@@ -64,14 +64,14 @@ FormGrid read_grid(const std::string& text, double least) {
 }
 
 /// Targets of all options except --like, which needs the library.
-SeriesTargets steps_wanted(const VaryArgs& args) {
-  SeriesTargets steps = args.steps;
+VariationTargets steps_wanted(const VaryArgs& args) {
+  VariationTargets steps = args.steps;
   for (const std::string& form : args.forms) steps.ratios.push_back(read_ratios(form));
   if (!args.grid.empty()) steps.grid = read_grid(args.grid, args.least);
   return steps;
 }
 
-SeriesResult make_bodies(SeriesRequest request) {
+VariationSeriesResult make_bodies(VariationSeriesRequest request) {
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> progress;
   request.options.progress = [&](const ProgressUpdate& step) {
@@ -80,14 +80,14 @@ SeriesResult make_bodies(SeriesRequest request) {
     progress->update(step.done);
   };
   try {
-    return make_series(request);
+    return make_variation_series(request);
   } catch (const Cancelled&) {
     throw InputError("interrupted; " + request.output.string() + " is unchanged");
   }
 }
 
-void print_series(const VaryArgs& args, const SeriesResult& made) {
-  const BlockSeries& series = made.series;
+void print_series(const VaryArgs& args, const VariationSeriesResult& made) {
+  const VariedBlockSeries& series = made.series;
   if (args.json) {
     std::cout << series_json(series, made.fit).dump(2) << "\n";
     return;
@@ -105,16 +105,16 @@ void print_series(const VaryArgs& args, const SeriesResult& made) {
 }
 
 void vary(const VaryArgs& args) {
-  SeriesRequest request = args.request;
+  VariationSeriesRequest request = args.request;
   check_usage([&] {
-    request.steps = steps_wanted(args);
+    request.targets = steps_wanted(args);
     request.library = args.library;
     request.output = args.output;
     request.table = args.table;
-    request.options.variation.keep = parse_preserved_size(args.keep);
+    request.options.variation.preserved_size = parse_preserved_size(args.keep);
     request.check();
   });
-  const SeriesResult made = make_bodies(request);
+  const VariationSeriesResult made = make_bodies(request);
   for (const std::string& note : made.notes)
     std::cerr << "clast: note: " << format_for_terminal(note) << "\n";
   print_series(args, made);
@@ -123,7 +123,8 @@ void vary(const VaryArgs& args) {
     std::cerr << "clast: warning: " << format_for_terminal(failed[i]) << "\n";
   }
   if (!failed.empty()) {
-    throw GeometryError(std::to_string(failed.size()) + " of " + std::to_string(made.wanted) +
+    throw GeometryError(std::to_string(failed.size()) + " of " +
+                        std::to_string(made.requested_count) +
                         " bodies could not be made; the others are in " + args.output);
   }
 }
@@ -139,11 +140,11 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--least", args.least,
                   "Smallest ratio in the grid: S/L of sneed-folk, I/L and S/I of zingg")
-      ->check(within(kMinRatio))
+      ->check(number_in_range(kMinRatioRange))
       ->type_name("RATIO")
       ->capture_default_str();
   command
-      .add_option("--like", args.request.like_ids,
+      .add_option("--like", args.request.target_ratio_ids,
                   "Stretch to the ratios of these blocks of the library")
       ->type_name("ID");
 }
@@ -152,37 +153,37 @@ void add_surface_options(CLI::App& command, VaryArgs& args) {
   command
       .add_option("--convexity", args.steps.convexity,
                   "Fill hollows until the volume is this fraction of that of the convex hull")
-      ->check(within(kVariedConvexity))
+      ->check(number_in_range(kVariedConvexityRange))
       ->type_name("SHARE");
   command
       .add_option("--rounding", args.steps.rounding,
                   "Radius of edges and corners as a fraction of S, 0 to 0.4")
-      ->check(within(kVariedRadiusFraction))
+      ->check(number_in_range(kVariedRadiusFractionRange))
       ->type_name("SHARE");
   command
       .add_option("--roundness", args.steps.roundness,
                   "Choose the radius that gives this Wadell roundness")
-      ->check(within(kVariedRoundness))
+      ->check(number_in_range(kVariedRoundnessRange))
       ->type_name("VALUE");
   command
       .add_option("--roundness-edge", args.steps.roundness_edge,
                   "Edge length of the mesh on which roundness is measured, as a fraction of the "
                   "diameter of a sphere of equal volume")
-      ->check(within(kRoundnessEdge))
+      ->check(number_in_range(kRoundnessEdgeRange))
       ->type_name("SHARE")
       ->capture_default_str();
   command.add_option("--vertices", args.steps.vertices, "Simplify to this many vertices")
-      ->check(whole_number(kMinVariedVertices, kMaxVariedVertices))
+      ->check(integer_in_range(kMinVariedVertices, kMaxVariedVertices))
       ->type_name("N");
   command
       .add_option("--detail", args.steps.detail,
                   "Multiply the surface detail: 0 removes it, 1 keeps it, 2 doubles it")
-      ->check(within(kDetailGain))
+      ->check(number_in_range(kDetailGainRange))
       ->type_name("FACTOR");
   command
       .add_option("--degree", args.steps.degree,
                   "Degree of the spherical harmonics of the coarse form; detail is the remainder")
-      ->check(whole_number(kMinDegree, kMaxDegree))
+      ->check(integer_in_range(kMinDegree, kMaxDegree))
       ->type_name("N")
       ->capture_default_str();
 }
@@ -195,20 +196,20 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->check(CLI::IsMember(reference_shape_names()))
       ->type_name("FORM");
   command.add_option("--exponent", args.steps.exponent, "Exponent of the superellipsoid, 1 to 20")
-      ->check(within(kSuperellipsoidExponent))
+      ->check(number_in_range(kSuperellipsoidExponentRange))
       ->type_name("N")
       ->capture_default_str();
   command
       .add_option("--inertia", args.steps.inertia,
                   "Bodies with the block's mass and principal moments of inertia")
-      ->check(CLI::IsMember(inertia_form_names()))
+      ->check(CLI::IsMember(inertia_body_names()))
       ->type_name("FORM");
   CLI::Option* draw =
       command
-          .add_option("--draw", args.request.draw,
+          .add_option("--draw", args.request.sampled_count,
                       "Draw this many bodies, with sizes and forms distributed like those of the "
                       "blocks, or of the table of --from")
-          ->check(whole_number(1, kMaxSeriesBodies))
+          ->check(integer_in_range(1, kMaxSeriesBodies))
           ->type_name("N");
   command
       .add_option("--from", args.table,
@@ -222,7 +223,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
       ->type_name("UNIT")
       ->needs(draw);
   command.add_option("--seed", args.request.seed, "Random seed of --draw")
-      ->check(whole_number())
+      ->check(integer_in_range())
       ->type_name("N")
       ->capture_default_str();
   command
@@ -234,7 +235,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
 
 }  // namespace
 
-void add_vary(CLI::App& app) {
+void add_vary_command(CLI::App& app) {
   const auto args = std::make_shared<VaryArgs>();
   CLI::App* command =
       app.add_subcommand("vary", "Make variants and series of blocks that differ in one property");
@@ -255,14 +256,14 @@ void add_vary(CLI::App& app) {
   command
       ->add_option("--threads", args->request.options.threads,
                    "Threads to use; 0: one for each core")
-      ->check(whole_number(0, 4096))
+      ->check(integer_in_range(0, 4096))
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--json", args->json, "Print the bodies as JSON");
   command->footer(
-      "Bodies are named after their block and the variation, such as B01_il0.8_sl0.5. I/L and S/L "
-      "remain those of the\nblock unless they are varied. Targets are reached within 0.5 %, "
-      "roundness within 1 %; for a target that can't be\nreached, the nearest possible value is "
+      "Bodies are named after their block and the variation, such as B01_il0.8_sl0.5.\nI/L and S/L "
+      "are those of the original block unless they are varied.\nTargets are reached within 0.5 %, "
+      "roundness within 1 %.\nIf a target can't be reached, the nearest possible value is "
       "reported.\n"
       "Examples:\n"
       "  clast vary blocks.h5 B01 --grid sneed-folk:10 -o forms.h5\n"

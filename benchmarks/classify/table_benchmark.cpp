@@ -49,9 +49,9 @@ void read_and_classify(benchmark::State& state) {
     const DimensionTable table = read_dimension_table(path);
     for (const MeasuredBlock& block : table.blocks) {
       for (const std::string& scheme : scheme_names()) {
-        elongated += shape_class(scheme, block.axes_as_written) == "elongated";
+        elongated += shape_class(scheme, block.axes_in_table_unit) == "elongated";
       }
-      for (const auto& [name, value] : form_indices(block.axes_as_written)) sum += value;
+      for (const auto& [name, value] : form_indices(block.axes_in_table_unit)) sum += value;
     }
   }
   benchmark::DoNotOptimize(sum);

@@ -44,7 +44,7 @@ struct ColumnName {
 
 ColumnName column_name(std::string_view header) {
   const ColumnHeading heading = parse_heading(header);
-  ColumnName column{heading.name, heading.single_word(), heading.length};
+  ColumnName column{heading.name, heading.single_word(), heading.length_unit};
   const auto found = std::find_if(kMasses.begin(), kMasses.end(),
                                   [&](const NamedUnit& u) { return heading.unit == u.name; });
   if (found != kMasses.end()) column.mass = &*found;
@@ -129,7 +129,7 @@ class Header {
 };
 
 /// The unit that the header names, none where it names none.
-std::optional<NamedUnit> named_unit(const Header& header, const TableLayout& layout) {
+std::optional<NamedUnit> named_unit(const Header& header, const DimensionTableLayout& layout) {
   std::optional<NamedUnit> named;
   for (const std::size_t column : layout.axes) {
     const std::optional<NamedUnit> unit =
@@ -144,8 +144,8 @@ std::optional<NamedUnit> named_unit(const Header& header, const TableLayout& lay
 }
 
 /// The unit of L, I, S: as asked for, else as the header says, else metres.
-void set_units(TableLayout& layout, const Header& header, const std::optional<double>& asked,
-               std::vector<std::string>& notes) {
+void set_units(DimensionTableLayout& layout, const Header& header,
+               const std::optional<double>& asked, std::vector<std::string>& notes) {
   const std::optional<NamedUnit> named = named_unit(header, layout);
   layout.units = asked ? *asked : named ? named->factor : 1.0;
   layout.units_are_known = asked || named;
@@ -159,7 +159,7 @@ void set_units(TableLayout& layout, const Header& header, const std::optional<do
 }
 
 /// One column can't be two quantities.
-void check_columns_differ(const TableLayout& layout) {
+void check_columns_differ(const DimensionTableLayout& layout) {
   std::vector<std::size_t> columns(layout.axes.begin(), layout.axes.end());
   if (layout.mass) columns.push_back(*layout.mass);
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -175,10 +175,12 @@ void check_columns_differ(const TableLayout& layout) {
 
 }  // namespace
 
-TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
-                              const std::string& file, std::vector<std::string>& notes) {
+DimensionTableLayout find_dimension_table_layout(const Record& first, char separator,
+                                                 const DimensionColumns& columns,
+                                                 const std::string& file,
+                                                 std::vector<std::string>& notes) {
   const Header header(first, separator, file);
-  TableLayout layout;
+  DimensionTableLayout layout;
   layout.file = file;
   layout.separator = separator;
   layout.has_header = header.is_one();

@@ -13,7 +13,7 @@ namespace clast::classify_detail {
 
 inline constexpr std::array<const char*, 3> kAxisNames = {"L", "I", "S"};
 
-struct TableLayout {
+struct DimensionTableLayout {
   std::string file;  ///< file name for messages
   char separator = ',';
   bool has_header = false;
@@ -29,7 +29,9 @@ struct TableLayout {
 /// Finds the columns by name or number in the first row, which may be the header.
 /// @param notes  receives notes on the units
 /// @throws InputError  if columns or units are invalid (see `read_dimension_table`)
-TableLayout find_table_layout(const Record& first, char separator, const DimensionColumns& columns,
-                              const std::string& file, std::vector<std::string>& notes);
+DimensionTableLayout find_dimension_table_layout(const Record& first, char separator,
+                                                 const DimensionColumns& columns,
+                                                 const std::string& file,
+                                                 std::vector<std::string>& notes);
 
 }  // namespace clast::classify_detail

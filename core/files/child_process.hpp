@@ -23,7 +23,8 @@ ProcessResult run_child_process(const std::vector<std::string>& command,
                                 const std::filesystem::path& log, double time_limit,
                                 const std::function<void()>& on_wait = {});
 
-/// Finds an executable on PATH. A name with a slash is returned unchanged; empty if not found.
+/// Finds an executable on PATH. A name with a slash is returned unchanged. Returns an empty path if
+/// there is none.
 std::filesystem::path find_executable(const std::string& name);
 
 }  // namespace clast

@@ -162,7 +162,8 @@ std::vector<std::string> words_of(std::string_view text) {
 ColumnHeading parse_heading(std::string_view field) {
   constexpr std::string_view kBlank = " \t\"'";
   const std::string lower = ascii_lower(without(field, kBlank));
-  ColumnHeading heading{.name = lower, .words = {}, .length = {}, .unit = {}, .bracketed = {}};
+  ColumnHeading heading{
+      .name = lower, .words = {}, .length_unit = {}, .unit = {}, .bracketed_text = {}};
   std::string_view rest = without(field, kBlank);
   // The unit is what stands in brackets at the end, or behind the last blank, comma, slash or _.
   constexpr std::string_view kBefore = "_([{<,;/ ", kAfter = ")]}> .";
@@ -172,12 +173,12 @@ ColumnHeading parse_heading(std::string_view field) {
   if (cut != std::string::npos && cut > 0) {
     const std::string ending(without(std::string_view(lower).substr(cut + 1), kAfter));
     const bool in_brackets = std::string_view("([{<").find(lower[cut]) != std::string_view::npos;
-    heading.length = length_named(ending, in_brackets);
-    if (in_brackets && !heading.length) {  // "[m above sea level]"
-      heading.length = length_named(ending.substr(0, ending.find(' ')), true);
+    heading.length_unit = length_named(ending, in_brackets);
+    if (in_brackets && !heading.length_unit) {  // "[m above sea level]"
+      heading.length_unit = length_named(ending.substr(0, ending.find(' ')), true);
     }
-    if (in_brackets) heading.bracketed = ending;
-    if (heading.length || is_other_unit(ending)) {
+    if (in_brackets) heading.bracketed_text = ending;
+    if (heading.length_unit || is_other_unit(ending)) {
       heading.unit = ending;
       const std::size_t last = lower.find_last_not_of(kBefore, cut);
       heading.name = lower.substr(0, last + 1);
@@ -220,7 +221,7 @@ bool is_summary_sign(std::string_view text) {
 
 }  // namespace
 
-SummaryLabel detect_summary_label(std::string_view text) {
+SummaryRowLabel detect_summary_row_label(std::string_view text) {
   static const std::set<std::string> kLabels = {
       // count, sum
       "n", "count", "anzahl", "nombre", "effectif", "numero", "total", "totals", "sum", "summe",
@@ -243,11 +244,11 @@ SummaryLabel detect_summary_label(std::string_view text) {
       "min", "minimum", "max", "maximum", "range", "spannweite", "minimo", "massimo", "maximo",
       "mini", "maxi", "etendue", "intervallo", "rango", "kleinstwert", "grosstwert", "groesstwert"};
   constexpr std::size_t kLongest = 60;
-  if (text.empty() || text.size() > kLongest) return SummaryLabel::kNone;
-  if (is_summary_sign(text)) return SummaryLabel::kCertain;
+  if (text.empty() || text.size() > kLongest) return SummaryRowLabel::kNone;
+  if (is_summary_sign(text)) return SummaryRowLabel::kCertain;
   const std::string plain = plain_lower(text);
   if (plain.empty() || ((plain[0] < 'a' || plain[0] > 'z') && (plain[0] & 0x80) == 0)) {
-    return SummaryLabel::kNone;
+    return SummaryRowLabel::kNone;
   }
   std::string label;
   // "Mean (n = 12)", "Mean:", "Std. dev.", "Écart-type"
@@ -256,7 +257,7 @@ SummaryLabel detect_summary_label(std::string_view text) {
     if (letter) {
       label += c;
     } else if (c >= '0' && c <= '9') {
-      return SummaryLabel::kNone;  // "Max 3" is a name
+      return SummaryRowLabel::kNone;  // "Max 3" is a name
     } else if (!label.empty() && label.back() != ' ') {
       label += ' ';
     }
@@ -267,12 +268,12 @@ SummaryLabel detect_summary_label(std::string_view text) {
       label = label.substr(whole.size());
     }
   }
-  if (!kLabels.contains(label)) return SummaryLabel::kNone;
+  if (!kLabels.contains(label)) return SummaryRowLabel::kNone;
   const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return c != ' '; });
-  return letters > 2 ? SummaryLabel::kCertain : SummaryLabel::kAmbiguous;
+  return letters > 2 ? SummaryRowLabel::kCertain : SummaryRowLabel::kAmbiguous;
 }
 
-bool is_possible_heading(const std::vector<std::string_view>& fields, char separator) {
+bool is_possible_heading_row(const std::vector<std::string_view>& fields, char separator) {
   if (fields.empty()) return false;
   const auto ends_with_any = [](std::string_view field, std::string_view signs) {
     return !field.empty() && signs.find(field.back()) != std::string_view::npos;

@@ -20,7 +20,7 @@ bool begins_a_formula(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string> split_list(const std::string& text) {
+std::vector<std::string> split_comma_separated(const std::string& text) {
   std::vector<std::string> items;
   std::istringstream stream(text);
   for (std::string item; std::getline(stream, item, ',');) {
@@ -31,12 +31,12 @@ std::vector<std::string> split_list(const std::string& text) {
   return items;
 }
 
-std::string escape_formula(std::string_view text) {
+std::string escape_spreadsheet_formula(std::string_view text) {
   const bool guarded = begins_a_formula(text) && !parse_number(text);
   return (guarded ? "'" : "") + std::string(text);
 }
 
-std::string_view unescape_formula(std::string_view cell) {
+std::string_view unescape_spreadsheet_formula(std::string_view cell) {
   if (cell.starts_with('\'') && begins_a_formula(cell)) cell.remove_prefix(1);
   return cell;
 }
@@ -48,7 +48,7 @@ void CsvWriter::write_separator() {
 
 void CsvWriter::write_cell(std::string_view text) {
   write_separator();
-  const std::string written = escape_formula(text);
+  const std::string written = escape_spreadsheet_formula(text);
   if (written.size() == text.size() && text.find_first_of(",\"\r\n") == std::string_view::npos) {
     text_ += text;
     return;

@@ -59,7 +59,7 @@ void check_is_text(std::string_view text, const std::string& file) {
 
 }  // namespace
 
-DecodedText decode_text(std::string content, const std::string& file) {
+DecodedText decode_table_text(std::string content, const std::string& file) {
   check_is_text(content, file);  // before bytes that are not text are read as letters
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (is_utf8(content)) {
@@ -152,7 +152,7 @@ std::string_view DelimitedTextReader::read_quoted_field(std::size_t opened) {
   }
   content += read_unquoted_field();  // what stands between the closing quote and the separator
   unquoted_.push_back(std::move(content));
-  return unescape_formula(trimmed(unquoted_.back()));
+  return unescape_spreadsheet_formula(trimmed(unquoted_.back()));
 }
 
 std::string_view DelimitedTextReader::read_unquoted_field() {
@@ -162,7 +162,7 @@ std::string_view DelimitedTextReader::read_unquoted_field() {
   } else {
     while (!at_row_end() && text_[position_] != separator_) ++position_;
   }
-  return unescape_formula(trimmed(text_.substr(begin, position_ - begin)));
+  return unescape_spreadsheet_formula(trimmed(text_.substr(begin, position_ - begin)));
 }
 
 void DelimitedTextReader::skip_blanks() {

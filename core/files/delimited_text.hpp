@@ -25,7 +25,7 @@ struct DecodedText {
 /// @param content  content of a file
 /// @param file  name of the file, for messages
 /// @throws InputError  if it is not text in an ASCII-based encoding, such as a workbook or UTF-16
-DecodedText decode_text(std::string content, const std::string& file);
+DecodedText decode_table_text(std::string content, const std::string& file);
 
 /// Detects the separator of a table from one row. It is the first of semicolon, tab and comma that
 /// occurs outside quotes, otherwise ' ' for blanks. Commas do not count if all of them are decimal
@@ -39,12 +39,12 @@ std::optional<double> parse_number_field(std::string_view field,
 /// True if a quoted field of a comma-separated table is a number such as "1,234" (1.234 or 1234).
 bool is_ambiguous_number(std::string_view field, char separator);
 
-/// End of messages about decimal commas in comma-separated tables.
+/// Advice that ends error messages about decimal commas in comma-separated tables.
 inline constexpr const char* kDecimalCommaHint =
     "where commas are decimal signs, separate the columns by semicolons or tabs, or write decimal "
     "points";
 
-/// Settings of tables that differ from the defaults.
+/// Format options of a delimited text table.
 struct TableDialect {
   std::optional<char> separator = {};  ///< empty: detected from the first row
   bool inline_comments = false;        ///< true if # starts a comment anywhere in a row
@@ -54,8 +54,9 @@ struct TableDialect {
 /// Reads the rows of a text. Empty rows and rows that start with # are skipped.
 class DelimitedTextReader {
  public:
-  /// Detects the separator by `detect_separator`, or from a first line "sep=;" as written by Excel.
-  /// @param text  text from `decode_text`; must outlive this object
+  /// Constructs a reader. Detects the separator by `detect_separator`, or from a first line "sep=;"
+  /// as written by Excel.
+  /// @param text  text from `decode_table_text`; must outlive this object
   /// @param file  name of the file, for messages
   DelimitedTextReader(std::string_view text, std::string file, const TableDialect& rules = {});
 

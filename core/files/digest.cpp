@@ -52,7 +52,7 @@ std::string sha256(std::string_view bytes) {
 
 std::string sha256_of_file(const std::filesystem::path& path) {
   Sha256 digest;
-  read_in_chunks(path, [&](std::string_view piece) { digest.add(piece); });
+  read_file_in_chunks(path, [&](std::string_view piece) { digest.add(piece); });
   return digest.finish();
 }
 

@@ -7,7 +7,7 @@
 
 namespace clast {
 
-/// Incremental SHA-256 (FIPS 180-4).
+/// Incremental computation of a SHA-256 digest (FIPS 180-4).
 /// @cite fips180
 class Sha256 {
  public:

@@ -5,10 +5,10 @@
 
 namespace clast {
 
-/// Kind of TOML files with the tables of a campaign.
+/// File kind of campaigns, which are TOML files with certain tables.
 inline constexpr const char* kCampaignKind = "campaign";
 
-/// Kind of HTML pages written by clast.
+/// File kind of HTML pages written by clast.
 inline constexpr const char* kPageKind = "page of clast";
 
 /// Detects the kind of a file by its content; empty if the file is missing or empty. For an HDF5

@@ -9,7 +9,7 @@ namespace clast {
 
 struct FileLockOptions {
   std::chrono::milliseconds timeout = std::chrono::minutes(5);
-  /// Called once if another process holds the lock.
+  /// Function that is called once if another process holds the lock.
   std::function<void()> on_wait = {};
 };
 

@@ -60,7 +60,7 @@ struct Hdf5Group::Handle {
   bool checked = true;  ///< the file has checksums; those of the first versions have none
 
   hid_t get() const {
-    silence_errors();
+    silence_hdf5_errors();
     return id;
   }
   std::string where(const std::string& name) const { return file + ": " + path + "/" + name; }
@@ -69,13 +69,13 @@ struct Hdf5Group::Handle {
     throw InputError(where(name) + " " + what);
   }
   [[noreturn]] void fail_damaged(const std::string& name) const {
-    fail(name, "can't be read" + last_error_message() + kDamaged);
+    fail(name, "can't be read" + last_hdf5_error() + kDamaged);
   }
   [[noreturn]] void fail_missing(const std::string& name) const {
     fail(name, std::string("is missing") + kDamaged);
   }
   [[noreturn]] void fail_write(const std::string& name) const {
-    fail(name, "can't be written" + last_error_message() + "; is the disk full? Free some space");
+    fail(name, "can't be written" + last_hdf5_error() + "; is the disk full? Free some space");
   }
 
   /// An unreadable object is not treated as missing; otherwise damaged optional parts would be
@@ -110,7 +110,7 @@ struct Hdf5Group::Handle {
   ScopedId dataset(const std::string& name) const {
     if (!has(name)) fail_missing(name);
     ScopedId dataset(H5Dopen2(get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset.valid()) fail(name, "is not a readable dataset" + last_error_message() + kDamaged);
+    if (!dataset.valid()) fail(name, "is not a readable dataset" + last_hdf5_error() + kDamaged);
     return dataset;
   }
 
@@ -154,7 +154,7 @@ std::vector<std::string> Hdf5Group::child_names() const {
 Hdf5Group Hdf5Group::open_group(const std::string& name) const {
   if (!contains(name)) handle_->fail_missing(name);
   ScopedId id(H5Gopen2(handle_->get(), name.c_str(), H5P_DEFAULT), H5Gclose);
-  if (!id.valid()) handle_->fail(name, "is not a readable group" + last_error_message() + kDamaged);
+  if (!id.valid()) handle_->fail(name, "is not a readable group" + last_hdf5_error() + kDamaged);
   handle_->verify(id, name, 0);
   return Hdf5Group(std::make_shared<Handle>(handle_->child(std::move(id), name)));
 }
@@ -188,7 +188,7 @@ void Hdf5Group::write(const std::string& name, std::span<const T> values,
     handle_->fail(name, "has " + std::to_string(values.size()) + " values for another shape");
   }
 
-  const WriteBuffer<T> stored(values);
+  const Hdf5WriteBuffer<T> stored(values);
   const ScopedId space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
                        H5Sclose);
   const ScopedId properties = dataset_properties();
@@ -240,7 +240,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
       return values;
     } else {
       std::vector<T> values(count);
-      read_into(number_type<T>(false), values.data());
+      read_into(hdf5_number_type<T>(false), values.data());
       if (element == sizeof(T)) {
         verified(values);
       } else {  // stored narrower than it is read
@@ -252,7 +252,7 @@ std::vector<T> Hdf5Group::read(const std::string& name) const {
     }
   } catch (const std::bad_alloc&) {
     handle_->fail(name, "does not fit into memory (" + std::to_string(count) +
-                            " values); use a machine with more");
+                            " values); use a machine with more memory");
   }
 }
 
@@ -264,7 +264,7 @@ std::vector<std::size_t> Hdf5Group::shape(const std::string& name) const {
 template <class T>
 void Hdf5Group::set_attribute(const std::string& name, const T& value) {
   const hid_t parent = handle_->get();
-  const WriteBuffer<T> stored(std::span<const T>(&value, 1));
+  const Hdf5WriteBuffer<T> stored(std::span<const T>(&value, 1));
   std::uint64_t change = attribute_checksum(name, stored.data(), stored.element_size);
   if (has_attribute(name)) {
     const std::optional<std::uint64_t> before = attribute_checksum(parent, name);
@@ -301,7 +301,8 @@ T Hdf5Group::read_attribute(const std::string& name) const {
     return unpadded_string(bytes, 0, width);
   } else {
     T value{};
-    if (H5Aread(attribute, number_type<T>(false), &value) < 0) handle_->fail_damaged("@" + name);
+    if (H5Aread(attribute, hdf5_number_type<T>(false), &value) < 0)
+      handle_->fail_damaged("@" + name);
     return value;
   }
 }
@@ -324,7 +325,7 @@ std::string Hdf5Group::unit(const std::string& name) const {
 }
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int schema_version) {
-  silence_errors();
+  silence_hdf5_errors();
   // Time stamps are off, so that equal content gives equal bytes.
   const ScopedId creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
@@ -333,7 +334,7 @@ Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int s
     throw InputError(path.string() +
                      ": can't be written; check the folder and that no other "
                      "program has the file open" +
-                     last_error_message());
+                     last_hdf5_error());
   }
   Hdf5File file(
       std::make_shared<Hdf5Group::Handle>(Hdf5Group::Handle{std::move(id), path.string(), ""}));
@@ -346,7 +347,7 @@ Hdf5File Hdf5File::create(const fs::path& path, const std::string& format, int s
 
 Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int newest_schema_version,
                         bool writable) {
-  silence_errors();
+  silence_hdf5_errors();
   std::error_code code;
   const std::string expected = "; expected a \"" + format + "\" file";
   if (!fs::exists(path, code)) throw InputError(path.string() + ": no such file" + expected);
@@ -359,7 +360,7 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   ScopedId id(H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_properties()),
               H5Fclose);
   if (!id.valid()) {
-    throw InputError(path.string() + ": can't be opened" + last_error_message() +
+    throw InputError(path.string() + ": can't be opened" + last_hdf5_error() +
                      "; it is cut short, damaged, without read permission, or open in another "
                      "program: close that program, allow reading it, or make the file again");
   }
@@ -382,13 +383,13 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format, int new
   }
   if (schema < 1) {
     throw InputError(path.string() + ": has schema version " + std::to_string(schema) +
-                     ", which never existed" + kDamaged);
+                     ", which does not exist" + kDamaged);
   }
   return file;
 }
 
 std::string Hdf5File::read_format(const fs::path& path) {
-  silence_errors();
+  silence_hdf5_errors();
   ScopedId id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_properties()), H5Fclose);
   if (!id.valid()) return "";
   const Hdf5File file(std::make_shared<Hdf5Group::Handle>(
@@ -404,7 +405,7 @@ std::string Hdf5File::read_format(const fs::path& path) {
 Hdf5Group Hdf5File::root() const {
   ScopedId id(H5Gopen2(handle_->get(), "/", H5P_DEFAULT), H5Gclose);
   if (!id.valid())
-    throw InputError(handle_->file + ": has no root group" + last_error_message() + kDamaged);
+    throw InputError(handle_->file + ": has no root group" + last_hdf5_error() + kDamaged);
   return Hdf5Group(std::make_shared<Hdf5Group::Handle>(
       Hdf5Group::Handle{std::move(id), handle_->file, "", handle_->checked}));
 }
@@ -413,7 +414,7 @@ void Hdf5File::flush() {
   errno = 0;
   if (H5Fflush(handle_->get(), H5F_SCOPE_GLOBAL) < 0) {
     const std::string why =
-        errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : last_error_message();
+        errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : last_hdf5_error();
     throw InputError(handle_->file + ": can't be written" + why +
                      "; free some space on the disk or name another place");
   }

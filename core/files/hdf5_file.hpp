@@ -14,7 +14,7 @@
 
 namespace clast {
 
-/// Open group. Copies share a handle, which is closed with the last copy.
+/// Open HDF5 group. Copies share a handle, which is closed with the last copy.
 ///
 /// Element types: double, float, std::int64_t, std::int32_t, std::uint32_t, std::uint16_t,
 /// std::uint8_t, and std::string (UTF-8, stored at the width of the longest). Readers throw
@@ -30,7 +30,7 @@ class Hdf5Group {
   /// Removes a child. Its space in the file is freed only when the file is rewritten.
   void remove(const std::string& name);
 
-  /// Writes an array, in compressed chunks above 4 kB. An empty shape stands for one dimension.
+  /// Writes an array, in compressed chunks above 4 kB. Without `shape`, it has one dimension.
   template <class T>
   void write(const std::string& name, std::span<const T> values,
              const std::vector<std::size_t>& shape = {});

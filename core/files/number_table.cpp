@@ -77,24 +77,24 @@ std::optional<std::vector<std::size_t>> columns_named(const Record& heading, cha
   };
   std::optional<std::vector<std::size_t>> columns;
   try {
-    columns =
-        table.find ? table.find(heading.fields) : columns_by_name(heading.fields, table.names);
+    columns = table.find_columns ? table.find_columns(heading.fields)
+                                 : columns_by_name(heading.fields, table.column_names);
   } catch (const InputError& error) {
     refuse(error.what());
   }
   if (!columns) {
-    if (heading.fields.size() != table.names.size() ||
-        !is_possible_heading(heading.fields, separator)) {
+    if (heading.fields.size() != table.column_names.size() ||
+        !is_possible_heading_row(heading.fields, separator)) {
       return std::nullopt;
     }
-    refuse("its heading does not name the columns; each line must be " + table.meaning +
+    refuse("its heading does not name the columns; each line must be " + table.expected_line +
            "; give the columns these names");
   }
   for (const std::size_t column : *columns) {
     const ColumnHeading name = parse_heading(heading.fields[column]);
-    if (name.length && name.length->factor != 1.0) {
-      refuse("\"" + escape_nonprintable(heading.fields[column]) + "\" is in " + name.length->name +
-             "; lengths of this table must be in m");
+    if (name.length_unit && name.length_unit->factor != 1.0) {
+      refuse("\"" + escape_nonprintable(heading.fields[column]) + "\" is in " +
+             name.length_unit->name + "; lengths of this table must be in m");
     }
   }
   return columns;
@@ -136,7 +136,7 @@ class RowReader {
  private:
   [[noreturn]] void refuse(const Record& record, const std::string& problem) const {
     throw InputError(name_ + ":" + std::to_string(record.line) + ": " + problem +
-                     "; a line must be " + table_.meaning);
+                     "; a line must be " + table_.expected_line);
   }
 
   const std::string& name_;
@@ -158,13 +158,13 @@ std::string strip_unit(std::string_view field) {
 std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
                                            const NumericTableSpec& table) {
   const std::string name = file.string();
-  const DecodedText content = decode_text(read_text_file(file), name);
+  const DecodedText content = decode_table_text(read_text_file(file), name);
   DelimitedTextReader text(content.text, name,
                            {.separator = separator_of_numbers(content.text),
                             .inline_comments = true,
                             .any_heading_width = true});
   std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < table.names.size(); ++i) columns.push_back(i);
+  for (std::size_t i = 0; i < table.column_names.size(); ++i) columns.push_back(i);
   std::size_t fields = columns.size();
   const RowReader reader(name, table, text.separator());
   std::vector<NumericRow> rows;
@@ -178,7 +178,7 @@ std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
       continue;
     }
     reader.check_count(record, fields);
-    if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
+    if (detect_summary_row_label(record.fields.front()) == SummaryRowLabel::kCertain) {
       throw InputError(name + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
                        "\" is a sum of other rows; remove that row");
@@ -187,7 +187,7 @@ std::vector<NumericRow> read_numeric_table(const std::filesystem::path& file,
     for (const std::size_t column : columns) read.values.push_back(reader.number(record, column));
   }
   if (rows.empty()) {
-    throw InputError(name + ": has no line of numbers; each line must be " + table.meaning);
+    throw InputError(name + ": has no line of numbers; each line must be " + table.expected_line);
   }
   return rows;
 }

@@ -18,14 +18,15 @@ struct NumericRow {
 };
 
 struct NumericTableSpec {
-  /// Lower-case names by which each column is recognised, in the required order.
-  std::vector<std::vector<std::string>> names;
+  /// Accepted lower-case names of each column, in the required order of the columns.
+  std::vector<std::vector<std::string>> column_names;
   NumberRange range;
-  std::string meaning;  ///< end of messages "a line must be ...": "three numbers, x y z"
-  /// Finds the columns in a heading; empty if some are missing. If not set, `names` are searched.
+  std::string expected_line;  ///< required content of a line, for messages: "three numbers, x y z"
+  /// Optional function that finds the column indices in a heading; empty if columns are missing. If
+  /// it is not set, `column_names` are searched.
   /// @throws InputError  if the heading is invalid; the message does not name the file
   std::function<std::optional<std::vector<std::size_t>>(const std::vector<std::string_view>&)>
-      find = {};
+      find_columns = {};
 };
 
 /// Returns the lower-case name of a length column without its unit: "X_m" gives "x".

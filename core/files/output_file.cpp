@@ -162,7 +162,7 @@ void check_disk_space(const fs::path& target, std::initializer_list<std::uint64_
   };
   rlimit largest{};
   if (::getrlimit(RLIMIT_FSIZE, &largest) == 0 && largest.rlim_cur != RLIM_INFINITY) {
-    refuse(std::max(files), largest.rlim_cur, "no file here may be larger (ulimit -f) than ");
+    refuse(std::max(files), largest.rlim_cur, "files must not be larger (ulimit -f) than ");
   }
   std::error_code code;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");

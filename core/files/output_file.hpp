@@ -36,13 +36,14 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Returns the path to write to, with the extension of the target, as some writers require.
+  /// Returns the path of the temporary file. It has the extension of the target.
   const std::filesystem::path& temporary_path() const { return staging_->path(); }
   const std::filesystem::path& target_path() const { return target_; }
   /// Writes the whole content to `temporary_path`.
   /// @throws InputError  if the disk is full or the file is too large
   void write(std::string_view content);
-  /// Checks the rules again and renames the file. Both are one atomic step if `replace` is false.
+  /// Checks the overwrite policy again and renames the temporary file to the target. Both are one
+  /// atomic step if `replace` is false.
   /// @throws InputError  if the rename failed, or if another program has meanwhile written a file
   ///                     that must be kept
   void commit();
@@ -70,7 +71,7 @@ void check_output_target(const std::filesystem::path& target, const OverwritePol
 void check_disk_space(const std::filesystem::path& target,
                       std::initializer_list<std::uint64_t> files);
 
-/// Returns the path to which a link leads, which need not exist; other paths unchanged.
+/// Returns the path to which a symbolic link leads, which need not exist; other paths unchanged.
 /// @throws InputError  if the link is circular
 std::filesystem::path resolve_link(const std::filesystem::path& target);
 

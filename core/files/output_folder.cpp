@@ -36,15 +36,15 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-bool is_marked(const fs::path& folder, const FolderKind& kind) {
+bool is_marked(const fs::path& folder, const OutputFolderKind& kind) {
   std::error_code code;
-  const fs::path file = folder / kind.marker_file;
+  const fs::path file = folder / kind.marker_file_name;
   return fs::is_regular_file(file, code) &&
-         read_text_file(file).find(kind.mark) != std::string::npos;
+         read_text_file(file).find(kind.marker_text) != std::string::npos;
 }
 
 /// Why what is there is kept; empty when the folder may be written.
-std::string why_folder_is_kept(const fs::path& target, const FolderKind& kind, bool replace) {
+std::string why_folder_is_kept(const fs::path& target, const OutputFolderKind& kind, bool replace) {
   std::error_code code;
   if (!fs::exists(target, code)) return "";
   if (!fs::is_directory(target, code)) {
@@ -93,7 +93,7 @@ void exchange_folders(const fs::path& made, const fs::path& target, const fs::pa
 
 /// Adds files to a folder, where `replace` in place of those of the kind; the rest is not touched.
 void exchange_files(const fs::path& made, const fs::path& target, const fs::path& backup_path,
-                    const FolderKind& kind, bool replace) {
+                    const OutputFolderKind& kind, bool replace) {
   std::vector<std::pair<fs::path, fs::path>> moved;
   const auto move = [&](const fs::path& from, const fs::path& to) {
     std::error_code code, back;
@@ -118,7 +118,7 @@ void exchange_files(const fs::path& made, const fs::path& target, const fs::path
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& target, FolderKind kind, bool replace)
+OutputFolder::OutputFolder(const fs::path& target, OutputFolderKind kind, bool replace)
     : kind_(std::move(kind)), replace_(replace) {
   if (target.empty()) throw InputError("the name of the folder to write is empty; name one");
   target_ = resolved(target);

@@ -9,12 +9,13 @@
 
 namespace clast {
 
-/// Kind of an output folder, and properties by which such a folder is recognised.
-struct FolderKind {
-  std::string name;         ///< for messages: "comparison"
-  std::string marker_file;  ///< file in every such folder: "provenance.json"
-  std::string mark;         ///< text that `marker_file` contains
-  /// True for output files. Paths are relative to the folder. Other files are never changed.
+/// Kind of an output folder. A folder is of this kind if its marker file contains `marker_text`.
+struct OutputFolderKind {
+  std::string name;              ///< for messages: "comparison"
+  std::string marker_file_name;  ///< name of the marker file: "provenance.json"
+  std::string marker_text;       ///< text in the marker file
+  /// Returns true for files that clast writes to such a folder, given paths relative to it. Other
+  /// files are never changed.
   std::function<bool(const std::filesystem::path&)> is_own_file;
 };
 
@@ -27,7 +28,7 @@ class OutputFolder {
   /// @throws InputError  if the target path is empty, a file or the root of a disk; if the target
   ///                     is of this kind and `replace` is false; if it is not of this kind but has
   ///                     files with names of this kind; or if nothing can be created beside it
-  OutputFolder(const std::filesystem::path& target, FolderKind kind, bool replace);
+  OutputFolder(const std::filesystem::path& target, OutputFolderKind kind, bool replace);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -42,7 +43,7 @@ class OutputFolder {
  private:
   std::filesystem::path target_;
   std::unique_ptr<StagingPath> staging_;
-  FolderKind kind_;
+  OutputFolderKind kind_;
   bool replace_;
   bool committed_ = false;
 };

@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// Colour: red, green, blue.
+/// Colour with the components red, green and blue.
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// Encodes palette indices as PNG, row-major from the top; colour 0 of the palette is transparent.

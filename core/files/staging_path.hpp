@@ -8,7 +8,8 @@
 namespace clast {
 
 /// Temporary file ".STEM.partPID.EXTENSION" or folder ".NAME.partPID" beside a target. Its name is
-/// unique even between containers with equal process ids. Held by a `FileLock` if possible.
+/// unique even between containers with equal process ids. A `FileLock` marks it as in use if
+/// possible.
 class StagingPath {
  public:
   enum class Kind { kFile, kFolder };
@@ -21,7 +22,8 @@ class StagingPath {
   const std::filesystem::path& path() const { return path_; }
   /// Releases the lock. Call it once the path no longer exists.
   void unlock() { lock_.reset(); }
-  /// Returns the path for files moved out of the target meanwhile: ".NAME.partPID.former".
+  /// Returns the path to which files of the target are moved during the exchange:
+  /// ".NAME.partPID.former".
   std::filesystem::path backup_path() const;
 
  private:

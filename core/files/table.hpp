@@ -21,7 +21,7 @@ template <class Row>
 struct TableColumn {
   std::string name;     ///< with unit: "speed_m_s"
   std::string unit;     ///< "m/s"; empty if there is none
-  std::string meaning;  ///< Markdown; adjacent columns with equal unit and meaning share a line
+  std::string meaning;  ///< description in Markdown; adjacent columns with equal ones share a line
   std::function<TableCell(const Row&)> value;
 };
 
@@ -47,7 +47,7 @@ TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
   return result;
 }
 
-/// Makes columns of whole rows from columns of a part of a row. `part(row)` returns that part.
+/// Converts columns of a part of a row to columns of the row. `part(row)` returns that part.
 template <class Row, class PartRow, class Part>
 TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part& part) {
   TableColumns<Row> result;
@@ -71,7 +71,7 @@ TableColumns<Row> array_columns(const std::vector<std::string>& names, const std
 }
 
 template <class Row>
-TableColumns<Row> concatenated(std::initializer_list<TableColumns<Row>> parts) {
+TableColumns<Row> concatenated_columns(std::initializer_list<TableColumns<Row>> parts) {
   TableColumns<Row> all;
   for (const TableColumns<Row>& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
@@ -87,7 +87,7 @@ std::string csv_header(const TableColumns<Row>& columns) {
 }
 
 template <class Row>
-void append_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row) {
+void append_csv_row(CsvWriter& csv, const TableColumns<Row>& columns, const Row& row) {
   for (const TableColumn<Row>& column : columns) {
     const TableCell cell = column.value(row);
     if (const auto* count = std::get_if<std::uint64_t>(&cell)) csv.write_count(*count);
@@ -101,7 +101,7 @@ template <class Row>
 std::string format_csv(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   CsvWriter csv;
   csv.write_header(csv_header(columns));
-  for (const Row& row : rows) append_row(csv, columns, row);
+  for (const Row& row : rows) append_csv_row(csv, columns, row);
   return csv.take_text();
 }
 

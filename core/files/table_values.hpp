@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// One column of values. All numbers are doubles if one of them is. Unknown numbers are NaN.
+/// Values of one table column, all of the same type. Unknown numbers are NaN.
 struct ColumnValues {
   std::string name;     ///< with unit: "speed_m_s"
   std::string unit;     ///< "m/s"; empty if there is none
@@ -21,7 +21,7 @@ using TableValues = std::vector<ColumnValues>;
 
 namespace core_detail {
 
-/// Returns the cells of a column in the narrowest common type; doubles if there are no rows.
+/// Converts the cells of a column to their narrowest common type; doubles if there are no rows.
 inline auto typed_values(const std::vector<TableCell>& cells) {
   decltype(ColumnValues::values) values = std::vector<double>();
   const auto any = [&]<class T>(T) {
@@ -50,7 +50,7 @@ inline auto typed_values(const std::vector<TableCell>& cells) {
 
 /// Converts a whole table to columns of values.
 template <class Row>
-TableValues tabulate(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
+TableValues to_table_values(const TableColumns<Row>& columns, const std::vector<Row>& rows) {
   TableValues table;
   for (const TableColumn<Row>& column : columns) {
     std::vector<TableCell> cells;

@@ -10,8 +10,8 @@
 
 namespace clast {
 
-void read_in_chunks(const std::filesystem::path& path,
-                    const std::function<void(std::string_view)>& consume) {
+void read_file_in_chunks(const std::filesystem::path& path,
+                         const std::function<void(std::string_view)>& consume) {
   check_input_file(path);
   std::ifstream stream(path, std::ios::binary);
   constexpr std::size_t kPiece = 1 << 20;
@@ -27,7 +27,7 @@ void read_in_chunks(const std::filesystem::path& path,
 
 std::string read_text_file(const std::filesystem::path& path) {
   std::string content;  // files of /proc don't know their size
-  read_in_chunks(path, [&](std::string_view piece) { content += piece; });
+  read_file_in_chunks(path, [&](std::string_view piece) { content += piece; });
   return content;
 }
 

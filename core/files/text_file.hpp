@@ -9,10 +9,10 @@ namespace clast {
 
 /// Reads a file in chunks of 1 MB, in order.
 /// @throws InputError  if the file is missing, a folder, a pipe, a device, or unreadable
-void read_in_chunks(const std::filesystem::path& path,
-                    const std::function<void(std::string_view)>& consume);
+void read_file_in_chunks(const std::filesystem::path& path,
+                         const std::function<void(std::string_view)>& consume);
 
-/// Reads a file.
+/// Reads a whole file into a text.
 /// @throws InputError  if it is missing, a folder, a pipe, a device, or unreadable
 std::string read_text_file(const std::filesystem::path& path);
 

@@ -13,7 +13,7 @@ class TextScanner {
   explicit TextScanner(std::string_view text)
       : text_(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text) {}
 
-  /// Moves to the next line; false at the end.
+  /// Moves to the next line. Returns false at the end of the text.
   bool next_line();
   /// Returns the number of the current line, from 1.
   std::size_t line_number() const { return line_number_; }
@@ -24,7 +24,7 @@ class TextScanner {
   std::string_view remaining_text() const { return text_; }
 
   /// Parses the next word as a number.
-  /// @throws InputError  naming line and word
+  /// @throws InputError if it is not a number; names line and word
   double next_number();
   std::int64_t next_integer();
   /// Returns "line 12: " as prefix of messages.

@@ -56,7 +56,7 @@ void check_toml_depth(std::string_view text, const std::string& name) {
           name + ":" + std::to_string(lines + 1) +
           (dots >= kDeepest ? ": a key of more than " : ": lists or tables in more than ") +
           std::to_string(kDeepest) + (dots >= kDeepest ? " parts" : " others") +
-          "; no valid key is nested that deeply, remove it");
+          "; no valid key is nested this deeply; remove it");
     }
     ++at;
   }

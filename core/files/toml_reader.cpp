@@ -254,7 +254,7 @@ const TomlNode& TomlTable::require_key(const std::string& key, const std::string
   return *node;
 }
 
-std::optional<std::string> TomlTable::text(const std::string& key) const {
+std::optional<std::string> TomlTable::read_text(const std::string& key) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (node->kind != TomlNode::Kind::kString) refuse(key, *node, "must be a text in quotes");
@@ -263,14 +263,15 @@ std::optional<std::string> TomlTable::text(const std::string& key) const {
   return node->text;
 }
 
-std::optional<bool> TomlTable::boolean(const std::string& key) const {
+std::optional<bool> TomlTable::read_boolean(const std::string& key) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (node->kind != TomlNode::Kind::kBoolean) refuse(key, *node, "must be true or false");
   return node->boolean;
 }
 
-std::optional<double> TomlTable::number(const std::string& key, const NumberRange& range) const {
+std::optional<double> TomlTable::read_number(const std::string& key,
+                                             const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (!node->is_number()) refuse(key, *node, "must be a number");
@@ -278,22 +279,23 @@ std::optional<double> TomlTable::number(const std::string& key, const NumberRang
   return node->number;
 }
 
-std::optional<std::uint64_t> TomlTable::count(const std::string& key, std::uint64_t least,
-                                              std::uint64_t most) const {
+std::optional<std::uint64_t> TomlTable::read_count(const std::string& key, std::uint64_t min_value,
+                                                   std::uint64_t max_value) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   if (node->kind != TomlNode::Kind::kInteger) refuse(key, *node, "must be a whole number");
-  if (node->integer < 0 || static_cast<std::uint64_t>(node->integer) < least ||
-      static_cast<std::uint64_t>(node->integer) > most) {
-    refuse(key, *node, "must be from " + std::to_string(least) + " to " + std::to_string(most));
+  if (node->integer < 0 || static_cast<std::uint64_t>(node->integer) < min_value ||
+      static_cast<std::uint64_t>(node->integer) > max_value) {
+    refuse(key, *node,
+           "must be from " + std::to_string(min_value) + " to " + std::to_string(max_value));
   }
   return static_cast<std::uint64_t>(node->integer);
 }
 
-std::optional<std::vector<std::string>> TomlTable::text_list(const std::string& key) const {
+std::optional<std::vector<std::string>> TomlTable::read_text_list(const std::string& key) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
-  if (node->kind == TomlNode::Kind::kString) return std::vector<std::string>{*text(key)};
+  if (node->kind == TomlNode::Kind::kString) return std::vector<std::string>{*read_text(key)};
   if (node->kind != TomlNode::Kind::kList) {
     refuse(key, *node, "must be a text in quotes or a list of texts");
   }
@@ -309,12 +311,12 @@ std::optional<std::vector<std::string>> TomlTable::text_list(const std::string& 
   return values;
 }
 
-std::vector<double> TomlTable::numbers(const std::string& key, const TomlNode& node,
-                                       std::size_t least, std::size_t most,
-                                       const std::string& expected,
-                                       const NumberRange& range) const {
-  bool good =
-      node.kind == TomlNode::Kind::kList && node.list.size() >= least && node.list.size() <= most;
+std::vector<double> TomlTable::read_numbers(const std::string& key, const TomlNode& node,
+                                            std::size_t min_count, std::size_t max_count,
+                                            const std::string& expected,
+                                            const NumberRange& range) const {
+  bool good = node.kind == TomlNode::Kind::kList && node.list.size() >= min_count &&
+              node.list.size() <= max_count;
   std::vector<double> values;
   for (const TomlNode& element : node.list) {
     good = good && element.is_number();
@@ -328,18 +330,19 @@ std::vector<double> TomlTable::numbers(const std::string& key, const TomlNode& n
   return values;
 }
 
-std::optional<Vec2> TomlTable::vec2(const std::string& key, const NumberRange& range) const {
-  const TomlNode* node = find(key);
-  if (!node) return std::nullopt;
-  const std::vector<double> values = numbers(key, *node, 2, 2, "two finite numbers, [x, y]", range);
-  return Vec2(values[0], values[1]);
-}
-
-std::optional<Vec3> TomlTable::vec3(const std::string& key, const NumberRange& range) const {
+std::optional<Vec2> TomlTable::read_vec2(const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
   const std::vector<double> values =
-      numbers(key, *node, 3, 3, "three finite numbers, [x, y, z]", range);
+      read_numbers(key, *node, 2, 2, "two finite numbers, [x, y]", range);
+  return Vec2(values[0], values[1]);
+}
+
+std::optional<Vec3> TomlTable::read_vec3(const std::string& key, const NumberRange& range) const {
+  const TomlNode* node = find(key);
+  if (!node) return std::nullopt;
+  const std::vector<double> values =
+      read_numbers(key, *node, 3, 3, "three finite numbers, [x, y, z]", range);
   return Vec3(values[0], values[1], values[2]);
 }
 

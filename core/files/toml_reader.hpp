@@ -16,7 +16,7 @@ namespace clast {
 
 struct TomlEntry;
 
-/// TOML value with its first line.
+/// TOML value, with the number of its first line.
 struct TomlNode {
   enum class Kind { kBoolean, kInteger, kFloat, kString, kList, kTable, kDate };
   Kind kind = Kind::kTable;
@@ -33,7 +33,7 @@ struct TomlNode {
   const TomlNode* find(const std::string& key) const;
 };
 
-/// Key and value in a table.
+/// Entry of a TOML table: key and value.
 struct TomlEntry {
   std::string key;
   TomlNode value;
@@ -47,11 +47,11 @@ TomlNode parse_toml(const std::string& text, const std::string& name);
 /// Removes the backticks around field names in a message, for files with equal key names.
 std::string remove_backticks(std::string message);
 
-/// TOML table. Unknown keys are reported before missing ones, so that the message for a misspelt
-/// key suggests the correct one.
+/// TOML table with checked reading of its values. Unknown keys are reported before missing ones, so
+/// that the message for a misspelt key suggests the correct one.
 class TomlTable {
  public:
-  /// Makes the table and checks its keys.
+  /// Constructs a table and checks its keys.
   /// @param title  name in messages, "[ground.blue]"; empty for the whole file
   TomlTable(const TomlNode& node, std::string file, std::string title,
             std::vector<std::string> known_keys);
@@ -62,31 +62,33 @@ class TomlTable {
   /// Returns the value of a required key.
   /// @throws InputError  if it is missing
   const TomlNode& require_key(const std::string& key, const std::string& expected) const;
-  /// Reads text; empty if the key is absent. The following functions read other types similarly.
+  /// Reads a text; empty if the key is absent. The other `read_` functions behave likewise.
   /// @throws InputError  if the value has the wrong type, is an empty text, or is out of range
-  std::optional<std::string> text(const std::string& key) const;
-  std::optional<bool> boolean(const std::string& key) const;
-  std::optional<double> number(const std::string& key, const NumberRange& range) const;
-  std::optional<std::uint64_t> count(const std::string& key, std::uint64_t least,
-                                     std::uint64_t most) const;
+  std::optional<std::string> read_text(const std::string& key) const;
+  std::optional<bool> read_boolean(const std::string& key) const;
+  std::optional<double> read_number(const std::string& key, const NumberRange& range) const;
+  std::optional<std::uint64_t> read_count(const std::string& key, std::uint64_t min_value,
+                                          std::uint64_t max_value) const;
   /// Reads a text or a list of texts, none of them empty.
-  std::optional<std::vector<std::string>> text_list(const std::string& key) const;
-  /// Reads a vector.
+  std::optional<std::vector<std::string>> read_text_list(const std::string& key) const;
+  /// Reads a vector with finite components.
   /// @param range  allowed range of each component
-  std::optional<Vec2> vec2(const std::string& key, const NumberRange& range) const;
-  std::optional<Vec3> vec3(const std::string& key, const NumberRange& range) const;
+  std::optional<Vec2> read_vec2(const std::string& key, const NumberRange& range) const;
+  std::optional<Vec3> read_vec3(const std::string& key, const NumberRange& range) const;
 
-  /// Reads a list of `least` to `most` numbers in `range`. `node` is (part of) the value of `key`.
-  std::vector<double> numbers(const std::string& key, const TomlNode& node, std::size_t least,
-                              std::size_t most, const std::string& expected,
-                              const NumberRange& range) const;
+  /// Reads a list of `min_count` to `max_count` numbers in `range`. `node` is the value of `key`,
+  /// or an element of it.
+  std::vector<double> read_numbers(const std::string& key, const TomlNode& node,
+                                   std::size_t min_count, std::size_t max_count,
+                                   const std::string& expected, const NumberRange& range) const;
 
-  /// Returns the result of `check`. If it throws an InputError, refuses the key with its message.
+  /// Calls `check` and returns its result. If it throws an InputError, the error is thrown again
+  /// with file, line and key in its message.
   /// @param key  must exist
   /// @param subject  start of the message
   template <class Check>
-  decltype(auto) checked(const std::string& key, const Check& check,
-                         const std::string& subject = "") const {
+  decltype(auto) run_check(const std::string& key, const Check& check,
+                           const std::string& subject = "") const {
     try {
       return check();
     } catch (const InputError& error) {
@@ -94,20 +96,20 @@ class TomlTable {
     }
   }
 
-  /// Refuses a value.
+  /// Throws the error for an invalid value of a key.
   /// @throws InputError  always: "file:12: [table] key = value: must be ..."
   [[noreturn]] void refuse(const std::string& key, const TomlNode& node,
                            const std::string& problem) const;
-  /// Refuses the value of an existing key.
+  /// Throws the error for an invalid value of a key that exists.
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const {
     refuse(key, *find(key), problem);
   }
-  /// Refuses a key if it exists.
+  /// Throws an error if a key exists.
   /// @throws InputError  if the key exists
   void refuse_if_present(const std::string& key, const std::string& problem) const {
     if (find(key)) refuse(key, problem);
   }
-  /// Refuses the table.
+  /// Throws the error for an invalid table.
   /// @throws InputError  always: "file:12: [table]: ..."
   [[noreturn]] void refuse(const std::string& problem) const;
 

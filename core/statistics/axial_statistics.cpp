@@ -30,8 +30,8 @@ AxialMean axial_mean(std::span<const double> angles) {
   if (angles.empty()) return mean;
   Vec2 sum = Vec2::Zero();
   for (const double angle : angles) sum += doubled(angle);
-  mean.resultant = sum.norm() / static_cast<double>(angles.size());
-  if (mean.resultant > kNoDirection) {
+  mean.resultant_length = sum.norm() / static_cast<double>(angles.size());
+  if (mean.resultant_length > kNoDirection) {
     mean.direction = wrap_axial_angle(0.5 * std::atan2(sum.y(), sum.x()));
   }
   return mean;
@@ -40,16 +40,16 @@ AxialMean axial_mean(std::span<const double> angles) {
 double rayleigh_p_value(const AxialMean& mean) {
   if (mean.count == 0) return 1.0;
   const auto n = static_cast<double>(mean.count);
-  const double squared = mean.resultant * mean.resultant;
+  const double squared = mean.resultant_length * mean.resultant_length;
   const double statistic = (1.0 - 0.5 / n) * 2.0 * n * squared + 0.5 * n * squared * squared;
   return std::exp(-0.5 * statistic);  // chi-squared with two degrees of freedom
 }
 
 std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles,
-                                                 std::size_t clusters, std::uint64_t seed,
+                                                 std::size_t cluster_count, std::uint64_t seed,
                                                  std::size_t draws) {
-  std::vector<Vec2> sums(clusters, Vec2::Zero());
-  std::vector<bool> has_axes(clusters, false);
+  std::vector<Vec2> sums(cluster_count, Vec2::Zero());
+  std::vector<bool> has_axes(cluster_count, false);
   for (std::size_t i = 0; i < angles.values.size(); ++i) {
     sums[angles.clusters[i]] += doubled(angles.values[i]);
     has_axes[angles.clusters[i]] = true;
@@ -57,7 +57,7 @@ std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles,
   std::size_t with_axes = 0;
   double most = 0.0;
   Vec2 observed = Vec2::Zero();
-  for (std::size_t i = 0; i < clusters; ++i) {
+  for (std::size_t i = 0; i < cluster_count; ++i) {
     with_axes += has_axes[i];
     observed += sums[i];
     most += sums[i].norm();

@@ -18,9 +18,10 @@ double wrap_axial_angle(double angle);
 struct AxialMean {
   std::size_t count = 0;
   double direction = NAN;  ///< rad, in (-pi/2, pi/2]; NaN if there is no preferred direction
-  double resultant = 0.0;  ///< mean resultant length of the doubled angles, 1 for parallel axes
+  double resultant_length =
+      0.0;  ///< mean resultant length of the doubled angles, 1 for parallel axes
 };
-/// Computes the axial mean.
+/// Computes the mean direction and resultant length of axes.
 /// @param angles  direction of one end of each axis, rad
 AxialMean axial_mean(std::span<const double> angles);
 
@@ -30,16 +31,16 @@ AxialMean axial_mean(std::span<const double> angles);
 /// @return 1 if there are no axes
 double rayleigh_p_value(const AxialMean& mean);
 
-/// Returns the p-value of uniformity for axes that are dependent within clusters. In each draw,
-/// each cluster is rotated by a random angle. p = (1 + number of draws with at least the observed
-/// resultant)/(1 + draws).
+/// Tests the uniformity of axes that are dependent within clusters, and returns the p-value. In
+/// each random draw, each cluster is rotated by a random angle. p = (1 + number of draws with at
+/// least the observed resultant length)/(1 + draws).
 /// @param angles  rad
-/// @param clusters  number of clusters
+/// @param cluster_count  number of clusters
 /// @param draws  number of random draws, positive
 /// @return p-value; empty if fewer than two clusters have axes
 /// @cite phipson2010
 std::optional<double> clustered_rayleigh_p_value(const ClusteredValues& angles,
-                                                 std::size_t clusters, std::uint64_t seed,
+                                                 std::size_t cluster_count, std::uint64_t seed,
                                                  std::size_t draws = 9999);
 
 }  // namespace clast

@@ -20,10 +20,10 @@ struct Sum {
 };
 
 /// Sum and count of every cluster; of every value where there is one cluster.
-std::vector<Sum> pieces_of(const ClusteredValues& group, std::size_t clusters) {
-  std::vector<Sum> pieces(clusters > 1 ? clusters : group.values.size());
+std::vector<Sum> pieces_of(const ClusteredValues& group, std::size_t cluster_count) {
+  std::vector<Sum> pieces(cluster_count > 1 ? cluster_count : group.values.size());
   for (std::size_t i = 0; i < group.values.size(); ++i) {
-    pieces[clusters > 1 ? group.clusters[i] : i].add({group.values[i], 1});
+    pieces[cluster_count > 1 ? group.clusters[i] : i].add({group.values[i], 1});
   }
   return pieces;
 }
@@ -35,11 +35,12 @@ Interval percentile_interval(std::vector<double> values) {
   return {quantile(values, 0.025), quantile(values, 0.975)};
 }
 
-std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const ClusteredValues& b,
-                                             std::size_t clusters, std::uint64_t seed,
-                                             std::size_t draws) {
+std::optional<Interval> bootstrap_difference_interval(const ClusteredValues& a,
+                                                      const ClusteredValues& b,
+                                                      std::size_t cluster_count, std::uint64_t seed,
+                                                      std::size_t draws) {
   if (a.values.empty() || b.values.empty()) return std::nullopt;
-  const std::vector<Sum> of_a = pieces_of(a, clusters), of_b = pieces_of(b, clusters);
+  const std::vector<Sum> of_a = pieces_of(a, cluster_count), of_b = pieces_of(b, cluster_count);
   Random random(seed);
   std::vector<double> differences;
   for (std::size_t draw = 0; draw < draws; ++draw) {
@@ -47,9 +48,9 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
     for (std::size_t i = 0; i < of_a.size(); ++i) {
       const std::size_t cluster = random.uniform_index(of_a.size());
       sum_a.add(of_a[cluster]);
-      if (clusters > 1) sum_b.add(of_b[cluster]);
+      if (cluster_count > 1) sum_b.add(of_b[cluster]);
     }
-    if (clusters <= 1) {
+    if (cluster_count <= 1) {
       for (std::size_t i = 0; i < of_b.size(); ++i)
         sum_b.add(of_b[random.uniform_index(of_b.size())]);
     }
@@ -60,10 +61,11 @@ std::optional<Interval> bootstrap_difference(const ClusteredValues& a, const Clu
   return percentile_interval(std::move(differences));
 }
 
-std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_t clusters,
-                                       std::uint64_t seed, std::size_t draws) {
+std::optional<Interval> bootstrap_mean_interval(const ClusteredValues& values,
+                                                std::size_t cluster_count, std::uint64_t seed,
+                                                std::size_t draws) {
   if (values.values.empty()) return std::nullopt;
-  std::vector<Sum> pieces = pieces_of(values, clusters);
+  std::vector<Sum> pieces = pieces_of(values, cluster_count);
   std::erase_if(pieces, [](const Sum& piece) { return piece.count == 0; });
   Random random(seed);
   std::vector<double> means;
@@ -76,13 +78,13 @@ std::optional<Interval> bootstrap_mean(const ClusteredValues& values, std::size_
   return percentile_interval(std::move(means));
 }
 
-Interval clustered_proportion_interval(const ClusteredValues& hits, std::size_t clusters) {
+Interval clustered_proportion_interval(const ClusteredValues& hits, std::size_t cluster_count) {
   const auto trials = static_cast<double>(hits.values.size());
   if (hits.values.empty()) return {};
   const double share = arithmetic_mean(hits.values);
   double squares = 0.0, filled = 0.0;
-  if (clusters > 1) {
-    for (const Sum& piece : pieces_of(hits, clusters)) {
+  if (cluster_count > 1) {
+    for (const Sum& piece : pieces_of(hits, cluster_count)) {
       if (piece.count == 0) continue;
       const double off = piece.sum - share * static_cast<double>(piece.count);
       squares += off * off;

@@ -14,14 +14,14 @@ namespace {
 /// Values of both samples in ascending order, their clusters, and the sample assigned to each.
 class Deal {
  public:
-  Deal(const ClusteredValues& a, const ClusteredValues& b, std::size_t clusters) {
+  Deal(const ClusteredValues& a, const ClusteredValues& b, std::size_t cluster_count) {
     const std::size_t m = a.values.size(), all = m + b.values.size();
     std::vector<std::size_t> order(all);
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto value = [&](std::size_t i) { return i < m ? a.values[i] : b.values[i - m]; };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return value(i) < value(j); });
-    std::vector<std::vector<std::size_t>> members(clusters);
+    std::vector<std::vector<std::size_t>> members(cluster_count);
     first_.resize(all);
     ends_.resize(all);
     for (std::size_t at = 0; at < all; ++at) {
@@ -92,12 +92,12 @@ class Deal {
 }  // namespace
 
 std::optional<TestResult> clustered_ks_test(const ClusteredValues& a, const ClusteredValues& b,
-                                            std::size_t clusters, std::uint64_t seed,
+                                            std::size_t cluster_count, std::uint64_t seed,
                                             std::size_t draws) {
-  if (clusters <= 1 || a.values.empty() || b.values.empty()) {
+  if (cluster_count <= 1 || a.values.empty() || b.values.empty()) {
     return two_sample_ks_test(a.values, b.values);
   }
-  Deal deal(a, b, clusters);
+  Deal deal(a, b, cluster_count);
   TestResult result;
   result.exact = false;
   result.statistic = deal.distance();

@@ -8,18 +8,17 @@
 
 namespace clast {
 
-/// Kolmogorov-Smirnov test of two samples of clustered values, with a permutation p-value. Values
-/// of clusters in both samples are permuted within the cluster. Other clusters are assigned as a
-/// whole. If the samples do not differ within clusters, all such permutations are equally likely. p
-/// = (1 + permutations with at least the observed distance D)/(1 + draws). If no permutation
-/// reaches D and all clusters are in both samples, the p of `two_sample_ks_test` is used if it is
-/// smaller; it is conservative here. It is also used if there is only one cluster.
-/// @param clusters  number of clusters
+/// Two-sample Kolmogorov-Smirnov test of clustered values, with a p-value from random permutations.
+/// Values of a cluster in both samples are permuted within the cluster. A cluster in one sample is
+/// assigned to either as a whole. p = (1 + number of permutations with at least the observed
+/// distance D)/(1 + draws). If there is only one cluster, p is that of `two_sample_ks_test`. The
+/// same holds if that p is smaller, no permutation reaches D, and all clusters are in both samples.
+/// @param cluster_count  number of clusters
 /// @param draws  number of random permutations, positive
 /// @return D and p; empty if a sample is empty
 /// @cite smirnov1939, phipson2010
 std::optional<TestResult> clustered_ks_test(const ClusteredValues& a, const ClusteredValues& b,
-                                            std::size_t clusters, std::uint64_t seed,
+                                            std::size_t cluster_count, std::uint64_t seed,
                                             std::size_t draws = 9999);
 
 }  // namespace clast

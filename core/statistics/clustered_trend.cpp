@@ -37,7 +37,7 @@ std::vector<double> mean_ranks(const TrendSample& sample) {
   for (const auto& [cluster, points] : members) {
     std::vector<double> values;
     for (const std::size_t i : points) values.push_back(sample.values[i]);
-    const std::vector<double> rank = ranks(values);
+    const std::vector<double> rank = fractional_ranks(values);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const std::uint32_t unit = sample.units[points[k]];
       sums[unit] += (rank[k] - 0.5) / static_cast<double>(points.size());
@@ -51,7 +51,7 @@ std::vector<double> mean_ranks(const TrendSample& sample) {
 }
 
 std::vector<double> centred_ranks(const std::vector<double>& values) {
-  std::vector<double> centred = ranks(values);
+  std::vector<double> centred = fractional_ranks(values);
   for (double& rank : centred) rank -= 0.5 * (static_cast<double>(values.size()) + 1.0);
   return centred;
 }

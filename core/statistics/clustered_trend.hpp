@@ -8,7 +8,8 @@
 
 namespace clast {
 
-/// Values of units (blocks). They are observed in clusters (release points), which the units share.
+/// Sample for a trend test. Each value belongs to a unit (block) with a property, and to a cluster
+/// (release point).
 struct TrendSample {
   std::vector<double> values;
   std::vector<std::uint32_t> clusters;  ///< one per value
@@ -18,7 +19,7 @@ struct TrendSample {
   std::vector<std::uint32_t> strata;
 };
 
-/// Page's trend test on units.
+/// Tests a monotone trend of values with the property of their units (Page's test).
 ///
 /// Values are ranked within their cluster, which removes cluster effects. Then the mean rank of
 /// each unit is computed. The statistic is the correlation of property ranks and mean ranks within

@@ -7,11 +7,12 @@
 
 namespace clast {
 
-Verdict Contrast::verdict() const {
-  if (!p_holm) return Verdict::kUntested;
+ContrastVerdict Contrast::verdict() const {
+  if (!holm_p_value) return ContrastVerdict::kUntested;
   if (is_significant())
-    return excludes_zero() ? Verdict::kSignificant : Verdict::kDistributionDiffers;
-  return excludes_zero() ? Verdict::kInsignificantAfterCorrection : Verdict::kInsignificant;
+    return excludes_zero() ? ContrastVerdict::kSignificant : ContrastVerdict::kDistributionDiffers;
+  return excludes_zero() ? ContrastVerdict::kInsignificantAfterCorrection
+                         : ContrastVerdict::kInsignificant;
 }
 
 Contrast student_contrast(double estimate, double standard_error, double degrees_of_freedom) {
@@ -46,8 +47,8 @@ void apply_holm_correction(const std::vector<Contrast*>& family) {
   for (const Contrast* one : family) p_values.push_back(*one->p_value);
   const std::vector<double> corrected = holm_adjusted(p_values);
   for (std::size_t i = 0; i < family.size(); ++i) {
-    family[i]->p_holm = corrected[i];
-    family[i]->tests = family.size();
+    family[i]->holm_p_value = corrected[i];
+    family[i]->family_size = family.size();
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace clast {
 
-enum class Verdict {
+enum class ContrastVerdict {
   kSignificant,          ///< significant after correction
   kDistributionDiffers,  ///< the means do not differ significantly, but the distributions do
   kInsignificantAfterCorrection,  ///< interval excludes zero, corrected test not significant
@@ -21,21 +21,21 @@ enum class Verdict {
   kTooFewValues,
 };
 
-/// Difference between two groups.
+/// Difference between two groups, with its uncertainty and test.
 struct Contrast {
   double estimate = 0.0;
-  double standard_error = NAN;       ///< NaN if the interval comes from a bootstrap
-  double degrees_of_freedom = NAN;   ///< of the standard error
-  std::optional<Interval> interval;  ///< 95 % interval; empty if there is no test
-  std::optional<double> p_value;     ///< two-sided, uncorrected
-  std::optional<double> p_holm;      ///< p-value corrected for all tests of the family
-  std::size_t tests = 0;             ///< number of tests of the family
+  double standard_error = NAN;         ///< NaN if the interval comes from a bootstrap
+  double degrees_of_freedom = NAN;     ///< degrees of freedom of the standard error
+  std::optional<Interval> interval;    ///< 95 % interval; empty if there is no test
+  std::optional<double> p_value;       ///< two-sided, uncorrected
+  std::optional<double> holm_p_value;  ///< p-value corrected for multiple tests by Holm's method
+  std::size_t family_size = 0;         ///< number of tests for which `holm_p_value` is corrected
 
   /// True if the corrected p-value is below 0.05.
-  bool is_significant() const { return p_holm && *p_holm < 0.05; }
+  bool is_significant() const { return holm_p_value && *holm_p_value < 0.05; }
   bool excludes_zero() const { return interval && (interval->low > 0.0 || interval->high < 0.0); }
   /// Returns the verdict that follows from the corrected test and the interval.
-  Verdict verdict() const;
+  ContrastVerdict verdict() const;
 };
 
 /// Makes a contrast with interval and p-value by Student's t.

@@ -17,7 +17,7 @@ constexpr double kLevel = 0.05;
 
 void check_crossed_sample(const CrossedSample& sample) {
   const std::size_t count = sample.values.size();
-  if (sample.high.size() != count || sample.units.size() != count ||
+  if (sample.in_second_group.size() != count || sample.units.size() != count ||
       sample.points.size() != count || sample.strata.size() != count) {
     throw InputError("a difference needs a group, a unit, a point and a stratum for each of its " +
                      std::to_string(count) + " values");
@@ -57,7 +57,7 @@ double freedom_of_units(const CrossedSample& sample) {
   std::map<std::uint32_t, std::pair<bool, bool>> in;  // first group, second group
   for (std::size_t i = 0; i < sample.values.size(); ++i) {
     auto& [first, second] = in[sample.units[i]];
-    (sample.high[i] ? second : first) = true;
+    (sample.in_second_group[i] ? second : first) = true;
   }
   double first = 0.0, second = 0.0;
   bool both = false;
@@ -98,8 +98,9 @@ std::optional<CrossedDifference> crossed_difference(const CrossedSample& sample)
   const double unit_freedom = freedom_of_units(sample);
   if (!(unit_freedom >= 1.0)) return std::nullopt;
   const std::vector<double> values = within_strata(sample.values, sample.strata);
-  const std::vector<double> group =
-      within_strata(std::vector<double>(sample.high.begin(), sample.high.end()), sample.strata);
+  const std::vector<double> group = within_strata(
+      std::vector<double>(sample.in_second_group.begin(), sample.in_second_group.end()),
+      sample.strata);
   double weight = 0.0, both = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     weight += group[i] * group[i];

@@ -9,10 +9,10 @@
 
 namespace clast {
 
-/// Values of units (blocks) at points (release points).
+/// Sample of two groups. Each value belongs to a unit (block) and a point (release point).
 struct CrossedSample {
   std::vector<double> values;
-  std::vector<bool> high;             ///< per value: true for the second group
+  std::vector<bool> in_second_group;  ///< per value: true for the second group
   std::vector<std::uint32_t> units;   ///< one per value
   std::vector<std::uint32_t> points;  ///< one per value
   /// Stratum of each value. Only values of the same stratum are compared.
@@ -26,10 +26,10 @@ struct CrossedDifference : Contrast {
   double design_effect = 1.0;
 };
 
-/// Computes the difference by least squares, with a mean for each stratum and one common
-/// difference. Its variance is clustered in two ways: the part of units plus the part of points
-/// minus the part of their pairs, but at least the larger of the first two. Degrees of freedom
-/// follow Satterthwaite's formula; interval and p-value are by Student's t.
+/// Computes the difference of two groups by least squares, with a mean for each stratum and one
+/// common difference. Its variance is clustered in two ways: the part of units plus the part of
+/// points minus the part of their pairs, but at least the larger of the first two. Degrees of
+/// freedom follow Satterthwaite's formula; interval and p-value are by Student's t.
 /// @return empty if no stratum has both groups, if there are fewer than two units, or if no unit is
 ///         in both groups and a group has fewer than two units
 /// @throws InputError  if list lengths differ

@@ -10,7 +10,7 @@ enum class Kernel {
   kSquaredExponential,  ///< exp(-r^2/2): infinitely smooth
 };
 
-/// Hyperparameters of a process. Its variance and mean follow from them in closed form.
+/// Hyperparameters of a Gaussian process. Its variance and mean follow from them in closed form.
 struct GaussianProcessHyperparameters {
   Eigen::VectorXd length_scales;  ///< one per coordinate, in units of the cube side
   double nugget = 0.0;            ///< noise variance divided by process variance
@@ -53,7 +53,7 @@ class GaussianProcess {
   /// Returns the restricted log marginal likelihood, up to a constant.
   double log_likelihood() const { return log_likelihood_; }
 
-  /// Predictions at points.
+  /// Predicted mean and variance, one entry per point.
   struct Prediction {
     Eigen::VectorXd mean;
     Eigen::VectorXd variance;  ///< variance of the function, without noise

@@ -11,24 +11,24 @@ namespace {
 constexpr double kUpper = 0.975;  ///< a two-sided interval of 95 % ends there
 
 /// Variance of the mean; zero where all values are equal.
-double mean_variance(const Summary& values) {
+double mean_variance(const SampleSummary& values) {
   if (!(values.std > kRoundingFraction * std::abs(values.mean))) return 0.0;
   return values.std * values.std / static_cast<double>(values.count);
 }
 
 }  // namespace
 
-std::optional<Interval> mean_interval(const Summary& values, const Interval& possible) {
+std::optional<Interval> mean_interval(const SampleSummary& values, const Interval& possible_range) {
   if (values.count < 2) return std::nullopt;
   const double variance = mean_variance(values);
   if (!(variance > 0.0)) return std::nullopt;
   const double t = student_quantile(kUpper, static_cast<double>(values.count - 1));
   const double half = t * std::sqrt(variance);
-  return Interval{std::max(values.mean - half, possible.low),
-                  std::min(values.mean + half, possible.high)};
+  return Interval{std::max(values.mean - half, possible_range.low),
+                  std::min(values.mean + half, possible_range.high)};
 }
 
-Contrast welch_difference(const Summary& first, const Summary& second) {
+Contrast welch_difference(const SampleSummary& first, const SampleSummary& second) {
   Contrast found;
   found.estimate = first.mean - second.mean;
   if (first.count < 2 || second.count < 2) return found;

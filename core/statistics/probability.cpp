@@ -34,9 +34,9 @@ double student_quantile(double p, double degrees_of_freedom) {
   return quantile(boost::math::students_t(degrees_of_freedom), p);
 }
 
-double noncentral_student_upper_tail(double t, double degrees_of_freedom, double centre) {
+double noncentral_student_upper_tail(double t, double degrees_of_freedom, double noncentrality) {
   assert(degrees_of_freedom > 0.0);
-  return cdf(complement(boost::math::non_central_t(degrees_of_freedom, centre), t));
+  return cdf(complement(boost::math::non_central_t(degrees_of_freedom, noncentrality), t));
 }
 
 double kolmogorov_upper_tail(double x) {

@@ -20,8 +20,8 @@ double student_two_sided_tail(double t, double degrees_of_freedom);
 /// Returns the quantile of Student's t distribution.
 /// @param p  in (0, 1)
 double student_quantile(double p, double degrees_of_freedom);
-/// Returns P(T > t) of the non-central t distribution with non-centrality `centre`.
-double noncentral_student_upper_tail(double t, double degrees_of_freedom, double centre);
+/// Returns P(T > t) of the non-central t distribution with the given non-centrality.
+double noncentral_student_upper_tail(double t, double degrees_of_freedom, double noncentrality);
 
 /// Returns P(K > x) of Kolmogorov's limit distribution of sqrt(n) D.
 /// @cite kolmogorov1933

@@ -182,7 +182,7 @@ std::optional<TestResult> two_sample_ks_test(std::span<const double> a, std::spa
   return result;
 }
 
-std::vector<double> ranks(std::span<const double> values) {
+std::vector<double> fractional_ranks(std::span<const double> values) {
   // Values beside their places: sorting places alone would look all over the memory.
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(values.size());
@@ -201,7 +201,7 @@ std::vector<double> ranks(std::span<const double> values) {
 std::optional<TestResult> spearman_test(std::span<const double> x, std::span<const double> y) {
   assert(x.size() == y.size());
   if (x.size() < 3) return std::nullopt;
-  const std::vector<double> rank_x = ranks(x), rank_y = ranks(y);
+  const std::vector<double> rank_x = fractional_ranks(x), rank_y = fractional_ranks(y);
   const std::optional<double> found = pearson_correlation(rank_x, rank_y);
   if (!found) return std::nullopt;
   TestResult result;

@@ -53,6 +53,6 @@ std::optional<ChiSquaredResult> chi_squared_test(std::span<const std::size_t> a,
                                                  std::size_t draws = 9999);
 
 /// Returns ranks from 1, with mean ranks for ties.
-std::vector<double> ranks(std::span<const double> values);
+std::vector<double> fractional_ranks(std::span<const double> values);
 
 }  // namespace clast

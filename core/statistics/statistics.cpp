@@ -7,8 +7,8 @@
 
 namespace clast {
 
-Summary summarise(std::span<const double> values) {
-  Summary summary;
+SampleSummary summarise_sample(std::span<const double> values) {
+  SampleSummary summary;
   summary.count = values.size();
   if (values.empty()) return summary;
   const double count = static_cast<double>(values.size());
@@ -39,7 +39,7 @@ double quantile(std::span<const double> sorted, double p) {
   return sorted[below] + fraction * (sorted[above] - sorted[below]);
 }
 
-int justified_decimals(const Interval& interval, int max_decimals) {
+int significant_decimals(const Interval& interval, int max_decimals) {
   int decimals = 0;
   for (double step = 1.0; decimals < max_decimals && !(5.0 * step <= interval.high - interval.low);
        step /= 10.0) {

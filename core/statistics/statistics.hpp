@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// Summary of a sample. All members are zero if it is empty.
-struct Summary {
+/// Summary statistics of a sample. All members are zero if it is empty.
+struct SampleSummary {
   std::size_t count = 0;
   double mean = 0.0;
   double std = 0.0;  ///< sample standard deviation (n - 1); 0 for one value
@@ -16,9 +16,9 @@ struct Summary {
   double max = 0.0;
 };
 
-/// Summarises a sample.
+/// Computes the summary statistics of a sample.
 /// @param values  finite values; summed in their order, so that equal input gives equal bits
-Summary summarise(std::span<const double> values);
+SampleSummary summarise_sample(std::span<const double> values);
 
 /// Returns a quantile, linear between order statistics.
 /// @param sorted  ascending, not empty
@@ -32,15 +32,15 @@ double arithmetic_mean(std::span<const double> values);
 /// Returns the median of at least one value; for even sizes, the larger of the two middle values.
 double upper_median(std::vector<double> values);
 
-/// Interval. The default is [0, 1], for an unknown probability.
+/// Closed interval. The default is [0, 1], the interval of an unknown probability.
 struct Interval {
   double low = 0.0;
   double high = 1.0;
 };
 
-/// Returns how many decimals of a value with a given interval are significant. The interval is then
-/// at least five units of the last decimal wide.
-int justified_decimals(const Interval& interval, int max_decimals);
+/// Returns the number of significant decimals of a value with a given interval. It is the smallest
+/// for which the interval is at least five units of the last decimal wide.
+int significant_decimals(const Interval& interval, int max_decimals);
 
 /// Returns Wilson's 95 % interval of a probability, after `hits` successes in `trials` independent
 /// trials; [0, 1] if there are no trials.

@@ -108,8 +108,8 @@ void TemperedSamplingOptions::check() const {
   if (moves < 1 || moves > 10'000) refuse("moves", moves);
 }
 
-TemperedSample sample_tempered(std::size_t dimensions, const LogLikelihood& log_likelihood,
-                               const TemperedSamplingOptions& options) {
+TemperedSample draw_tempered_sample(std::size_t dimensions, const LogLikelihood& log_likelihood,
+                                    const TemperedSamplingOptions& options) {
   options.check();
   const auto count = static_cast<Index>(options.draws);
   Random random(options.seed);
@@ -118,11 +118,11 @@ TemperedSample sample_tempered(std::size_t dimensions, const LogLikelihood& log_
   for (Index i = 0; i < sample.points.size(); ++i) sample.points.data()[i] = random.uniform();
   sample.log_likelihood = log_likelihood(sample.points);
   if (!(sample.log_likelihood.array() > -1e300).any()) {
-    throw InputError("the likelihood is zero or not a number at all " +
-                     std::to_string(options.draws) + " first draws");
+    throw InputError("the likelihood is zero or not a number for all " +
+                     std::to_string(options.draws) + " initial draws");
   }
   double scale = 2.38 / std::sqrt(static_cast<double>(dimensions));
-  for (double power = 0.0; power < 1.0; ++sample.temperatures) {
+  for (double power = 0.0; power < 1.0; ++sample.tempering_steps) {
     const double further =
         next_power(sample.log_likelihood, options.effective_fraction * static_cast<double>(count),
                    1.0 - power);

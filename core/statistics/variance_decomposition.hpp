@@ -11,7 +11,7 @@ namespace clast {
 
 /// Variance fraction of one factor, or of all interactions.
 struct VarianceFraction {
-  /// First-order Sobol index of the design itself, which is exact for its levels.
+  /// Fraction of the variance of the given values: the first-order Sobol index of the design.
   double design_fraction = 0.0;
   /// Estimated variance fraction in the population from which the levels were drawn.
   double estimate = 0.0;

@@ -14,15 +14,15 @@ constexpr double kNearFraction = 0.03;
 /// Spare capacity of a list of contacts: half its size, or up to this number in total.
 constexpr std::size_t kFewContacts = 2;
 
-bool is_event(const NormalResponse& response) {
+bool is_event(const NormalForceResponse& response) {
   return response.impulse != 0.0 || response.moment != 0.0;
 }
 
 /// Adds the correction impulse of the law for an event inside the step.
-void add_law_event(ContactLoad& load, const NormalResponse& response, const Contact& contact,
+void add_law_event(ContactLoad& load, const NormalForceResponse& response, const Contact& contact,
                    const RelativeMotion& motion) {
-  if (!load.event) load.event = std::make_unique<EventImpulse>();
-  EventImpulse& event = *load.event;
+  if (!load.correction) load.correction = std::make_unique<CorrectionImpulse>();
+  CorrectionImpulse& event = *load.correction;
   const Vec3& normal = contact.point.normal;
   const Vec3 arm = contact.position - motion.block.world_from_body.translation;
   const Vec3 arm_of_other = contact.position - motion.other.world_from_body.translation;
@@ -66,8 +66,8 @@ double ContactForces::PairWrench::power_over_next_step(const RelativeMotion& mot
 ContactForces::ContactForces(const ContactModel& model, const BlockSurface& block, double size)
     : model_(model),
       block_(block.features),
-      near_(kNearFraction * size),
-      patches_(block, model.weights) {
+      max_match_distance_(kNearFraction * size),
+      patches_(block, model.weighting) {
   if (model.has_scar_drag) drag_ = std::make_unique<ScarDrag>(model.drag_factors, block);
 }
 
@@ -76,23 +76,24 @@ ContactForces::Scratch& ContactForces::scratch() {
   return scratch;
 }
 
-ContactLoad ContactForces::update(const std::vector<ContactPoint>& points, const BodyMotion& block,
-                                  const BodyMotion& other, double duration,
-                                  EnergyBalance& energy_balance) {
+ContactLoad ContactForces::update_loads(const std::vector<ContactPoint>& points,
+                                        const BodyMotion& block, const BodyMotion& other,
+                                        double duration, EnergyBalance& energy_balance) {
   if (points.empty() && contacts_.empty()) return {};
   const RelativeMotion motion(block, other, duration);
-  return model_.visit_laws(
-      [&](const auto& laws) { return apply_law(laws, points, motion, scratch(), energy_balance); });
+  return model_.visit_laws([&](const auto& laws) {
+    return compute_loads(laws, points, motion, scratch(), energy_balance);
+  });
 }
 
-template <NormalLaw Law>
-ContactLoad ContactForces::apply_law(const std::vector<Law>& laws,
-                                     const std::vector<ContactPoint>& points,
-                                     const RelativeMotion& motion, Scratch& scratch,
-                                     EnergyBalance& energy_balance) {
+template <NormalForceLaw Law>
+ContactLoad ContactForces::compute_loads(const std::vector<Law>& laws,
+                                         const std::vector<ContactPoint>& points,
+                                         const RelativeMotion& motion, Scratch& scratch,
+                                         EnergyBalance& energy_balance) {
   std::vector<Contact>& now = scratch.now;
   ContactHistory& history = scratch.history;
-  history.match_contacts(points, contacts_, near_);
+  history.match_contacts(points, contacts_, max_match_distance_);
   assign_weights(points, motion, now);
   history.transfer_springs(now, contacts_, patches_);
   if constexpr (Law::kNeedsEffectiveMass) compute_effective_masses(motion, scratch);
@@ -117,9 +118,9 @@ ContactLoad ContactForces::apply_law(const std::vector<Law>& laws,
   }
   store_contacts(now);
   if (model_.has_slip_dependent_friction) accumulate_slip();
-  if (drag_) add_drag(motion, load, energy_balance);
-  if (load.event && motion.other.inverse_mass == 0.0) {
-    update_overlaps(laws, *load.event, motion.block, energy_balance);
+  if (drag_) add_scar_drag(motion, load, energy_balance);
+  if (load.correction && motion.other.inverse_mass == 0.0) {
+    update_overlaps_after_correction(laws, *load.correction, motion.block, energy_balance);
   }
   find_deepest_contact();
   return load;
@@ -155,13 +156,13 @@ void ContactForces::compute_effective_masses(const RelativeMotion& motion, Scrat
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Contact& contact = now[i];
     const Vec3 force = contact.weight * contact.point.normal;
-    PatchWrench& action = patch_wrenches[patches_.find_patch(i)];
+    PatchWrench& action = patch_wrenches[patches_.patch_index(i)];
     action.force += force;
     action.torque += (contact.position - block.world_from_body.translation).cross(force);
     action.torque_on_other += (contact.position - other.world_from_body.translation).cross(force);
   }
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const PatchWrench& action = patch_wrenches[patches_.find_patch(i)];
+    const PatchWrench& action = patch_wrenches[patches_.patch_index(i)];
     const double mobility =
         (block.inverse_mass + other.inverse_mass) * action.force.squaredNorm() +
         action.torque.dot(block.apply_inverse_inertia(action.torque)) +
@@ -177,61 +178,63 @@ void ContactForces::initialise_new_forces(Scratch& scratch) const {
     double force = 0.0, weight = 0.0;
     for (std::size_t j = 0; j < now.size(); ++j) {
       const Contact* previous = history.previous_contact(j, contacts_);
-      if (!previous || patches_.find_patch(j) != patches_.find_patch(i)) continue;
-      force += previous->weight * previous->normal;
+      if (!previous || patches_.patch_index(j) != patches_.patch_index(i)) continue;
+      force += previous->weight * previous->normal_force;
       weight += previous->weight;
     }
-    if (weight > 0.0) now[i].normal = force / weight;
+    if (weight > 0.0) now[i].normal_force = force / weight;
   }
 }
 
-template <NormalLaw Law>
+template <NormalForceLaw Law>
 void ContactForces::compute_contact_load(Contact& contact, const Contact* previous, const Law& law,
                                          const RelativeMotion& motion, ContactLoad& load,
                                          EnergyBalance& energy_balance) {
-  const GroundParameters& ground = model_.zones[contact.zone];
+  const GroundParameters& ground = model_.zone_parameters[contact.zone];
   const ContactKinematics kinematics(contact, motion);
   const double w = contact.weight;
-  StepStart start = previous ? step_start_of_continued(contact, *previous, motion)
-                             : step_start_of_new(contact, kinematics, law, motion);
+  ContactStepStart start = previous ? start_of_continued_contact(contact, *previous, motion)
+                                    : start_of_new_contact(contact, kinematics, law, motion);
   if constexpr (Law::kIsPlastic) {
     // If the zone has changed, the new law continues with the old force.
-    if (previous && previous->zone != contact.zone && previous->normal > 0.0) {
-      start.normal = law.initial_state(start.path.before, 0.0, 0.0, previous->normal);
+    if (previous && previous->zone != contact.zone && previous->normal_force > 0.0) {
+      start.normal =
+          law.initial_state(start.path.initial_overlap, 0.0, 0.0, previous->normal_force);
     }
-    if (model_.soil && !previous && start.continuous) {
+    if (model_.soil_memory && !previous && start.continuous) {
       start.normal.residual_indentation =
-          model_.soil->residual_indentation(contact.position, contact.zone);
+          model_.soil_memory->residual_indentation(contact.position, contact.zone);
     }
   }
 
-  const NormalResponse response = normal_response(contact, start, law);
-  contact.normal = response.force;
+  const NormalForceResponse response = normal_force_response(contact, start, law);
+  contact.normal_force = response.force;
   contact.residual_indentation = response.residual_indentation;
-  const SpringResponse sliding = friction(
+  const SpringResponse sliding = friction_response(
       contact, kinematics, model_.stiffness.tangential, motion.duration,
       model_.has_slip_dependent_friction ? ground.slip_dependent_friction(slip_) : ground.friction);
-  const SpringResponse rolling = rolling_resistance(
-      contact, kinematics, model_.rolling[contact.zone], motion, ground.rolling_friction);
+  const SpringResponse rolling =
+      rolling_response(contact, kinematics, model_.rolling_stiffnesses[contact.zone], motion,
+                       ground.rolling_friction);
   if (model_.has_slip_dependent_friction) {
-    const Vec3 trial = contact.tangential -
+    const Vec3 trial = contact.tangential_force -
                        model_.stiffness.tangential * motion.duration * kinematics.sliding_velocity;
     slipped_ += w * model_.tangential_compliance *
                 std::max(0.0, trial.norm() - std::sqrt(sliding.squared_norm));
   }
-  contact.tangential = sliding.load;
-  contact.rolling = rolling.load;
+  contact.tangential_force = sliding.load;
+  contact.rolling_moment = rolling.load;
 
   // The loads of a point are multiplied by its weight (Eq. 6).
-  const double drop = law.force_drop(contact.point.overlap, contact.normal);
+  const double drop = law.force_drop(contact.point.overlap, contact.normal_force);
   const double restored_ratio =
       kinematics.approach_speed > 0.0 ? 1.0 : law.unloading_ratio(model_.stiffness.normal);
-  load.impact += 0.5 * w *
-                 (restored_ratio * kinematics.approach_speed * kinematics.approach_speed +
-                  drop * drop * motion.block.inverse_mass / model_.stiffness.normal);
-  const Vec3 force = w * (contact.normal * contact.point.normal + contact.tangential);
+  load.impact_energy += 0.5 * w *
+                        (restored_ratio * kinematics.approach_speed * kinematics.approach_speed +
+                         drop * drop * motion.block.inverse_mass / model_.stiffness.normal);
+  const Vec3 force = w * (contact.normal_force * contact.point.normal + contact.tangential_force);
   load.force += force;
-  load.torque += kinematics.arm.cross(force) + w * contact.rolling;
+  load.torque += kinematics.arm.cross(force) + w * contact.rolling_moment;
   if (start.continuous && is_event(response)) add_law_event(load, response, contact, motion);
 
   // Losses are weighted with the mean weight of the step. The rest of the change of energy comes
@@ -239,22 +242,24 @@ void ContactForces::compute_contact_load(Contact& contact, const Contact* previo
   const double mean_weight = 0.5 * (start.weight + w);
   const double stored_by_normal =
       law.stored_energy(contact.point.overlap, contact.residual_indentation);
-  const double by_normal = mean_weight * (response.work - stored_by_normal +
-                                          law.stored_energy(std::max(0.0, start.path.before),
-                                                            start.normal.residual_indentation));
+  const double by_normal =
+      mean_weight * (response.work - stored_by_normal +
+                     law.stored_energy(std::max(0.0, start.path.initial_overlap),
+                                       start.normal.residual_indentation));
   const double by_friction = mean_weight * model_.tangential_compliance * sliding.loss;
-  const double by_rolling = mean_weight * model_.rolling_compliance[contact.zone] * rolling.loss;
-  contact.stored = w * (stored_by_normal +
-                        0.5 * (sliding.squared_norm * model_.tangential_compliance +
-                               rolling.squared_norm * model_.rolling_compliance[contact.zone]));
+  const double by_rolling = mean_weight * model_.rolling_compliances[contact.zone] * rolling.loss;
+  contact.stored_energy =
+      w *
+      (stored_by_normal + 0.5 * (sliding.squared_norm * model_.tangential_compliance +
+                                 rolling.squared_norm * model_.rolling_compliances[contact.zone]));
   energy_balance.normal += by_normal;
   energy_balance.friction += by_friction;
   energy_balance.rolling += by_rolling;
   energy_balance.reassigned -=
-      by_normal + by_friction + by_rolling + (contact.stored - start.stored);
+      by_normal + by_friction + by_rolling + (contact.stored_energy - start.stored_energy);
 }
 
-template <NormalLaw Law>
+template <NormalForceLaw Law>
 void ContactForces::end_contact(const Contact& contact, const Law& law,
                                 const RelativeMotion& motion, ContactLoad& load,
                                 EnergyBalance& energy_balance) const {
@@ -265,51 +270,53 @@ void ContactForces::end_contact(const Contact& contact, const Law& law,
   const OverlapPath path{duration, overlap, overlap - velocity.dot(n) * duration,
                          -motion.start_velocity_at(contact.position).dot(n)};
   double own = 0.0;
-  if (path.after <= 0.0) {  // separated; otherwise it slid off while still loaded
-    const NormalResponse response =
-        law.integrate(path, {contact.normal, contact.residual_indentation}, contact.effective_mass);
+  if (path.final_overlap <= 0.0) {  // separated; otherwise it slid off while still loaded
+    const NormalForceResponse response = law.integrate(
+        path, {contact.normal_force, contact.residual_indentation}, contact.effective_mass);
     if (is_event(response)) add_law_event(load, response, contact, motion);
     const double by_normal =
         w * (response.work + law.stored_energy(overlap, contact.residual_indentation));
-    const double by_friction =
-        ended_spring_loss(w, model_.tangential_compliance, contact.tangential, velocity, duration);
-    const double by_rolling = ended_spring_loss(w, model_.rolling_compliance[contact.zone],
-                                                contact.rolling, motion.spin, duration);
+    const double by_friction = spring_loss_at_contact_end(
+        w, model_.tangential_compliance, contact.tangential_force, velocity, duration);
+    const double by_rolling = spring_loss_at_contact_end(
+        w, model_.rolling_compliances[contact.zone], contact.rolling_moment, motion.spin, duration);
     energy_balance.normal += by_normal;
     energy_balance.friction += by_friction;
     energy_balance.rolling += by_rolling;
     own = by_normal + by_friction + by_rolling;
   }
-  energy_balance.reassigned += contact.stored - own;
+  energy_balance.reassigned += contact.stored_energy - own;
 }
 
-template <NormalLaw Law>
-void ContactForces::update_overlaps(const std::vector<Law>& laws, const EventImpulse& event,
-                                    const BodyMotion& block, EnergyBalance& energy_balance) {
+template <NormalForceLaw Law>
+void ContactForces::update_overlaps_after_correction(const std::vector<Law>& laws,
+                                                     const CorrectionImpulse& event,
+                                                     const BodyMotion& block,
+                                                     EnergyBalance& energy_balance) {
   const Vec3 shift = block.inverse_mass * event.moment;
   const Vec3 turn = block.apply_inverse_inertia(event.angular_moment);
   for (Contact& contact : contacts_) {
     const Vec3 moved = shift + turn.cross(contact.position - block.world_from_body.translation);
-    const double before = contact.stored;
+    const double before = contact.stored_energy;
     const double overlap = contact.point.overlap;
     contact.point.overlap = std::max(0.0, overlap - moved.dot(contact.point.normal));
     // The force does not change, and so neither does the overlap beyond the indentation.
     if constexpr (Law::kIsPlastic) contact.residual_indentation += contact.point.overlap - overlap;
-    contact.stored = contact_stored_energy(contact, laws[contact.zone]);
-    energy_balance.reassigned -= contact.stored - before;
+    contact.stored_energy = contact_stored_energy(contact, laws[contact.zone]);
+    energy_balance.reassigned -= contact.stored_energy - before;
   }
 }
 
-template <NormalLaw Law>
+template <NormalForceLaw Law>
 double ContactForces::contact_stored_energy(const Contact& contact, const Law& law) const {
   return contact.weight *
          (law.stored_energy(contact.point.overlap, contact.residual_indentation) +
-          0.5 * (contact.tangential.squaredNorm() * model_.tangential_compliance +
-                 contact.rolling.squaredNorm() * model_.rolling_compliance[contact.zone]));
+          0.5 * (contact.tangential_force.squaredNorm() * model_.tangential_compliance +
+                 contact.rolling_moment.squaredNorm() * model_.rolling_compliances[contact.zone]));
 }
 
 void ContactForces::decay_slip(std::uint16_t zone) {
-  const double memory = model_.zones[zone].slip_memory;
+  const double memory = model_.zone_parameters[zone].slip_memory;
   slip_ = memory > 0.0 ? slip_ * std::exp(-contactless_time_ / memory) : 0.0;
   contactless_time_ = 0.0;
 }
@@ -320,8 +327,8 @@ void ContactForces::accumulate_slip() {
   slipped_ = 0.0;
 }
 
-void ContactForces::add_drag(const RelativeMotion& motion, ContactLoad& load,
-                             EnergyBalance& energy_balance) {
+void ContactForces::add_scar_drag(const RelativeMotion& motion, ContactLoad& load,
+                                  EnergyBalance& energy_balance) {
   double lost = 0.0;
   const Vec3 force = drag_->update(contacts_, motion, lost);
   energy_balance.friction += lost;
@@ -364,7 +371,7 @@ void ContactForces::store_indentations(SoilMemory& soil) const {
 
 double ContactForces::stored_energy() const {
   double sum = 0.0;
-  for (const Contact& contact : contacts_) sum += contact.stored;
+  for (const Contact& contact : contacts_) sum += contact.stored_energy;
   return sum;
 }
 
@@ -387,14 +394,15 @@ double ContactForces::compute_settled_depth() {
   std::vector<double> depth(contacts_.size(), 0.0);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const ContactPoint& point = contacts_[i].point;
-    depth[patches_.find_patch(i)] +=
+    depth[patches_.patch_index(i)] +=
         contacts_[i].weight * point.overlap * std::max(0.0, point.normal.z());
   }
   return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
 }
 
 bool ContactForces::is_plastic() const {
-  return model_.visit_laws([]<NormalLaw Law>(const std::vector<Law>&) { return Law::kIsPlastic; });
+  return model_.visit_laws(
+      []<NormalForceLaw Law>(const std::vector<Law>&) { return Law::kIsPlastic; });
 }
 
 double ContactForces::static_stiffness() const {

@@ -52,7 +52,7 @@ std::size_t ContactHistory::match_features(const std::vector<ContactPoint>& poin
           a.ground_feature != b.ground_feature || a.normal.dot(b.normal) < kContinuesCosine) {
         continue;
       }
-      link_contacts(i, j);
+      continue_contact(i, j);
       ++found;
       break;
     }
@@ -75,7 +75,7 @@ void ContactHistory::match_by_relation(const std::vector<ContactPoint>& points,
         best = j;
       }
     }
-    if (best) link_contacts(i, *best);
+    if (best) continue_contact(i, *best);
   }
 }
 
@@ -87,33 +87,36 @@ void ContactHistory::transfer_springs(std::vector<Contact>& now, const std::vect
     Contact& contact = now[i];
     double more = contact.weight;
     if (const Contact* previous = this->previous_contact(i, before)) {
-      contact.tangential =
-          turned_into_plane(previous->tangential, previous->point.normal, contact.point.normal);
-      contact.rolling = previous->rolling;
+      contact.tangential_force = turned_into_plane(previous->tangential_force,
+                                                   previous->point.normal, contact.point.normal);
+      contact.rolling_moment = previous->rolling_moment;
       more -= previous->weight;
     }
     gained_[i] = more;
-    SpringTransfer& transfer = spring_transfers_[patches.find_patch(i)];
+    SpringTransfer& transfer = spring_transfers_[patches.patch_index(i)];
     if (more > 0.0) {
       transfer.gained += more;
     } else {
       transfer.lost -= more;
-      transfer.tangential -= more * contact.tangential;
-      transfer.rolling -= more * contact.rolling;
+      transfer.tangential_force -= more * contact.tangential_force;
+      transfer.rolling_moment -= more * contact.rolling_moment;
     }
   }
   for (std::size_t i = 0; i < now.size(); ++i) {
     const double more = gained_[i];
     if (!(more > 0.0)) continue;
-    const SpringTransfer& transfer = spring_transfers_[patches.find_patch(i)];
+    const SpringTransfer& transfer = spring_transfers_[patches.patch_index(i)];
     if (!(transfer.lost > 0.0)) continue;
     Contact& contact = now[i];
     // If more weight is gained than lost, the surplus keeps the springs of its own point.
     const double taken = more / std::max(transfer.gained, transfer.lost);
     const double own = 1.0 - taken * transfer.lost / contact.weight;
-    const Vec3 tangential = own * contact.tangential + taken / contact.weight * transfer.tangential;
-    contact.tangential = tangential - tangential.dot(contact.point.normal) * contact.point.normal;
-    contact.rolling = own * contact.rolling + taken / contact.weight * transfer.rolling;
+    const Vec3 tangential =
+        own * contact.tangential_force + taken / contact.weight * transfer.tangential_force;
+    contact.tangential_force =
+        tangential - tangential.dot(contact.point.normal) * contact.point.normal;
+    contact.rolling_moment =
+        own * contact.rolling_moment + taken / contact.weight * transfer.rolling_moment;
   }
 }
 

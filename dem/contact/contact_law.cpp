@@ -49,8 +49,8 @@ ContactWeighting parse_contact_weighting(const std::string& name) {
                    "\" are unknown; use patch, overlap, count or none");
 }
 
-std::string name_of(ContactWeighting weights) {
-  switch (weights) {
+std::string name_of(ContactWeighting weighting) {
+  switch (weighting) {
     case ContactWeighting::kPatch:
       return "patch";
     case ContactWeighting::kOverlap:

@@ -13,9 +13,9 @@
 
 namespace clast {
 
-/// Available normal laws. Friction and rolling resistance are common to all of them. To add a law,
-/// write a struct that satisfies `NormalLaw` and list it here.
-template <NormalLaw... Laws>
+/// Variant of the available normal contact laws. Friction and rolling resistance are the same under
+/// all of them. A new law is a struct that satisfies `NormalForceLaw` and is listed here.
+template <NormalForceLaw... Laws>
 using LawVariant = std::variant<Laws...>;
 using ContactLaw = LawVariant<EnergyRestitutionLaw, SpringDashpotLaw, ElastoplasticLaw>;
 
@@ -23,7 +23,7 @@ using ContactLaw = LawVariant<EnergyRestitutionLaw, SpringDashpotLaw, Elastoplas
 /// @throws InputError  if the name is unknown; the message lists the laws
 ContactLaw parse_contact_law(const std::string& name);
 std::string name_of(const ContactLaw& law);
-/// Returns the names of all laws, in the order of the variant.
+/// Returns the names of all normal contact laws, such as "elastoplastic".
 std::vector<std::string> contact_law_names();
 
 /// Distribution of the contact stiffness over the contact points of a block.
@@ -34,19 +34,19 @@ enum class ContactWeighting {
   kNone,     ///< each point has the full stiffness
 };
 
-/// Parses a weighting.
-/// @throws InputError  if the name is unknown; the message lists patch, overlap, count, none
+/// Parses the name of a contact weighting: "patch", "overlap", "count" or "none".
+/// @throws InputError  if the name is unknown; the message lists all names
 ContactWeighting parse_contact_weighting(const std::string& name);
-std::string name_of(ContactWeighting weights);
+std::string name_of(ContactWeighting weighting);
 
 /// Contact stiffness and the time steps that it requires.
 struct ContactStiffness {
-  double normal = 0.0;      ///< k_n, N/m
-  double tangential = 0.0;  ///< k_t, N/m
-  double rolling = 0.0;     ///< k_r on ground without rolling length, N m/rad
+  double normal = 0.0;      ///< normal stiffness k_n, N/m
+  double tangential = 0.0;  ///< tangential stiffness k_t, N/m
+  double rolling = 0.0;     ///< rolling stiffness k_r on ground without a rolling length, N m/rad
   double time_step = 0.0;   ///< time step that resolves an impact, s
-  /// Time step between impacts, s, for contact at the block's most mobile point. If it is below
-  /// `time_step`, all steps have the length `time_step`.
+  /// Time step between impacts, s. It is stable for a contact at the point of the block with the
+  /// smallest effective mass. If it is below `time_step`, all steps have the length `time_step`.
   double max_time_step = 0.0;
 };
 

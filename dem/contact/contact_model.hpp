@@ -13,15 +13,16 @@ namespace clast::dem_detail {
 
 class ContactModel {
  public:
-  /// Makes the laws of all zones.
-  /// @param zone_parameters  parameters of each ground zone; must outlive the model, as must
-  ///                         `face_zones` and `soil_memory`
-  /// @param face_zones  zone of each face of the reference body; if empty, all are in zone 0
-  /// @param soil_memory  residual indentations of earlier contacts; null if there are none
-  ContactModel(std::span<const GroundParameters> zone_parameters,
+  /// Makes the contact laws of all ground zones.
+  /// @param ground_parameters  parameters of each ground zone; must outlive the model, as must
+  ///                           `face_zones` and `memory`
+  /// @param face_zones  ground zone of each face of the reference body; if empty, all faces are in
+  ///                    zone 0
+  /// @param memory  residual indentations of earlier contacts; null if there are none
+  ContactModel(std::span<const GroundParameters> ground_parameters,
                std::span<const std::uint16_t> face_zones, const ContactStiffness& contact_stiffness,
-               ContactWeighting weighting, const ContactLaw& law,
-               const SoilMemory* soil_memory = nullptr);
+               ContactWeighting contact_weighting, const ContactLaw& law,
+               const SoilMemory* memory = nullptr);
 
   std::uint16_t zone_of(std::uint32_t face) const {
     return zone_of_face.empty() ? std::uint16_t{0} : zone_of_face[face];
@@ -33,16 +34,19 @@ class ContactModel {
                       laws_);
   }
 
-  std::span<const GroundParameters> zones;
+  std::span<const GroundParameters> zone_parameters;
   std::span<const std::uint16_t> zone_of_face;
   ContactStiffness stiffness;
-  ContactWeighting weights;
-  const SoilMemory* soil;
-  double tangential_compliance;                     ///< 1/k_t
-  std::vector<double> rolling, rolling_compliance;  ///< k_r and 1/k_r of each zone
-  std::vector<double> drag_factors;                 ///< C_d rho/2 of each zone, kg/m^3
-  bool has_slip_dependent_friction = false;         ///< true if any zone has it
-  bool has_scar_drag = false;                       ///< true if any zone has it
+  ContactWeighting weighting;
+  const SoilMemory* soil_memory;
+  double tangential_compliance;  ///< inverse of the tangential stiffness, 1/k_t
+  std::vector<double> rolling_stiffnesses,
+      rolling_compliances;  ///< rolling stiffness k_r of each zone, and its inverse
+  /// Half the product of drag coefficient and soil density of each zone, kg/m^3.
+  std::vector<double> drag_factors;
+  bool has_slip_dependent_friction =
+      false;                   ///< true if friction depends on the slip distance in any zone
+  bool has_scar_drag = false;  ///< true if any zone has scar drag
 
  private:
   template <class Law>

@@ -79,13 +79,13 @@ std::span<const double> ContactPatches::compute_weights(const std::vector<Contac
     return point_weights;
   }
   point_weights.assign(
-      count, weights_ == ContactWeighting::kCount ? 1.0 / static_cast<double>(count) : 1.0);
-  if (weights_ == ContactWeighting::kPatch) {
+      count, weighting_ == ContactWeighting::kCount ? 1.0 / static_cast<double>(count) : 1.0);
+  if (weighting_ == ContactWeighting::kPatch) {
     find_patches(points, orientation);
   } else {
     patch_.assign(count, 0);
-    if (weights_ == ContactWeighting::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
-    if (weights_ != ContactWeighting::kOverlap) return point_weights;
+    if (weighting_ == ContactWeighting::kNone) std::iota(patch_.begin(), patch_.end(), 0u);
+    if (weighting_ != ContactWeighting::kOverlap) return point_weights;
   }
   patch_overlap.assign(count, 0.0);
   for (std::size_t i = 0; i < count; ++i) patch_overlap[patch_[i]] += points[i].overlap;
@@ -94,7 +94,7 @@ std::span<const double> ContactPatches::compute_weights(const std::vector<Contac
   return point_weights;
 }
 
-std::span<const std::uint32_t> ContactPatches::groups_of(
+std::span<const std::uint32_t> ContactPatches::feature_groups_of(
     const ContactPoint& point, std::array<std::uint32_t, 3>& buffer) const {
   if (point.kind == ContactKind::kVertexGround) return groups_.groups_at(point.block_feature);
   if (point.kind == ContactKind::kFaceVertex) {
@@ -118,9 +118,9 @@ bool ContactPatches::has_same_features(const std::vector<ContactPoint>& points) 
   return true;
 }
 
-void ContactPatches::list_candidate_links(const std::vector<ContactPoint>& points) {
+void ContactPatches::list_point_pairs(const std::vector<ContactPoint>& points) {
   features_.clear();
-  links_.clear();
+  point_pairs_.clear();
   if (group_points_.empty()) group_points_.shrink_to_fit();  // not used since the last change
   group_points_.clear();
   patch_.resize(points.size());
@@ -131,12 +131,12 @@ void ContactPatches::list_candidate_links(const std::vector<ContactPoint>& point
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     features_.emplace_back(points[i].kind, points[i].block_feature);
     std::uint32_t patch = i;
-    for (const std::uint32_t group : groups_of(points[i], buffer)) {
+    for (const std::uint32_t group : feature_groups_of(points[i], buffer)) {
       const std::uint32_t earlier = last.note(group, i);
       if (earlier == kNoFeature) continue;
       const std::uint32_t other = find_patch_root(earlier);
       if (other == patch) continue;
-      links_.push_back({i, earlier, group});
+      point_pairs_.push_back({i, earlier, group});
       patch = patch_[std::max(patch, other)] = std::min(patch, other);
     }
   }
@@ -145,7 +145,7 @@ void ContactPatches::list_candidate_links(const std::vector<ContactPoint>& point
 void ContactPatches::find_patches(const std::vector<ContactPoint>& points,
                                   const Quat& orientation) {
   const bool same_links = has_same_features(points);
-  if (!same_links) list_candidate_links(points);
+  if (!same_links) list_point_pairs(points);
   std::vector<Vec3>& normals_in_body = scratch().normals_in_body;
   const Mat3 body_from_world = orientation.toRotationMatrix().transpose();
   normals_in_body.resize(points.size());
@@ -153,20 +153,22 @@ void ContactPatches::find_patches(const std::vector<ContactPoint>& points,
     const bool same = i > 0 && points[i].normal == points[i - 1].normal;
     normals_in_body[i] = same ? normals_in_body[i - 1] : Vec3(body_from_world * points[i].normal);
   }
-  const auto may_join = [&](const PointLink& link) {
-    return is_linked(link, points, normals_in_body);
+  const auto may_join = [&](const ContactPointPair& pair) {
+    return are_in_one_patch(pair, points, normals_in_body);
   };
-  if (same_links && all_linked_ && std::all_of(links_.begin(), links_.end(), may_join)) return;
+  if (same_links && all_pairs_in_patches_ &&
+      std::all_of(point_pairs_.begin(), point_pairs_.end(), may_join))
+    return;
   std::iota(patch_.begin(), patch_.end(), 0u);
-  all_linked_ = true;
-  for (const PointLink& link : links_) {
-    if (may_join(link)) {
-      merge_patches(link.point, link.earlier);
+  all_pairs_in_patches_ = true;
+  for (const ContactPointPair& pair : point_pairs_) {
+    if (may_join(pair)) {
+      merge_patches(pair.point, pair.earlier);
     } else {
-      all_linked_ = false;
+      all_pairs_in_patches_ = false;
     }
   }
-  if (!all_linked_) link_remaining_points(points, normals_in_body);
+  if (!all_pairs_in_patches_) merge_remaining_pairs(points, normals_in_body);
   for (std::uint32_t& patch : patch_) patch = patch_[patch];
 }
 
@@ -175,7 +177,7 @@ void ContactPatches::list_group_points(const std::vector<ContactPoint>& points) 
   last.begin(block_);
   std::array<std::uint32_t, 3> buffer;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    for (const std::uint32_t group : groups_of(points[i], buffer)) {
+    for (const std::uint32_t group : feature_groups_of(points[i], buffer)) {
       const auto entry = static_cast<std::uint32_t>(group_points_.size());
       group_points_.push_back({i, group, last.note(group, entry)});
     }
@@ -183,25 +185,26 @@ void ContactPatches::list_group_points(const std::vector<ContactPoint>& points) 
   shrink_capacity(group_points_);
 }
 
-void ContactPatches::link_remaining_points(const std::vector<ContactPoint>& points,
+void ContactPatches::merge_remaining_pairs(const std::vector<ContactPoint>& points,
                                            std::span<const Vec3> normals_in_body) {
   if (group_points_.empty()) list_group_points(points);
-  for (const GroupPoint& on : group_points_) {
+  for (const PointInGroup& on : group_points_) {
     for (std::uint32_t j = on.before; j != kNoFeature; j = group_points_[j].before) {
       const std::uint32_t earlier = group_points_[j].point;
       if (find_patch_root(on.point) != find_patch_root(earlier) &&
-          is_linked({on.point, earlier, on.group}, points, normals_in_body)) {
+          are_in_one_patch({on.point, earlier, on.group}, points, normals_in_body)) {
         merge_patches(on.point, earlier);
       }
     }
   }
 }
 
-bool ContactPatches::is_linked(const PointLink& link, const std::vector<ContactPoint>& points,
-                               std::span<const Vec3> normals_in_body) const {
-  const ContactPoint &point = points[link.point], &earlier = points[link.earlier];
-  if (is_side_wall(link.group, normals_in_body[link.point])) return false;
-  return on_one_face(point, earlier) || (!is_side_wall(link.group, normals_in_body[link.earlier]) &&
+bool ContactPatches::are_in_one_patch(const ContactPointPair& pair,
+                                      const std::vector<ContactPoint>& points,
+                                      std::span<const Vec3> normals_in_body) const {
+  const ContactPoint &point = points[pair.point], &earlier = points[pair.earlier];
+  if (is_side_wall(pair.group, normals_in_body[pair.point])) return false;
+  return on_one_face(point, earlier) || (!is_side_wall(pair.group, normals_in_body[pair.earlier]) &&
                                          smooth_between(point, earlier));
 }
 

@@ -4,18 +4,19 @@ namespace clast {
 namespace {
 
 /// Relative distance within which a force is on a line of the law; event corrections are smaller.
-constexpr double kOnLine = 1e-5;
+constexpr double kUnloadingLineTolerance = 1e-5;
 
 /// Returns the time at which the overlap passes `level`. It must be monotonic from `from` to `to`.
 double time_at(const OverlapPath& path, double level, double from, double to) {
-  return OverlapPath{path.duration, path.before - level, path.after - level, path.rate}
+  return OverlapPath{path.duration, path.initial_overlap - level, path.final_overlap - level,
+                     path.initial_rate}
       .zero_crossing(from, to);
 }
 
 /// Applies the law along monotonic pieces of a path.
 class Follower {
  public:
-  Follower(const ElastoplasticLaw& law, const OverlapPath& path, const NormalState& state)
+  Follower(const ElastoplasticLaw& law, const OverlapPath& path, const NormalForceState& state)
       : law_(law),
         path_(path),
         integral_(path, state.force),
@@ -28,8 +29,8 @@ class Follower {
     last > first ? grow(from, to, first, last) : shrink(from, to, first, last);
   }
 
-  NormalResponse response() const {
-    NormalResponse response = integral_.response(force_);
+  NormalForceResponse response() const {
+    NormalForceResponse response = integral_.response(force_);
     response.residual_indentation = residual_indentation_;
     return response;
   }
@@ -45,7 +46,8 @@ class Follower {
       }
     }
     const double yield = law_.loading_stiffness;
-    if (force_ < yield * first * (1.0 - kOnLine) && law_.reloading_stiffness > yield) {
+    if (force_ < yield * first * (1.0 - kUnloadingLineTolerance) &&
+        law_.reloading_stiffness > yield) {
       // Reloads up to the overlap at which the force reaches the line of first loading.
       const double meet =
           (law_.reloading_stiffness * first - force_) / (law_.reloading_stiffness - yield);
@@ -81,7 +83,7 @@ class Follower {
 
   const ElastoplasticLaw& law_;
   const OverlapPath& path_;
-  PathIntegral integral_;
+  ForcePathIntegral integral_;
   double force_, residual_indentation_;
 };
 
@@ -90,31 +92,34 @@ class Follower {
 ElastoplasticLaw ElastoplasticLaw::on_ground(double stiffness, const GroundParameters& ground) {
   const double unloading_stiffness = stiffness / ground.energy_restitution;
   const double reloading_stiffness =
-      ground.energy_restitution < 1.0 ? kReloading * unloading_stiffness : unloading_stiffness;
+      ground.energy_restitution < 1.0 ? kReloadingRatio * unloading_stiffness : unloading_stiffness;
   return {stiffness, unloading_stiffness, reloading_stiffness};
 }
 
-NormalResponse ElastoplasticLaw::integrate(const OverlapPath& path, const NormalState& state,
-                                           double /*effective_mass*/) const {
+NormalForceResponse ElastoplasticLaw::integrate(const OverlapPath& path,
+                                                const NormalForceState& state,
+                                                double /*effective_mass*/) const {
   const double force = state.force, residual_indentation = state.residual_indentation;
-  const double deeper = path.after - path.before;
+  const double deeper = path.final_overlap - path.initial_overlap;
   const auto smooth = [&](double end, double new_dent) {
-    return NormalResponse{end, 0.5 * (force + end) * deeper, 0.0, 0.0, new_dent};
+    return NormalForceResponse{end, 0.5 * (force + end) * deeper, 0.0, 0.0, new_dent};
   };
   const double reversal_time = path.reversal_time();
   if (reversal_time == path.duration) {  // mostly all of the step is on one line
     const bool growing =
-        path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
+        path.initial_rate > 0.0 || (path.initial_rate == 0.0 && path.quadratic_coefficient() > 0.0);
     if (growing && force > 0.0) {
-      const bool yields = force >= loading_stiffness * path.before * (1.0 - kOnLine);
+      const bool yields =
+          force >= loading_stiffness * path.initial_overlap * (1.0 - kUnloadingLineTolerance);
       const double end = force + (yields ? loading_stiffness : reloading_stiffness) * deeper;
-      if (yields || end <= loading_stiffness * path.after) {
-        return smooth(end, std::max(residual_indentation, path.after - end / unloading_stiffness));
+      if (yields || end <= loading_stiffness * path.final_overlap) {
+        return smooth(
+            end, std::max(residual_indentation, path.final_overlap - end / unloading_stiffness));
       }
-    } else if (!growing && path.after >= residual_indentation && force > 0.0) {
-      const double start = unloading_stiffness * (path.before - residual_indentation);
-      if (std::abs(force - start) <= kOnLine * force) {
-        return smooth(unloading_stiffness * (path.after - residual_indentation),
+    } else if (!growing && path.final_overlap >= residual_indentation && force > 0.0) {
+      const double start = unloading_stiffness * (path.initial_overlap - residual_indentation);
+      if (std::abs(force - start) <= kUnloadingLineTolerance * force) {
+        return smooth(unloading_stiffness * (path.final_overlap - residual_indentation),
                       residual_indentation);
       }
     }

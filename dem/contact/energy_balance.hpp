@@ -1,11 +1,11 @@
 #pragma once
-/// Energy balance of a run.
+/// Energy balance of a simulation run.
 #include <algorithm>
 #include <cmath>
 
 namespace clast {
 
-/// Energy balance summed over a run, J.
+/// Energies of a simulation run, J: initial, final and dissipated.
 struct EnergyBalance {
   double initial = 0.0;     ///< kinetic + potential + elastic at the start
   double final = 0.0;       ///< kinetic + potential + elastic at the end
@@ -15,7 +15,7 @@ struct EnergyBalance {
   double reassigned = 0.0;  ///< lost when contacts or their weights change; negative if gained
 
   double dissipated() const { return normal + friction + rolling + reassigned; }
-  /// Adds the dissipated and reassigned energy of another part of the run.
+  /// Adds the dissipated and reassigned energies of another part of the run.
   EnergyBalance& operator+=(const EnergyBalance& part) {
     normal += part.normal;
     friction += part.friction;
@@ -23,8 +23,8 @@ struct EnergyBalance {
     reassigned += part.reassigned;
     return *this;
   }
-  /// Closes the balance.
-  /// @param drop  initial energy minus potential energy at the end, J
+  /// Sets the final energy and computes the error of the balance.
+  /// @param drop  initial total energy minus final potential energy, J
   void close_balance(double final_energy, double drop) {
     final = final_energy;
     const double lost = dissipated();
@@ -32,8 +32,8 @@ struct EnergyBalance {
             std::max({std::abs(lost), 1e-3 * std::abs(drop), 1e-300});
   }
 
-  /// Relative error of the balance: |initial - final - lost| / max(|lost|, 1e-3 |drop|), where
-  /// `lost` is the dissipated and reassigned energy and `drop` the argument of `close_balance`.
+  /// Error of the balance, relative to the dissipated energy, or to 1e-3 of the energy released by
+  /// the descent if that is larger.
   double error = 0.0;
 
   template <class Bytes>

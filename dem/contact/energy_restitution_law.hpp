@@ -6,7 +6,8 @@
 
 namespace clast {
 
-/// Normal force f on a ground zone: f += k_n dh for growing overlap h, otherwise f = k_n e_n^2 h.
+/// Energy-restitution law: while the overlap h grows, the normal force f rises by k_n dh; otherwise
+/// f = k_n e_n^2 h. k_n is the normal stiffness, e_n^2 the returned fraction of energy.
 struct EnergyRestitutionLaw {
   static constexpr const char* kName = "energy-restitution";
   static constexpr bool kNeedsEffectiveMass = false;
@@ -23,8 +24,8 @@ struct EnergyRestitutionLaw {
   double stored_energy(double overlap, double /*dent*/) const {
     return 0.5 * unloading_stiffness * overlap * overlap;
   }
-  NormalState initial_state(double overlap, double /*rate*/, double /*effective_mass*/,
-                            double /*patch_force*/) const {
+  NormalForceState initial_state(double overlap, double /*rate*/, double /*effective_mass*/,
+                                 double /*patch_force*/) const {
     return {unloading_stiffness * overlap, 0.0};
   }
   double highest_frequency(double frequency) const { return frequency; }
@@ -33,25 +34,25 @@ struct EnergyRestitutionLaw {
   }
   double unloading_ratio(double stiffness) const { return unloading_stiffness / stiffness; }
 
-  NormalResponse integrate(const OverlapPath& path, const NormalState& state,
-                           double /*effective_mass*/) const {
+  NormalForceResponse integrate(const OverlapPath& path, const NormalForceState& state,
+                                double /*effective_mass*/) const {
     double force = state.force;
     const double reversal_time = path.reversal_time();
     const bool growing =
-        path.rate > 0.0 || (path.rate == 0.0 && path.quadratic_coefficient() > 0.0);
-    if (reversal_time == path.duration && growing && path.before >= 0.0) {
-      const double deeper = path.after - path.before;
+        path.initial_rate > 0.0 || (path.initial_rate == 0.0 && path.quadratic_coefficient() > 0.0);
+    if (reversal_time == path.duration && growing && path.initial_overlap >= 0.0) {
+      const double deeper = path.final_overlap - path.initial_overlap;
       const double end = force + loading_stiffness * deeper;
       return {end, 0.5 * (force + end) * deeper, 0.0, 0.0};
     }
-    const bool on_return_line =
-        std::abs(force - unloading_stiffness * path.before) <= kOnLine * force;
-    if (reversal_time == path.duration && !growing && path.after >= 0.0 && on_return_line) {
-      const double end = unloading_stiffness * path.after;
-      return {end, 0.5 * (force + end) * (path.after - path.before), 0.0, 0.0};
+    const bool on_return_line = std::abs(force - unloading_stiffness * path.initial_overlap) <=
+                                kUnloadingLineTolerance * force;
+    if (reversal_time == path.duration && !growing && path.final_overlap >= 0.0 && on_return_line) {
+      const double end = unloading_stiffness * path.final_overlap;
+      return {end, 0.5 * (force + end) * (path.final_overlap - path.initial_overlap), 0.0, 0.0};
     }
 
-    PathIntegral integral(path, force);
+    ForcePathIntegral integral(path, force);
     const auto returning = [&](double time) { return unloading_stiffness * path.overlap_at(time); };
     const auto follow = [&](double from, double to) {
       if (!(to > from)) return;
@@ -78,9 +79,9 @@ struct EnergyRestitutionLaw {
   }
 
  private:
-  /// Relative distance up to which a force counts as on the unloading line. The correction at a
-  /// reversal shifts the force off this line by (w dt)^4/24; this must not cause an event.
-  static constexpr double kOnLine = 1e-5;
+  /// Tolerance for forces on the unloading line, relative to the force. Integration errors at a
+  /// reversal shift the force off the line by less than this.
+  static constexpr double kUnloadingLineTolerance = 1e-5;
 };
 
 }  // namespace clast

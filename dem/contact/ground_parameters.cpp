@@ -41,7 +41,7 @@ void GroundParameters::check(const std::string& zone) const {
   }
   if ((scar_drag > 0.0) != (soil_density > 0.0)) {
     refuse(scar_drag > 0.0 ? "soil_density" : "scar_drag", 0.0,
-           "above 0: scar_drag and soil_density go together");
+           "above 0, since scar_drag and soil_density are used together");
   }
 }
 

@@ -29,8 +29,8 @@ double apply_scaled_impulse(RigidBodyIntegrator& body, const Vec3& impulse,
   const double root = std::sqrt(std::max(0.0, rate * rate + 4.0 * curve * owed));
   const double most = owed < 0.0 ? 0.5 * std::abs(rate) / curve : kMaxAdded;
   const double fraction = std::clamp(2.0 * owed / (rate + std::copysign(root, rate)), -most, most);
-  return body.apply_event_impulse(fraction * impulse, fraction * angular_impulse, Vec3::Zero(),
-                                  Vec3::Zero(), Vec3::Zero());
+  return body.apply_correction_impulse(fraction * impulse, fraction * angular_impulse, Vec3::Zero(),
+                                       Vec3::Zero(), Vec3::Zero());
 }
 
 }  // namespace
@@ -40,19 +40,19 @@ void ImpactEnergyCorrection::add_contact_load(double duration, const ContactLoad
   angular_impulse_ += duration * load.torque;
 }
 
-void ImpactEnergyCorrection::add_event_impulse(const EventImpulse& event) {
+void ImpactEnergyCorrection::add_correction_impulse(const CorrectionImpulse& event) {
   impulse_ += event.impulse;
   angular_impulse_ += event.angular_impulse;
 }
 
-bool ImpactEnergyCorrection::end_impact(RigidBodyIntegrator& body, double accounted) {
+bool ImpactEnergyCorrection::end_impact(RigidBodyIntegrator& body, double energy_plus_losses) {
   const Vec3 impulse = std::exchange(impulse_, Vec3::Zero());
   const Vec3 angular_impulse = std::exchange(angular_impulse_, Vec3::Zero());
   if (!std::exchange(applies_, false)) {
-    expected_energy_ = accounted;
+    expected_energy_ = energy_plus_losses;
     return false;
   }
-  double owed = expected_energy_ - accounted;
+  double owed = expected_energy_ - energy_plus_losses;
   owed -= apply_scaled_impulse(body, impulse, angular_impulse, owed);
   // A block that rocked has received impulses in opposite directions. Its energy is then in the
   // rotation and in the velocity along the impulse.

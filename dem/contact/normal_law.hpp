@@ -7,9 +7,9 @@
 
 namespace clast {
 
-/// A law of the normal force at the contacts on one ground zone. It holds its coefficients; the
-/// state of a contact, `NormalState`, belongs to the contact. All forces are per unit of weight
-/// (`ContactWeighting`), N; overlaps and the residual indentation h_p are in metres.
+/// Requirements on a law of the normal force at the contacts on one ground zone. The law holds its
+/// coefficients; each contact holds its own state. Forces are per unit of contact weight, N;
+/// overlaps and the residual indentation h_p are in metres.
 ///
 /// - `kName`: its name in campaign files.
 /// - `kNeedsEffectiveMass`: true if `integrate` uses the effective mass of the contact, kg.
@@ -21,19 +21,20 @@ namespace clast {
 /// - `integrate(path, state, effective_mass)`: the response to the overlap over a step.
 /// - `stored_energy(overlap, h_p)`: elastic energy, J.
 /// - `static_stiffness()`: force divided by overlap of a body at rest, N/m.
-/// - `highest_frequency(w)`: the fastest rate of a contact, rad/s, if its spring alone has the
-///   angular frequency w. It limits the time step.
+/// - `highest_frequency(w)`: the highest frequency or decay rate of a contact, rad/s, whose spring
+///   alone has the angular frequency w. It limits the time step.
 /// - `force_drop(overlap, force)`: by how much the force falls when loading turns to unloading, N.
 /// - `unloading_ratio(k_n)`: unloading stiffness divided by k_n. It gives the returnable energy.
 template <class Law>
-concept NormalLaw = requires(const Law& law, const GroundParameters& ground,
-                             const OverlapPath& path, const NormalState& state, double x) {
+concept NormalForceLaw = requires(const Law& law, const GroundParameters& ground,
+                                  const OverlapPath& path, const NormalForceState& state,
+                                  double x) {
   { Law::kName } -> std::convertible_to<const char*>;
   { Law::kNeedsEffectiveMass } -> std::convertible_to<bool>;
   { Law::kIsPlastic } -> std::convertible_to<bool>;
   { Law::on_ground(x, ground) } -> std::same_as<Law>;
-  { law.initial_state(x, x, x, x) } -> std::same_as<NormalState>;
-  { law.integrate(path, state, x) } -> std::same_as<NormalResponse>;
+  { law.initial_state(x, x, x, x) } -> std::same_as<NormalForceState>;
+  { law.integrate(path, state, x) } -> std::same_as<NormalForceResponse>;
   { law.stored_energy(x, x) } -> std::same_as<double>;
   { law.static_stiffness() } -> std::same_as<double>;
   { law.highest_frequency(x) } -> std::same_as<double>;

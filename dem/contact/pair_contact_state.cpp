@@ -27,7 +27,7 @@ PairContactState::NarrowPhaseState::NarrowPhaseState(NarrowPhase of_pair, const 
 PairContactState::PairContactState(const IndexedSurface& terrain, const BlockSurface& block,
                                    double size, const ContactModel& model)
     : reference_(terrain), block_(block), size_(size), model_(model) {
-  if (model.soil) indentations_ = std::make_unique<SoilMemory>(model.zones);
+  if (model.soil_memory) indentations_ = std::make_unique<SoilMemory>(model.zone_parameters);
 }
 
 PairContactState::PairContactState(const BlockSurface& reference, const BlockSurface& block,
@@ -64,8 +64,8 @@ double PairContactState::displacement_to(const Pose& pose) const {
          turn * block_.bounding_radius;
 }
 
-const ContactLoad& PairContactState::update(const BodyMotion& reference, const BodyMotion& block,
-                                            double duration) {
+const ContactLoad& PairContactState::update_loads(const BodyMotion& reference,
+                                                  const BodyMotion& block, double duration) {
   if (!near_ && bounding_sphere_distance(reference, block) > 0.0) return load_;  // which is zero
   const Pose pose = reference.world_from_body.inverse() * block.world_from_body;
   load_ = {};
@@ -82,15 +82,15 @@ const ContactLoad& PairContactState::update(const BodyMotion& reference, const B
     near_.reset();
     return load_;
   }
-  load_ = near_->forces.update(find_contact_points(reference.world_from_body, pose), block,
-                               reference, duration, energy_balance_);
+  load_ = near_->forces.update_loads(find_contact_points(reference.world_from_body, pose), block,
+                                     reference, duration, energy_balance_);
   if (indentations_) near_->forces.store_indentations(*indentations_);
   if (near_->forces.empty()) {
     near_->separated_until = near_->visit_narrow_phase([&]<class Kind>(Kind& search) {
       if constexpr (std::is_same_v<Kind, RodNarrowPhase>) {
         return near_->displacement + search.clearance();
       } else {
-        return search.safe_displacement();
+        return search.contact_free_displacement();
       }
     });
   }
@@ -106,7 +106,7 @@ double PairContactState::clearance(const BodyMotion& reference, const BodyMotion
 }
 
 void PairContactState::end_contacts(const BodyMotion& reference, const BodyMotion& block) {
-  if (near_) near_->forces.update({}, block, reference, 0.0, energy_balance_);
+  if (near_) near_->forces.update_loads({}, block, reference, 0.0, energy_balance_);
   near_.reset();
   load_ = {};
 }

@@ -12,12 +12,12 @@
 
 namespace clast::dem_detail {
 
-/// Contacts of a pair over time. The narrow phase runs in the frame of one of the two, the
-/// reference body. It is skipped while the relative displacement is too small to cause contact. Its
-/// data are kept only while the bodies are near.
+/// Contacts of a pair of bodies over time. The narrow phase runs in the frame of one body, the
+/// reference body. It is skipped while the relative displacement is too small to cause contact, and
+/// its data are deleted when the bodies are far apart.
 class PairContactState {
  public:
-  /// Makes a pair of bodies.
+  /// Makes the contact state of two bodies.
   /// @param size  smallest side of the smaller body, m
   /// @param model  must outlive the pair, as must the surfaces
   PairContactState(const BlockSurface& reference, const BlockSurface& block, double size,
@@ -25,28 +25,33 @@ class PairContactState {
   PairContactState(const IndexedSurface& terrain, const BlockSurface& block, double size,
                    const ContactModel& model);
 
-  /// Computes the loads after a step of `duration`. Energies are added to `energy_balance()`.
-  const ContactLoad& update(const BodyMotion& reference, const BodyMotion& block, double duration);
-  /// Adds a time without contact in which `update` was not called, s.
+  /// Computes the contact loads after a step of `duration`, s. Dissipated energies are added to
+  /// `energy_balance()`.
+  const ContactLoad& update_loads(const BodyMotion& reference, const BodyMotion& block,
+                                  double duration);
+  /// Adds a time without contact in which `update_loads` was not called, s.
   void advance_time(double duration) {
     if (near_ && near_->forces.empty()) near_->forces.advance_time(duration);
   }
-  /// Ends all contacts, as when a body is removed, and books their energy in the energy balance.
+  /// Ends all contacts, for example when a body is removed. Their energy is added to the energy
+  /// balance.
   void end_contacts(const BodyMotion& reference, const BodyMotion& block);
 
-  /// Moves the residual indentations of the pair to `soil` if the bodies have separated, or if
-  /// `over` is true. Until then they do not affect the contacts of other bodies.
-  void store_indentations(bool over, SoilMemory& soil) {
-    if (indentations_ && (over || !is_touching()) && !indentations_->empty())
+  /// Moves the residual indentations of the pair to `soil` if the bodies have separated or
+  /// `is_final` is true. Until then, they do not affect the contacts of other bodies.
+  void store_indentations(bool is_final, SoilMemory& soil) {
+    if (indentations_ && (is_final || !is_touching()) && !indentations_->empty())
       soil.merge(*indentations_);
   }
 
-  /// Clears the applied event impulse. The other loads stay valid while neither body moves.
-  void clear_event_impulse() { load_.event.reset(); }
+  /// Removes the correction impulse after it was applied. The other loads stay valid while neither
+  /// body moves.
+  void clear_correction_impulse() { load_.correction.reset(); }
 
   /// Returns the relative displacement before the bodies can touch, m; 0 if unknown.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;
-  /// Returns the mobility of all contacts, as `ContactForces::contact_mobility`.
+  /// Returns the effective inverse mass of the block at its contacts, 1/kg
+  /// (`ContactForces::contact_mobility`); 0 without contacts.
   double contact_mobility(std::span<const double> vertex_mobilities) const {
     return near_ ? near_->forces.contact_mobility(vertex_mobilities) : 0.0;
   }
@@ -79,10 +84,11 @@ class PairContactState {
   }
 
  private:
-  /// Narrow phase of the pair. `TerrainNarrowPhase` is much larger and thus behind a pointer.
+  /// Narrow phase of the pair: terrain and block, two blocks with faces, or two bodies without
+  /// faces.
   using NarrowPhase =
       std::variant<std::unique_ptr<TerrainNarrowPhase>, BlockNarrowPhase, RodNarrowPhase>;
-  /// State of the narrow phase while the bodies are near.
+  /// Narrow phase and contact forces of two bodies that are near each other.
   struct NarrowPhaseState {
     NarrowPhaseState(NarrowPhase of_pair, const BlockSurface& block, double size,
                      const ContactModel& model);
@@ -100,9 +106,10 @@ class PairContactState {
     }
     NarrowPhase search;
     ContactForces forces;
-    Pose pose;                      ///< reference_from_block of the last step
-    double displacement = 0.0;      ///< bound of the displacement of any block point, m
-    double separated_until = -1.0;  ///< displacement before which contact is impossible
+    Pose pose;  ///< pose of the block in the frame of the reference body, after the last step
+    double displacement = 0.0;  ///< bound of the displacement of any block point, m
+    /// Value of `displacement` below which contact is impossible, m.
+    double separated_until = -1.0;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -112,10 +119,11 @@ class PairContactState {
   };
 
   NarrowPhase make_narrow_phase() const;
-  /// Returns the distance of the bounding spheres, m; 0 if unknown.
+  /// Returns the distance between the bounding spheres of the two bodies, m; 0 if unknown.
   double bounding_sphere_distance(const BodyMotion& reference, const BodyMotion& block) const;
   double bounding_box_distance(const Vec3& block_centre) const;
-  /// Returns the displacement bound for a new pose of the block.
+  /// Returns the bound of the accumulated displacement of any block point after a move to `pose`,
+  /// m.
   double displacement_to(const Pose& pose) const;
   /// Finds the contact points in world axes, valid until the next call in this thread.
   std::vector<ContactPoint>& find_contact_points(const Pose& world_from_reference,
@@ -127,13 +135,14 @@ class PairContactState {
   double size_;
   const ContactModel& model_;
   std::unique_ptr<NarrowPhaseState> near_;
-  std::unique_ptr<SoilMemory> indentations_;  ///< of this contact, if the soil has a memory
+  /// Residual indentations of this pair; null if the ground stores none.
+  std::unique_ptr<SoilMemory> indentations_;
   ContactLoad load_;
   EnergyBalance energy_balance_;
 };
 
-/// True if the first of two bodies is the reference body: one with faces before one without, then
-/// the larger, then the first.
+/// True if the first of two bodies is the reference body of their contacts. It is the body with
+/// faces if only one has faces; otherwise, the larger one.
 bool is_reference_body(const BlockSurface& first, const BlockSurface& second);
 
 }  // namespace clast::dem_detail

@@ -10,22 +10,23 @@
 
 namespace clast::dem_detail {
 
-/// Indentation depths in square plan cells of ground zones with memory (docs/theory.md, Soil
-/// memory). A cell stores the maximum, so that the order of contacts does not matter.
+/// Residual indentations of the ground in a grid of square plan cells (docs/theory.md, Soil
+/// memory). A cell stores the largest depth, so that the order of contacts does not matter.
 class SoilMemory {
  public:
-  /// Makes an empty memory.
-  /// @param zones  ground zones; `soil_memory` is the cell width of each
+  /// Makes a grid without indentations.
+  /// @param zones  ground zones; the parameter `soil_memory` of a zone is its cell width
   explicit SoilMemory(std::span<const GroundParameters> zones);
 
-  /// True if any zone has a memory.
+  /// True if indentations are stored in at least one zone.
   bool is_enabled() const;
   bool empty() const { return depth_.empty(); }
 
-  /// Returns the stored indentation along the surface normal, m; 0 if nothing is stored.
+  /// Returns the depth of the indentation stored at a position, along the surface normal, m; 0 if
+  /// nothing is stored.
   double residual_indentation(const Vec3& position, std::uint16_t zone) const;
   void add_indentation(const Vec3& position, std::uint16_t zone, double residual_indentation);
-  /// Moves all indentations of another memory into this one.
+  /// Moves all indentations of another object into this one.
   void merge(SoilMemory& other);
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -35,7 +36,7 @@ class SoilMemory {
  private:
   std::uint64_t cell(const Vec3& position, std::uint16_t zone) const;
 
-  std::vector<double> widths_;  ///< cell width of each zone, m; 0: no memory
+  std::vector<double> widths_;  ///< cell width of each zone, m; if 0, no indentations are stored
   std::unordered_map<std::uint64_t, double> depth_;
 };
 

@@ -18,7 +18,7 @@ double decay(double ratio) {
 
 }  // namespace
 
-double damping_ratio(double energy_restitution) {
+double damping_ratio_for_restitution(double energy_restitution) {
   const double wanted = -0.5 * std::log(energy_restitution);
   // The decay grows with the ratio, and a ratio of exp(decay / 2) is always enough.
   double low = 0.0, high = std::exp(0.5 * wanted);
@@ -31,7 +31,7 @@ double damping_ratio(double energy_restitution) {
 }
 
 SpringDashpotLaw SpringDashpotLaw::on_ground(double stiffness, const GroundParameters& ground) {
-  return {stiffness, clast::damping_ratio(ground.energy_restitution)};
+  return {stiffness, clast::damping_ratio_for_restitution(ground.energy_restitution)};
 }
 
 double SpringDashpotLaw::highest_frequency(double frequency) const {
@@ -39,24 +39,25 @@ double SpringDashpotLaw::highest_frequency(double frequency) const {
   return frequency * (over > 0.0 ? damping_ratio + std::sqrt(over) : 1.0);
 }
 
-NormalResponse SpringDashpotLaw::integrate(const OverlapPath& path, const NormalState& state,
-                                           double effective_mass) const {
+NormalForceResponse SpringDashpotLaw::integrate(const OverlapPath& path,
+                                                const NormalForceState& state,
+                                                double effective_mass) const {
   const double force = state.force;
   const double c = damping_coefficient(effective_mass);
   const double step = path.duration;
   const auto law = [&](double time) {
     return stiffness * path.overlap_at(time) + c * path.rate_at(time);
   };
-  const double end = path.after > 0.0 ? law(step) : 0.0;
+  const double end = path.final_overlap > 0.0 ? law(step) : 0.0;
   if (force > 0.0 && end > 0.0) {
     // No event: the work is that along the parabola, the impulse that of the Verlet step.
-    PathIntegral integral(path, force);
+    ForcePathIntegral integral(path, force);
     integral.add_interval(0.0, step, law);
     return {end, integral.response(end).work, 0.0, 0.0};
   }
 
-  PathIntegral integral(path, force);
-  if (path.before <= 0.0 && path.after > 0.0 && force == 0.0) {
+  ForcePathIntegral integral(path, force);
+  if (path.initial_overlap <= 0.0 && path.final_overlap > 0.0 && force == 0.0) {
     // The contact starts inside the step. The path does not yet include the braking by the dashpot.
     const double touch =
         path.zero_crossing(path.reversal_time() < step ? path.reversal_time() : 0.0, step);

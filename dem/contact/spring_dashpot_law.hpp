@@ -6,15 +6,16 @@
 
 namespace clast {
 
-/// Normal force f on one ground zone at overlap h: f = max(0, k_n h + c dh/dt). The damping c is
-/// such that a single contact returns the fraction e_n^2 of its energy.
+/// Linear spring and dashpot: the normal force is max(0, k_n h + c dh/dt) for the overlap h, with
+/// normal stiffness k_n. The damping coefficient c is such that a single contact returns the
+/// fraction e_n^2 of its energy.
 struct SpringDashpotLaw {
   static constexpr const char* kName = "spring-dashpot";
   static constexpr bool kNeedsEffectiveMass = true;
   static constexpr bool kIsPlastic = false;
 
-  double stiffness = 0.0;      ///< k_n, N/m
-  double damping_ratio = 0.0;  ///< c / (2 sqrt(k_n m)), m the effective mass of the contact
+  double stiffness = 0.0;      ///< normal stiffness k_n, N/m
+  double damping_ratio = 0.0;  ///< damping coefficient divided by its critical value
 
   static SpringDashpotLaw on_ground(double stiffness, const GroundParameters& ground);
 
@@ -22,26 +23,28 @@ struct SpringDashpotLaw {
   double stored_energy(double overlap, double /*dent*/) const {
     return 0.5 * stiffness * overlap * overlap;
   }
-  NormalState initial_state(double overlap, double rate, double effective_mass,
-                            double /*patch_force*/) const {
+  NormalForceState initial_state(double overlap, double rate, double effective_mass,
+                                 double /*patch_force*/) const {
     return {std::max(0.0, stiffness * overlap + damping_coefficient(effective_mass) * rate), 0.0};
   }
-  /// Returns the fastest rate, rad/s, of a contact whose spring alone has the given frequency.
+  /// Returns the highest frequency or decay rate of a damped contact, rad/s. `frequency` is that of
+  /// the spring without damping.
   double highest_frequency(double frequency) const;
   double force_drop(double overlap, double force) const { return force - stiffness * overlap; }
-  double unloading_ratio(double of) const { return stiffness / of; }
+  double unloading_ratio(double reference_stiffness) const {
+    return stiffness / reference_stiffness;
+  }
 
-  NormalResponse integrate(const OverlapPath& path, const NormalState& state,
-                           double effective_mass) const;
+  NormalForceResponse integrate(const OverlapPath& path, const NormalForceState& state,
+                                double effective_mass) const;
 
   double damping_coefficient(double effective_mass) const {
     return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);
   }
 };
 
-/// Returns the damping ratio for an energy restitution e_n^2, if the contact ends when its force
-/// vanishes. It solves e_n = exp(-2 theta / tan theta) with theta = acos(ratio). For ratios above
-/// 1, it solves e_n = exp(-2 eta / tanh eta) with eta = acosh(ratio).
-double damping_ratio(double energy_restitution);
+/// Returns the damping ratio with which a contact returns the fraction `energy_restitution` of its
+/// energy. The contact ends when its force vanishes.
+double damping_ratio_for_restitution(double energy_restitution);
 
 }  // namespace clast

@@ -37,15 +37,15 @@ struct Demand {
   double smallest_side = 1e300;
 };
 
-Demand demand_of(std::span<const BodyRequirements> bodies, const GroundRequirements& ground,
-                 double fastest, double gravity) {
+Demand demand_of(std::span<const BodyStiffnessInputs> bodies, const GroundStiffnessInputs& ground,
+                 double max_speed, double gravity) {
   Demand demand;
-  for (const BodyRequirements& body : bodies) {
+  for (const BodyStiffnessInputs& body : bodies) {
     const double depth = std::min(kSettledDepth, kSettledDepthFraction * body.smallest_side);
     const double deepest = kImpactDepthFraction * body.smallest_side;
     demand.normal =
         std::max({demand.normal, body.mass * gravity / (ground.static_stiffness_ratio * depth),
-                  body.mass * fastest * fastest / (deepest * deepest)});
+                  body.mass * max_speed * max_speed / (deepest * deepest)});
     demand.mobility = std::max(demand.mobility, body.mobility);
     demand.smallest_moment = std::min(demand.smallest_moment, body.smallest_moment);
     demand.smallest_side = std::min(demand.smallest_side, body.smallest_side);
@@ -55,15 +55,15 @@ Demand demand_of(std::span<const BodyRequirements> bodies, const GroundRequireme
 
 /// Sets the depths that the chosen stiffness leads to.
 /// @returns  the largest settled depth as a fraction of its body's S
-double find_depths(StiffnessChoice& choice, std::span<const BodyRequirements> bodies,
-                   const GroundRequirements& ground, double fastest, double gravity) {
+double find_depths(StiffnessChoice& choice, std::span<const BodyStiffnessInputs> bodies,
+                   const GroundStiffnessInputs& ground, double max_speed, double gravity) {
   const double normal = choice.stiffness.normal;
   double deepest_share = 0.0;
-  for (const BodyRequirements& body : bodies) {
+  for (const BodyStiffnessInputs& body : bodies) {
     // Depth h of an impact: m v^2/2 + m g h = k h^2/2.
     const double weight = body.mass * gravity;
     const double impact =
-        (weight + std::sqrt(weight * weight + normal * body.mass * fastest * fastest)) / normal;
+        (weight + std::sqrt(weight * weight + normal * body.mass * max_speed * max_speed)) / normal;
     const double settled = std::max(weight / (normal * ground.static_stiffness_ratio),
                                     ground.residual_indentation_ratio * impact);
     choice.settled_depth = std::max(choice.settled_depth, settled);
@@ -94,7 +94,7 @@ std::string cost_warning(const ContactStiffness& chosen, double static_stiffness
 }
 
 std::string stiff_unloading_warning(const ContactStiffness& chosen,
-                                    const GroundRequirements& ground) {
+                                    const GroundStiffnessInputs& ground) {
   const double restitution = 1.0 - ground.residual_indentation_ratio;
   return "energy_restitution = " + format_significant(restitution, 3) +
          " makes the ground unload 1/energy_restitution times as stiff as it loads, in steps of " +
@@ -122,13 +122,13 @@ std::vector<double> vertex_mobilities(const RigidBody& body) {
   return mobilities;
 }
 
-BodyRequirements body_requirements(const RigidBody& body) {
+BodyStiffnessInputs body_stiffness_inputs(const RigidBody& body) {
   const std::vector<double> mobilities = vertex_mobilities(body);
   return {body.mass, body.smallest_side, body.moments.minCoeff(),
           *std::max_element(mobilities.begin(), mobilities.end())};
 }
 
-void GroundRequirements::include(const GroundRequirements& other) {
+void GroundStiffnessInputs::include(const GroundStiffnessInputs& other) {
   static_stiffness_ratio = std::min(static_stiffness_ratio, other.static_stiffness_ratio);
   frequency_ratio = std::max(frequency_ratio, other.frequency_ratio);
   rolling_length = std::max(rolling_length, other.rolling_length);
@@ -137,15 +137,15 @@ void GroundRequirements::include(const GroundRequirements& other) {
       std::max(residual_indentation_ratio, other.residual_indentation_ratio);
 }
 
-GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
-                                       const ContactLaw& law) {
+GroundStiffnessInputs ground_stiffness_inputs(std::span<const GroundParameters> zones,
+                                              const ContactLaw& law) {
   if (zones.empty()) {
     throw SimulationError(
         "stiffness: no ground zone is given from which to choose it; give the parameters of one");
   }
-  GroundRequirements ground;
+  GroundStiffnessInputs ground;
   std::visit(
-      [&]<NormalLaw Law>(const Law&) {
+      [&]<NormalForceLaw Law>(const Law&) {
         for (const GroundParameters& zone : zones) {
           // Results of the law for a stiffness of 1 N/m and a frequency of 1 rad/s.
           const Law unit = Law::on_ground(1.0, zone);
@@ -159,21 +159,21 @@ GroundRequirements ground_requirements(std::span<const GroundParameters> zones,
 }
 
 StiffnessChoice choose_stiffness(std::span<const RigidBody> bodies,
-                                 std::span<const GroundParameters> zones, double fastest,
+                                 std::span<const GroundParameters> zones, double max_speed,
                                  double gravity, const StiffnessOptions& options) {
-  std::vector<BodyRequirements> asked;
-  for (const RigidBody& body : bodies) asked.push_back(body_requirements(body));
-  return choose_stiffness(asked, ground_requirements(zones, options.law), fastest, gravity,
+  std::vector<BodyStiffnessInputs> asked;
+  for (const RigidBody& body : bodies) asked.push_back(body_stiffness_inputs(body));
+  return choose_stiffness(asked, ground_stiffness_inputs(zones, options.law), max_speed, gravity,
                           options);
 }
 
-StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
-                                 const GroundRequirements& ground, double fastest, double gravity,
-                                 const StiffnessOptions& options) {
+StiffnessChoice choose_stiffness(std::span<const BodyStiffnessInputs> bodies,
+                                 const GroundStiffnessInputs& ground, double max_speed,
+                                 double gravity, const StiffnessOptions& options) {
   if (bodies.empty()) {
     throw SimulationError("stiffness: no block is given from which to choose it; give one");
   }
-  const Demand demand = demand_of(bodies, ground, fastest, gravity);
+  const Demand demand = demand_of(bodies, ground, max_speed, gravity);
   StiffnessChoice choice;
   ContactStiffness& chosen = choice.stiffness;
   chosen.normal = options.normal.value_or(demand.normal);
@@ -191,7 +191,7 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
                                   stiffest_rolling / demand.smallest_moment)));
   // A step in contact must not carry a block through the ground, however soft it is.
   const double displacement =
-      fastest > 0.0 ? kDisplacementFraction * demand.smallest_side / fastest : 1e300;
+      max_speed > 0.0 ? kDisplacementFraction * demand.smallest_side / max_speed : 1e300;
   const double impact_step = options.multi_block ? kMassImpactStep : kImpactStep;
   const double resolved = std::min(impact_step / frequency, displacement);
   chosen.time_step = options.time_step.value_or(resolved);
@@ -206,7 +206,7 @@ StiffnessChoice choose_stiffness(std::span<const BodyRequirements> bodies,
                           " s resolves every contact: give this value, or leave the time step out");
   }
 
-  const double deepest_share = find_depths(choice, bodies, ground, fastest, gravity);
+  const double deepest_share = find_depths(choice, bodies, ground, max_speed, gravity);
   if (chosen.normal < 0.999 * demand.normal) {
     choice.warnings.push_back(softness_warning(choice, demand.normal, deepest_share));
   }

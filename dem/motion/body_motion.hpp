@@ -4,18 +4,20 @@
 
 namespace clast::dem_detail {
 
-/// Motion of a body over a step: final pose, mean velocities and initial state; at rest by default.
+/// Motion of a body over a time step: final pose, mean velocities, and initial position and
+/// velocities. By default, the body is at rest.
 struct BodyMotion {
-  Pose world_from_body;                  ///< origin at the centre of mass
-  Vec3 velocity = Vec3::Zero();          ///< of the centre, m/s
-  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
+  Pose world_from_body;  ///< final pose, with the centre of mass as origin of the body frame
+  Vec3 velocity = Vec3::Zero();          ///< mean velocity of the centre of mass, m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< mean angular velocity, rad/s, world axes
 
-  Vec3 begin_position = Vec3::Zero();  ///< of the centre at the start of the step
+  Vec3 begin_position = Vec3::Zero();  ///< position of the centre of mass at the start of the step
   Vec3 begin_velocity = Vec3::Zero();
   Vec3 begin_angular_velocity = Vec3::Zero();
 
-  double inverse_mass = 0.0;            ///< 1/kg; 0 for a fixed body
-  Vec3 inverse_moments = Vec3::Zero();  ///< along the body axes, 1/(kg m^2)
+  double inverse_mass = 0.0;  ///< 1/kg; 0 for a fixed body
+  /// Inverse principal moments of inertia, along the body axes, 1/(kg m^2).
+  Vec3 inverse_moments = Vec3::Zero();
 
   Vec3 velocity_at(const Vec3& point) const {
     return velocity + angular_velocity.cross(point - world_from_body.translation);
@@ -37,7 +39,7 @@ struct BodyMotion {
     bytes(world_from_body, velocity, angular_velocity, begin_position, begin_velocity,
           begin_angular_velocity, inverse_mass, inverse_moments);
   }
-  /// Applies the inverse inertia tensor in world axes.
+  /// Multiplies a torque by the inverse inertia tensor, in world axes.
   Vec3 apply_inverse_inertia(const Vec3& torque) const {
     const Vec3 in_body = world_from_body.rotation.conjugate() * torque;
     return world_from_body.rotation * Vec3(inverse_moments.cwiseProduct(in_body));
@@ -53,12 +55,14 @@ struct RelativeMotion {
         spin(of_block.angular_velocity - of_other.angular_velocity),
         other_is_moving(of_other.is_moving()) {}
 
-  /// Mean relative velocity of the material points at `position` at the end of the step.
+  /// Returns the mean relative velocity of the material points that are at `position` at the end of
+  /// the step.
   Vec3 velocity_at(const Vec3& position) const {
     return other_is_moving ? Vec3(block.velocity_at(position) - other.velocity_at(position))
                            : block.velocity_at(position);
   }
-  /// Returns the mean relative velocity of the material points at `position` at the step's start.
+  /// Returns the mean relative velocity of the material points that were at `position` at the start
+  /// of the step.
   Vec3 velocity_of_start_point(const Vec3& position) const {
     return other_is_moving ? Vec3(block.velocity_of_start_point(position) -
                                   other.velocity_of_start_point(position))

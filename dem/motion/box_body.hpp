@@ -5,9 +5,9 @@
 namespace clast {
 
 /// Makes a box about the origin with sides along the axes.
-/// @param sides  of the core, m
-/// @param radius  of the rounding, m; 0: sharp
-/// @param mass  kg, uniformly distributed in the core
+/// @param sides  side lengths of the core, m
+/// @param radius  radius of the rounding, m; if 0, edges are sharp
+/// @param mass  mass, kg, uniformly distributed in the core
 RigidBody make_box_body(const Vec3& sides, double radius, double mass);
 
 }  // namespace clast

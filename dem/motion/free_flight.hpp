@@ -7,7 +7,8 @@
 
 namespace clast::dem_detail {
 
-/// Minimum time to travel a distance, s, given bounds of the initial speed and the acceleration.
+/// Returns the minimum time to travel a distance, s, for given maxima of initial speed and
+/// acceleration.
 double min_travel_time(double distance, double speed, double acceleration);
 
 /// Free flight from an initial state: ballistic centre of mass, torque-free rotation. The cost does
@@ -16,11 +17,11 @@ class FreeFlight {
  public:
   FreeFlight(const RigidBody& body, const RigidState& begin, double gravity);
 
-  /// Returns the state after a time, s. It is cheapest for a time near that of the last call.
+  /// Returns the state of the body after a time of flight, s. It is fastest for a time near that of
+  /// the last call.
   RigidState state_after(double duration);
   const RigidState& begin() const { return begin_; }
-  /// Returns an upper bound of the angular speed, rad/s: that of the whole rotational energy about
-  /// the axis of the smallest moment.
+  /// Returns an upper bound of the angular speed during the flight, rad/s.
   double max_angular_speed() const { return max_angular_speed_; }
 
  private:

@@ -138,7 +138,7 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
   const double size = momentum.norm();
   const Vec3 mobility = moments.cwiseInverse();
   if (!(size > 0.0)) {
-    steady_ = true;
+    is_steady_ = true;
     return;
   }
   direction_ = momentum / size;
@@ -151,13 +151,13 @@ FreeRotation::FreeRotation(const Vec3& moments, const Quat& orientation, const V
   const double upper = mobility[axes[0]] - mobility[axes[1]];
   const double lower = mobility[axes[1]] - mobility[axes[2]];
   if (upper + lower <= kSameMoments * mobility[axes[0]]) {
-    steady_ = true;
+    is_steady_ = true;
     steady_rate_ = size * mobility[axes[0]];
     return;
   }
   if (std::max(std::abs(in_body[axes[0]]), std::abs(in_body[axes[2]])) < kUnstableAmplitude &&
       upper > 0.0 && lower > 0.0) {
-    stepped_ = true;
+    uses_time_steps_ = true;
     return;
   }
   // The momentum circles the axis of the smallest or largest moment in the body frame.
@@ -181,19 +181,19 @@ void FreeRotation::set_polhode(const Vec3& mobility, const Vec3& in_body, double
   const double x = to_middle * square(in_body[middle_]) + to_other * square(in_body[other_]);
   const double z = to_other * square(in_body[pole_]) + beyond * square(in_body[middle_]);
   if (!(z > 0.0)) {  // about a principal axis
-    steady_ = true;
+    is_steady_ = true;
     steady_rate_ = size * mobility[middle_];
     return;
   }
   complement_ = std::clamp(to_other * decider / (z * to_middle), kMinComplement, 1.0);
   modulus_ = 1.0 - complement_;
   characteristic_ = beyond / to_middle;
-  side_ = in_body[pole_] < 0.0 ? -1.0 : 1.0;
+  pole_sign_ = in_body[pole_] < 0.0 ? -1.0 : 1.0;
   const bool right_handed = (middle_ - pole_ + 3) % 3 == 1;
-  sense_ = right_handed ? 1.0 : -1.0;
+  handedness_ = right_handed ? 1.0 : -1.0;
   // Signs of Euler's equations are for right-handed axes pole, middle, other with descending
   // inverse moments. Otherwise the orbit runs in the opposite direction.
-  argument_rate_ = side_ * sign * sense_ * size * std::sqrt(z * to_middle);
+  argument_rate_ = pole_sign_ * sign * handedness_ * size * std::sqrt(z * to_middle);
   precession_ = size * mobility[pole_];
   nutation_ = sign * size * to_other;
   along_pole_ = std::sqrt(z / to_other);
@@ -224,7 +224,7 @@ double FreeRotation::third_kind_integral(double amplitude) const {
 
 Mat3 FreeRotation::momentum_frame_at(double amplitude) const {
   const double s = std::sin(amplitude), c = std::cos(amplitude);
-  const double along = side_ * along_pole_ * std::sqrt(complement_ + modulus_ * c * c);
+  const double along = pole_sign_ * along_pole_ * std::sqrt(complement_ + modulus_ * c * c);
   const double across = std::hypot(spread_middle_ * s, spread_other_ * c);
   const double norm = std::hypot(along, across);
   const double cosine = along / norm, sine = across / norm;
@@ -241,10 +241,10 @@ Mat3 FreeRotation::momentum_frame_at(double amplitude) const {
 }
 
 Quat FreeRotation::orientation_after(double duration) const {
-  if (steady_) {
+  if (is_steady_) {
     return (rotation_from_vector(steady_rate_ * duration * direction_) * orientation_).normalized();
   }
-  if (stepped_) return integrate_free_rotation(moments_, orientation_, momentum_, duration);
+  if (uses_time_steps_) return integrate_free_rotation(moments_, orientation_, momentum_, duration);
   const double amplitude =
       jacobi_amplitude(first_argument_ + argument_rate_ * duration, complement_);
   const double precessed =

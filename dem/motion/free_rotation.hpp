@@ -8,19 +8,20 @@ namespace clast::dem_detail {
 /// Torque-free rotation from an initial state. The cost does not depend on the duration.
 class FreeRotation {
  public:
-  /// Prepares the closed form.
+  /// Computes the constants of the closed-form solution.
   /// @param moments  principal moments of inertia, along the body axes, kg m^2
-  /// @param orientation  world_from_body at time 0
+  /// @param orientation  orientation at time 0, from body to world axes
   /// @param momentum  angular momentum, world axes, kg m^2/s
   FreeRotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
-  /// Returns world_from_body after a time, s, which may be negative.
+  /// Returns the orientation (world_from_body) after a time, s, which may be negative.
   Quat orientation_after(double duration) const;
 
  private:
-  /// Computes the constants of the closed form, once the axes are chosen.
+  /// Computes the constants of the closed form after the axes are chosen.
   /// @param in_body  direction of the momentum in body axes, unit
-  /// @param sign  sign that makes the pole's inverse moment minus the others' positive
+  /// @param sign  +1 or -1, such that the differences of inverse moments between the pole axis and
+  ///              the others are positive
   void set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
                    double decider);
   /// Returns a frame as columns in body axes: the direction of the momentum, the pole's azimuth
@@ -31,18 +32,20 @@ class FreeRotation {
   Vec3 moments_;
   Quat orientation_;
   Vec3 momentum_;
-  bool stepped_ = false;            ///< too close to the unstable axis for the closed form
+  /// True if the rotation is too close to the unstable axis for the closed form.
+  bool uses_time_steps_ = false;
   Vec3 direction_ = Vec3::UnitZ();  ///< direction of the momentum, world axes
   double steady_rate_ = 0.0;        ///< angular speed for equal moments, rad/s
-  bool steady_ = false;
+  bool is_steady_ = false;
 
   // Indices of the body axes. The pole is the axis about which the momentum precesses in the body
   // frame; `middle_` has the middle moment.
   int pole_ = 0, middle_ = 1, other_ = 2;
-  double sense_ = 1.0;  ///< +1 if the axes pole, middle, other are right-handed, otherwise -1
-  double side_ = 1.0;   ///< sign of the momentum along the pole
+  double handedness_ =
+      1.0;  ///< +1 if the axes pole, middle and other are right-handed, otherwise -1
+  double pole_sign_ = 1.0;       ///< sign of the momentum along the pole
   double argument_rate_ = 0.0;   ///< d(argument of the elliptic functions)/dt, rad/s
-  double modulus_ = 0.0;         ///< k^2
+  double modulus_ = 0.0;         ///< squared modulus k^2 of the elliptic functions
   double complement_ = 1.0;      ///< 1 - k^2
   double characteristic_ = 0.0;  ///< nu in the integrand of the precession, 1/(1 + nu sn^2)
   double precession_ = 0.0;      ///< constant part of the precession rate, rad/s

@@ -37,7 +37,7 @@ double rotational_energy(const RigidBody& body, const RigidState& state) {
   return 0.5 * spin.dot(body.moments.cwiseProduct(spin));
 }
 
-double lowest_point(const RigidBody& body, const RigidState& state) {
+double lowest_height(const RigidBody& body, const RigidState& state) {
   const Vec3 down_row = state.orientation.toRotationMatrix().row(2);
   double lowest = 1e300;
   for (const Vec3& vertex : body.shape.vertices) lowest = std::min(lowest, down_row.dot(vertex));

@@ -49,9 +49,10 @@ void RigidBodyIntegrator::end_step(double duration, const Vec3& force, const Vec
   state_.angular_velocity = angular_velocity(body_.moments, state_.orientation, momentum_);
 }
 
-double RigidBodyIntegrator::apply_event_impulse(const Vec3& impulse, const Vec3& angular_impulse,
-                                                const Vec3& moment, const Vec3& angular_moment,
-                                                const Vec3& gravity) {
+double RigidBodyIntegrator::apply_correction_impulse(const Vec3& impulse,
+                                                     const Vec3& angular_impulse,
+                                                     const Vec3& moment, const Vec3& angular_moment,
+                                                     const Vec3& gravity) {
   const double before = kinetic_energy();
   const Vec3 shift = moment / body_.mass;
   const Vec3 turn = current_motion().apply_inverse_inertia(angular_moment);

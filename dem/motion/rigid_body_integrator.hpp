@@ -5,7 +5,8 @@
 
 namespace clast::dem_detail {
 
-/// Moving body. `begin_step` and `end_step` alternate; contacts are evaluated between them.
+/// Integrates the motion of a rigid body. `begin_step` and `end_step` alternate; contacts are
+/// evaluated between them.
 class RigidBodyIntegrator {
  public:
   RigidBodyIntegrator(const RigidBody& body, const RigidState& start);
@@ -15,19 +16,21 @@ class RigidBodyIntegrator {
 
   BodyMotion advance_flight(double duration, const Vec3& gravity);
   /// Applies the first half of the velocity update and moves the body.
-  /// @return its new pose and mean velocities
+  /// @return motion over the step: new pose and mean velocities
   BodyMotion begin_step(double duration, const Vec3& force, const Vec3& torque,
                         const Vec3& gravity);
   /// Applies the second half of the velocity update, with the loads at the new pose.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
-  /// Applies the correction impulse for events inside the last step (`EventImpulse`).
+  /// Applies the correction impulse for contacts that began, reversed or ended inside the last
+  /// step.
   /// @returns the added kinetic and potential energy, J
-  double apply_event_impulse(const Vec3& impulse, const Vec3& angular_impulse, const Vec3& moment,
-                             const Vec3& angular_moment, const Vec3& gravity);
+  double apply_correction_impulse(const Vec3& impulse, const Vec3& angular_impulse,
+                                  const Vec3& moment, const Vec3& angular_moment,
+                                  const Vec3& gravity);
 
-  /// Returns the energy that Verlet steps lose because their first load was not the result of a
-  /// step, J. Example: a dashpot acts from the first contact on (docs/theory.md).
+  /// Returns the energy that velocity Verlet steps lose at the start of a motion, J. The loss
+  /// occurs because the first load is not the result of a step (docs/theory.md).
   double verlet_start_loss(double duration, const Vec3& force, const Vec3& torque,
                            const Vec3& gravity) const;
 
@@ -38,7 +41,7 @@ class RigidBodyIntegrator {
   double max_angular_speed() const;
   /// Returns an upper bound of the speed of any body point in the last step, m/s.
   double max_point_speed() const { return max_point_speed_; }
-  /// Returns an upper bound of how far the last `apply_event_impulse` moved any body point, m.
+  /// Returns an upper bound of how far the last `apply_correction_impulse` moved any body point, m.
   double correction_displacement() const { return correction_displacement_; }
   bool is_finite() const;
   template <class Bytes>
@@ -49,8 +52,8 @@ class RigidBodyIntegrator {
  private:
   const RigidBody& body_;
   RigidState state_;
-  Vec3 momentum_;  ///< angular, world axes, kg m^2/s
-  double radius_;  ///< of the rounded body about its centre, m
+  Vec3 momentum_;  ///< angular momentum, world axes, kg m^2/s
+  double radius_;  ///< radius of the rounded body about its centre, m
   double smallest_moment_;
   double max_point_speed_ = 0.0;
   double correction_displacement_ = 0.0;

@@ -8,16 +8,17 @@ namespace clast::dem_detail {
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 
-/// Returns the rotation by a rotation vector, rad.
+/// Converts a rotation vector, rad, to a quaternion.
 Quat rotation_from_vector(const Vec3& rotation);
 
 struct RotationStep {
-  Quat orientation;       ///< world_from_body at the end
-  Vec3 angular_velocity;  ///< mean of both ends, rad/s, world axes
+  Quat orientation;  ///< orientation at the end of the step, world_from_body
+  /// Mean of the angular velocities at both ends of the step, rad/s, world axes.
+  Vec3 angular_velocity;
 };
 
-/// Integrates a short step at constant momentum by the explicit midpoint rule on the rotation
-/// group. It is of second order and time-reversible to third order.
+/// Integrates the rotation over a short step at constant angular momentum by the explicit midpoint
+/// rule, which has second-order accuracy.
 RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation,
                                      const Vec3& momentum, double step);
 

@@ -17,7 +17,7 @@ void SleepDetector::add_step(const RigidState& state, double step, double window
   sum_.rotation += step * sign * rotation;
   duration_ += step;
   if (duration_ < window) return;
-  const MeanPose mean{sum_.position / duration_, sum_.rotation.normalized()};
+  const PoseSum mean{sum_.position / duration_, sum_.rotation.normalized()};
   if (last_) {
     // A rotation by a small angle a changes a unit quaternion by a/2.
     const double turn = 2.0 * std::min((mean.rotation - last_->rotation).norm(),

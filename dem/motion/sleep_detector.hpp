@@ -6,13 +6,13 @@
 
 namespace clast::dem_detail {
 
-/// Compares the mean poses of consecutive time windows. A block at rest may keep rocking, because
-/// its tangential and rolling springs are undamped. It is stationary if the means of two
-/// consecutive windows agree.
+/// Detects stationary bodies by comparing the mean poses in consecutive time windows. A body at
+/// rest may keep rocking, because its contact springs are undamped. It is stationary if the mean
+/// poses of two windows agree.
 class SleepDetector {
  public:
-  /// Adds a step.
-  /// @param state  at the end of the step
+  /// Adds the state at the end of a time step.
+  /// @param state  state of the body at the end of the step
   /// @param window  length of a time window, s
   /// @param tolerance  largest distance of any body point between two mean poses that agree, m
   /// @param radius  radius of the body about its centre, m
@@ -21,8 +21,8 @@ class SleepDetector {
   /// Restarts the detection.
   void reset() { *this = {}; }
 
-  /// True if the last two windows agree. The body stays stationary until they differ by several
-  /// times the tolerance, which is a hysteresis for slowly creeping bodies.
+  /// True if the mean poses of the last two time windows agree. The body then stays stationary
+  /// until they differ by several times the tolerance.
   bool is_stationary() const { return is_stationary_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -30,7 +30,7 @@ class SleepDetector {
   }
 
  private:
-  struct MeanPose {
+  struct PoseSum {
     Vec3 position = Vec3::Zero();
     Eigen::Vector4d rotation = Eigen::Vector4d::Zero();  ///< quaternion sum in one hemisphere
 
@@ -39,9 +39,9 @@ class SleepDetector {
       bytes(position, rotation);
     }
   };
-  MeanPose sum_;  ///< time integral over the current window
+  PoseSum sum_;  ///< time integral of the pose over the current window
   double duration_ = 0.0;
-  std::optional<MeanPose> last_;
+  std::optional<PoseSum> last_;
   bool is_stationary_ = false;
 };
 

@@ -45,13 +45,13 @@ std::vector<ContactPoint>& BlockNarrowPhase::find_contacts(const Pose& ground_fr
   scratch().inverted.clear();
   displacement_ = displacement;
   // The depth of the two bodies is unknown at the first call.
-  if (list_valid_until_ < 0.0) allowed_.reset(size_);
+  if (list_valid_until_ < 0.0) depth_limit_.reset(size_);
   if (displacement >= list_valid_until_) build_candidate_list();
-  safe_displacement_ = list_valid_until_;
+  contact_free_displacement_ = list_valid_until_;
   find_all_vertex_contacts();
   for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
-  allowed_.update(deepest_, margin_);
-  if (contact_distance() > list_touching_) build_candidate_list();
+  depth_limit_.update(deepest_, margin_);
+  if (contact_distance() > max_listed_depth_) build_candidate_list();
   find_side_contacts();
   remove_resolved_contacts(contacts, ground_, block_, ground_from_block, size_);
   deepest_ = 0.0;
@@ -61,11 +61,11 @@ std::vector<ContactPoint>& BlockNarrowPhase::find_contacts(const Pose& ground_fr
     normal += contact.overlap * contact.normal;
   }
   if (contacts.empty()) {
-    allowed_.reset();
+    depth_limit_.reset();
   } else if (!normal.isZero()) {
     direction_ = normal.normalized();
   }
-  if (kListedTooDeep * contact_distance() < list_touching_) list_valid_until_ = displacement_;
+  if (kListedTooDeep * contact_distance() < max_listed_depth_) list_valid_until_ = displacement_;
   return contacts;
 }
 
@@ -75,7 +75,7 @@ void BlockNarrowPhase::find_all_vertex_contacts() {
     const std::span<const std::uint32_t> faces(faces_.data() + begin, candidate.end_face - begin);
     begin = candidate.end_face;
     if (displacement_ >= candidate.separated_until) find_vertex_contacts(candidate, faces);
-    safe_displacement_ = std::min(safe_displacement_, candidate.separated_until);
+    contact_free_displacement_ = std::min(contact_free_displacement_, candidate.separated_until);
   }
   resolve_inverted_contacts();
 }
@@ -91,10 +91,10 @@ void BlockNarrowPhase::resolve_inverted_contacts() {
     }
   }
   for (const InvertedContact& inverted : all_backwards) {
-    const ContactPoint forwards =
-        tests_.inside_contact(inverted.vertex, inverted.centre,
-                              tests_.nearest_uninverted(inverted.vertex, inverted.centre,
-                                                        inverted.nearest, ground_.local_faces));
+    const ContactPoint forwards = tests_.make_inside_contact(
+        inverted.vertex, inverted.centre,
+        tests_.nearest_valid_push_point(inverted.vertex, inverted.centre, inverted.nearest,
+                                        ground_.local_faces));
     if (forwards.overlap <= deepest) contacts[inverted.contact] = forwards;
   }
   all_backwards.clear();
@@ -120,10 +120,10 @@ void BlockNarrowPhase::find_vertex_contacts(CandidateVertex& candidate,
   if (nearest.distance >= 0.0) {
     tests_.add_outside_contacts(candidate.vertex, centre, faces, contacts);
   } else {
-    if (tests_.is_inverted(candidate.vertex, centre, nearest)) {
+    if (tests_.is_inverted_push(candidate.vertex, centre, nearest)) {
       all_backwards.push_back({contacts.size(), candidate.vertex, centre, nearest});
     }
-    contacts.push_back(tests_.inside_contact(candidate.vertex, centre, nearest));
+    contacts.push_back(tests_.make_inside_contact(candidate.vertex, centre, nearest));
   }
 }
 
@@ -147,7 +147,7 @@ NearestPoint BlockNarrowPhase::find_nearest_ground_face(CandidateVertex& candida
 void BlockNarrowPhase::find_side_contacts() {
   for (CandidatePair& pair : pairs_) {
     if (displacement_ < pair.separated_until) {
-      safe_displacement_ = std::min(safe_displacement_, pair.separated_until);
+      contact_free_displacement_ = std::min(contact_free_displacement_, pair.separated_until);
       continue;
     }
     const std::uint32_t of_block = block_.parts.sides[pair.side].feature;
@@ -155,8 +155,8 @@ void BlockNarrowPhase::find_side_contacts() {
     const FeatureSeparation separation =
         tests_.test_pair(pair.kind, of_block, pair.ground_feature, contact);
     pair.separated_until = separated_until(separation, contact.has_value());
-    safe_displacement_ = std::min(safe_displacement_, pair.separated_until);
-    if (contact) add_unique(scratch().contacts, *contact);
+    contact_free_displacement_ = std::min(contact_free_displacement_, pair.separated_until);
+    if (contact) add_unique_contact(scratch().contacts, *contact);
   }
 }
 

@@ -1,11 +1,11 @@
 #pragma once
-/// Narrow phase of two blocks. One of them is called the ground here; all data are in its frame.
+/// Narrow phase: contact points of two blocks. The reference block is called the ground here; all
+/// data are in its frame.
 ///
-/// Features that may touch are kept in a list with a margin (Verlet list). The list is valid until
-/// the relative displacement exceeds the margin. A feature is listed only if it lies between two
-/// parallel planes: through the lowest point of the block and the highest point of the ground along
-/// one direction. If that direction is the contact normal or separates the bodies, few features
-/// remain (docs/theory.md, Contact search).
+/// Vertices, edges and faces that may touch are kept in a list, which is valid until the relative
+/// displacement exceeds a margin (Verlet list). A feature is listed only if it lies between two
+/// parallel planes, through the lowest point of the block and the highest point of the ground along
+/// one direction (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -26,31 +26,30 @@ class BlockNarrowPhase {
 
   /// Finds the contacts, in a deterministic order. The caller may modify the returned list. It is
   /// valid until the next search in this thread.
-  /// @param displacement  bound of the displacement of any block point relative to the ground, m;
-  ///                      it must grow by at least the translation of the block's centre plus 2
-  ///                      sin(angle/2) times its bounding radius for a rotation by `angle`
+  /// @param displacement  upper bound of the accumulated displacement of any block point relative
+  ///                      to the ground, m
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_block, double displacement);
 
-  /// Returns the displacement before which contact is impossible, m. Valid only after a call of
-  /// `find_contacts` that found no contacts.
-  double safe_displacement() const { return safe_displacement_; }
+  /// Returns the value of the accumulated displacement below which contact is impossible, m. Valid
+  /// only after a call of `find_contacts` that found no contacts.
+  double contact_free_displacement() const { return contact_free_displacement_; }
 
   /// Serialises the state that determines future contacts and their order.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(tests_, direction_, vertices_, faces_, pairs_, near_face_, low_, high_, list_valid_until_,
-          displacement_, list_touching_, safe_displacement_, deepest_, allowed_);
+          displacement_, max_listed_depth_, contact_free_displacement_, deepest_, depth_limit_);
   }
 
  private:
   /// Block vertex that may touch the ground before the list expires.
   struct CandidateVertex {
     std::uint32_t vertex;
-    std::uint32_t near_face;          ///< entry of its nearest face
-    std::uint32_t end_face;           ///< index in `faces_` after its last face
-    double separated_until = 0.0;     ///< contact is impossible below this displacement, m
-    double nearest_face_until = 0.0;  ///< below this displacement, m, no face but `near_face` needs
-                                      ///< a test, if the foot lies on it
+    std::uint32_t near_face;       ///< index in `faces_` of its nearest face
+    std::uint32_t end_face;        ///< index in `faces_` behind its last face
+    double separated_until = 0.0;  ///< displacement below which contact is impossible, m
+    /// Displacement below which `near_face` is the nearest face, m.
+    double nearest_face_until = 0.0;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -60,9 +59,9 @@ class BlockNarrowPhase {
   /// Candidate pair of a block edge or face and a ground edge or vertex.
   struct CandidatePair {
     ContactKind kind;
-    std::uint32_t side;  ///< index into BlockParts::sides
+    std::uint32_t side;  ///< index into `BlockParts::sides`, which lists edges and faces
     std::uint32_t ground_feature;
-    double separated_until;  ///< contact is impossible below this displacement, m
+    double separated_until;  ///< displacement below which contact is impossible, m
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
@@ -71,24 +70,25 @@ class BlockNarrowPhase {
   };
 
   /// Returns the distance up to which features are listed, m.
-  double listing_distance() const { return list_touching_ + margin_; }
-  /// Returns the distance up to which an edge or face and a ground feature may touch, m.
+  double listing_distance() const { return max_listed_depth_ + margin_; }
+  /// Returns the largest distance between a block edge or face and a ground feature in contact, m.
   double contact_distance() const {
-    return std::max(tests_.reach(), allowed_.depth() - tests_.reach());
+    return std::max(tests_.reach(), depth_limit_.depth() - tests_.reach());
   }
 
-  /// Returns the displacement before which an edge or face cannot touch a ground feature, m.
+  /// Returns the displacement below which a block edge or face cannot touch a ground feature, m.
   double separated_until(const FeatureSeparation& separation, bool touches) const {
     return touches ? displacement_
-                   : displacement_ + std::max(separation.separation.norm() - list_touching_,
-                                              separation.safe_displacement);
+                   : displacement_ + std::max(separation.separation.norm() - max_listed_depth_,
+                                              separation.contact_free_displacement);
   }
 
   void build_candidate_list();
-  /// Improves the separating direction.
+  /// Improves the direction along which the two bodies are separated or overlap least.
   /// @return distance between the bodies along the improved direction, m; negative if they overlap
   double improve_separating_direction();
-  /// Lists the features of both bodies that lie between the two planes and near the other body.
+  /// Lists the features of both bodies that lie between the two separating planes and near the
+  /// other body.
   void collect_features();
   void collect_ground_features();
   void collect_vertices(const BlockPart& part);
@@ -104,9 +104,9 @@ class BlockNarrowPhase {
   void add_candidate_pair(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
                           const FeatureSeparation& separation, bool touches);
 
-  /// Returns how far outside the two planes a feature may lie and still touch, m.
+  /// Returns how far outside the two separating planes a feature in contact may lie, m.
   /// @param along  smallest component of the feature's contact normals along the direction
-  /// @param slack  slack of these normals, as a sine
+  /// @param slack  angular tolerance of these normals, as a sine
   double depth_beyond_plane(double along, double slack) const;
   double depth_beyond_plane(const EdgeNormalArc& arc) const {
     const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
@@ -116,13 +116,13 @@ class BlockNarrowPhase {
   // Tests whether two features may touch before the list expires. A contact normal must be in the
   // normal arcs of both, which rotate with the bodies.
 
-  /// True if the normal arcs of two edges may be opposite.
-  /// @param arc  normal arc of the block's edge, reversed to point out of the ground; its slack
-  ///             allows for the rotation until the list expires
+  /// True if an edge of the block and an edge of the ground may have opposite contact normals.
+  /// @param arc  contact normals of the block's edge, reversed to point out of the ground; their
+  ///             tolerance includes the rotation until the list expires
   /// @param direction  direction of the block's edge, unit
-  bool arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
-                       const EdgeNormalArc& arc, const Vec3& direction) const;
-  bool vertex_may_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
+  bool can_edge_normals_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
+                               const EdgeNormalArc& arc, const Vec3& direction) const;
+  bool can_vertex_normal_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
 
   /// Contact whose normal would push the vertex out through its own block.
   struct InvertedContact {
@@ -131,7 +131,7 @@ class BlockNarrowPhase {
     Vec3 centre;
     NearestPoint nearest;
   };
-  /// Temporary data of one call, shared by all searches of a thread.
+  /// Temporary data of one search, shared by all searches of a thread.
   struct Scratch {
     std::vector<ContactPoint> contacts;
     std::vector<InvertedContact> inverted;
@@ -153,7 +153,7 @@ class BlockNarrowPhase {
   const BlockSurface& block_;
   double size_;    ///< smallest side of the smaller body, m
   double margin_;  ///< displacement after which a list expires, m
-  double turn_;    ///< rotation after which a list expires, as 2 sin(angle/2)
+  double turn_;    ///< rotation by `angle` after which a list expires, as 2 sin(angle/2)
   FeatureTests tests_;
   Vec3 direction_ = Vec3::Zero();  ///< unit, out of the ground into the block; zero if unknown
 
@@ -162,14 +162,15 @@ class BlockNarrowPhase {
   std::vector<CandidatePair> pairs_;
   std::uint32_t near_face_ = 0;  ///< ground face near the last tested vertex
   double low_ = 0.0,
-         high_ = 0.0;  ///< along `direction_`, m: lowest point of the block, highest of the ground
-  double list_valid_until_ = -1.0;  ///< displacement at which the list expires
-  double displacement_ = 0.0;       ///< as passed by the caller, m
-  double list_touching_ = 0.0;      ///< depth up to which contacts of edges and faces are listed, m
+         /// Lowest point of the block and highest point of the ground along `direction_`, m.
+      high_ = 0.0;
+  double list_valid_until_ = -1.0;  ///< displacement at which the list expires, m
+  double displacement_ = 0.0;       ///< displacement passed to `find_contacts`, m
+  double max_listed_depth_ = 0.0;   ///< largest depth of the listed edge and face contacts, m
 
-  double safe_displacement_ = 0.0;  ///< displacement before which contact is impossible, m
-  double deepest_ = 0.0;            ///< largest overlap of the last call, m
-  ContactDepthLimit allowed_;
+  double contact_free_displacement_ = 0.0;  ///< displacement before which contact is impossible, m
+  double deepest_ = 0.0;                    ///< largest overlap of the last call, m
+  ContactDepthLimit depth_limit_;
 };
 
 }  // namespace clast::dem_detail

@@ -13,12 +13,13 @@ namespace clast::dem_detail {
 struct BoundingSphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
-  bool fixed = false;  ///< two fixed bodies are not a pair
+  bool fixed = false;  ///< true if the body is fixed; two fixed bodies are not a pair
 };
 
 class BroadPhase {
+  /// Pair of body indices, the smaller one first.
  public:
-  using Pair = std::array<std::uint32_t, 2>;  ///< smaller index first
+  using Pair = std::array<std::uint32_t, 2>;
 
   /// Updates the list of pairs if a body has moved by half the slack since the last update, or if
   /// the number of bodies has changed. The list then contains all pairs of overlapping spheres
@@ -29,21 +30,23 @@ class BroadPhase {
   bool update_pairs(std::span<const BoundingSphere> spheres, double slack,
                     std::optional<std::span<const std::uint32_t>> moved = {});
 
-  /// Returns how far a body may move before the list can miss a pair, m; 0 if there is no list.
+  /// Returns the distance that a body may move before the list of pairs must be updated, m; 0 if
+  /// there is no list.
   double remaining_displacement(std::size_t body, const Vec3& centre, double slack) const {
-    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm()
-                                  : 0.0;  ///< at the last update
+    return body < centres_.size() ? 0.5 * slack - (centre - centres_[body]).norm() : 0.0;
   }
 
-  /// Returns the sorted pairs, with all spheres that overlapped at the last `update_pairs`.
+  /// Returns the listed pairs of bodies, sorted. They include all pairs whose spheres overlapped at
+  /// the last update.
   const std::vector<Pair>& pairs() const { return pairs_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(centres_, pairs_);
   }
 
+  /// Centres of the spheres at the last update of the list.
  private:
-  std::vector<Vec3> centres_;  ///< at the last update of the list
+  std::vector<Vec3> centres_;
   std::vector<Pair> pairs_;
 };
 

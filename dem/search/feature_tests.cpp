@@ -22,7 +22,7 @@ constexpr double kAllowedFraction = 1.5, kTooDeepFraction = 4.0;
 
 }  // namespace
 
-void add_unique(std::vector<ContactPoint>& contacts, const ContactPoint& contact) {
+void add_unique_contact(std::vector<ContactPoint>& contacts, const ContactPoint& contact) {
   for (const ContactPoint& known : contacts) {
     const bool related =
         known.kind == contact.kind && (known.block_feature == contact.block_feature ||
@@ -73,7 +73,7 @@ FeatureSeparation FeatureTests::test_edge_edge(std::uint32_t block_edge, std::ui
   const Segment of_block{in_ground_frame(block_.vertices[edge.vertices[0]]),
                          rotation_ * edge.direction, edge.length};
   const Segment of_ground = ground_.features.segment(other);
-  const SegmentDistance closest = closest_points(of_block, of_ground);
+  const ClosestSegmentPoints closest = closest_segment_points(of_block, of_ground);
   if (!closest.crossing) {
     return {closest.separation,
             displacement_to_crossing(closest, of_block, of_ground, position_, bounding_radius_)};
@@ -112,7 +112,8 @@ FeatureSeparation FeatureTests::test_edge_vertex(std::uint32_t block_edge,
   const Vec3 normal = out / distance;
   if (can_edge_touch(block_edge, normal) &&
       is_in_normal_cone(ground_.features, ground_vertex, normal)) {
-    contact = vertex_contact(ContactKind::kEdgeVertex, block_edge, ground_vertex, normal, distance);
+    contact =
+        make_vertex_contact(ContactKind::kEdgeVertex, block_edge, ground_vertex, normal, distance);
   }
   return {out, 0.0};
 }
@@ -126,7 +127,7 @@ FeatureSeparation FeatureTests::test_face_vertex(std::uint32_t block_face,
   const double height = face.normal.dot(in_body - block_.vertices[face.vertices[0]]);
   const double moving = relative_motion_factor(ground_point);
   if (distance_inside_face(block_, face, in_body) < 0.0) {
-    const Vec3 between = in_body - nearest_on_face(block_, block_face, in_body).point;
+    const Vec3 between = in_body - nearest_point_on_face(block_, block_face, in_body).point;
     const double beside = std::sqrt(std::max(0.0, between.squaredNorm() - height * height));
     return {rotation_ * between, std::max(beside, height - reach_) / moving};
   }
@@ -135,14 +136,15 @@ FeatureSeparation FeatureTests::test_face_vertex(std::uint32_t block_face,
   if (height < -depth_limit_) return {between, 0.0};
   const Vec3 normal = -(rotation_ * face.normal);
   if (is_near_normal_cone(ground_.features, ground_vertex, normal)) {
-    contact = vertex_contact(ContactKind::kFaceVertex, block_face, ground_vertex, normal, height);
+    contact =
+        make_vertex_contact(ContactKind::kFaceVertex, block_face, ground_vertex, normal, height);
   }
   return {between, 0.0};
 }
 
-ContactPoint FeatureTests::vertex_contact(ContactKind kind, std::uint32_t block_feature,
-                                          std::uint32_t ground_vertex, const Vec3& normal,
-                                          double distance) const {
+ContactPoint FeatureTests::make_vertex_contact(ContactKind kind, std::uint32_t block_feature,
+                                               std::uint32_t ground_vertex, const Vec3& normal,
+                                               double distance) const {
   ContactPoint contact;
   contact.kind = kind;
   contact.block_feature = block_feature;
@@ -167,17 +169,17 @@ bool FeatureTests::pushes_through_block(std::uint32_t vertex, const Vec3& push) 
   return ground_.is_block && push.dot(rotation_ * block_.vertex_normals[vertex]) > 0.0;
 }
 
-NearestPoint FeatureTests::nearest_uninverted(std::uint32_t vertex, const Vec3& centre,
-                                              const NearestPoint& nearest,
-                                              std::span<const LocalFaces::Face> faces) const {
+NearestPoint FeatureTests::nearest_valid_push_point(std::uint32_t vertex, const Vec3& centre,
+                                                    const NearestPoint& nearest,
+                                                    std::span<const LocalFaces::Face> faces) const {
   NearestPoint best = nearest;
   double distance = 1e300;
   for (const LocalFaces::Face& face : faces) {
     const double depth = face.offset - face.normal.dot(centre);
     if (depth < -kDepthRounding || depth > distance + kDepthRounding) continue;
-    const NearestPoint candidate = nearest_on_face(ground_.features, face.face, centre);
+    const NearestPoint candidate = nearest_point_on_face(ground_.features, face.face, centre);
     if (candidate.within_face && candidate.distance < 0.0 && -candidate.distance < distance &&
-        !is_inverted(vertex, centre, candidate)) {
+        !is_inverted_push(vertex, centre, candidate)) {
       distance = -candidate.distance;
       best = candidate;
     }
@@ -185,8 +187,8 @@ NearestPoint FeatureTests::nearest_uninverted(std::uint32_t vertex, const Vec3& 
   return best;
 }
 
-ContactPoint FeatureTests::inside_contact(std::uint32_t vertex, const Vec3& centre,
-                                          const NearestPoint& nearest) const {
+ContactPoint FeatureTests::make_inside_contact(std::uint32_t vertex, const Vec3& centre,
+                                               const NearestPoint& nearest) const {
   ContactPoint contact;
   contact.block_feature = vertex;
   contact.ground_feature = contact.ground_face = nearest.face;
@@ -209,7 +211,7 @@ void FeatureTests::add_outside_contacts(std::uint32_t vertex, const Vec3& centre
     contact.normal = normal;
     contact.overlap = reach_ - distance;
     contact.surface_point = on_ground + ground_.radius * normal;
-    add_unique(contacts, contact);
+    add_unique_contact(contacts, contact);
   };
   for (const LocalFaces::Face& local : faces) {
     const double near = reach_ + local.radius;

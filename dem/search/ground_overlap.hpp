@@ -7,15 +7,15 @@
 
 namespace clast {
 
-/// Measures the overlap of a body with a terrain at many poses. Poses share precomputed data.
+/// Measures the overlap of a body with a terrain at many poses, which share precomputed data.
 class GroundOverlap {
  public:
   /// Stores references; both arguments must outlive this object.
   GroundOverlap(const TerrainSurface& terrain, const RigidBody& body);
   ~GroundOverlap();
 
-  /// Returns the largest contact overlap, m; 0 without contact. It is also 0 if the body is buried
-  /// so deep that it does not reach the surface.
+  /// Returns the largest overlap of the body with the terrain, m; 0 without contact. It is also 0
+  /// if the body is completely below the surface.
   double max_overlap(const RigidState& state) const;
 
  private:

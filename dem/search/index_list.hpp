@@ -1,5 +1,5 @@
 #pragma once
-/// List of selected indices. It is filled without branches, which would be unpredictable.
+/// List of selected indices. It is filled without branches, for speed.
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@ namespace clast::dem_detail {
 
 class IndexList {
  public:
-  /// Clears the list.
+  /// Removes all indices and reserves memory.
   /// @param max_count  maximum number of indices until the next call
   void clear(std::uint32_t max_count) {
     if (indices_.size() <= max_count) indices_.resize(max_count + 1);
@@ -19,7 +19,7 @@ class IndexList {
     count_ += wanted ? 1 : 0;
   }
 
-  /// Lists the selected indices below `end`.
+  /// Fills the list with the indices below `end` for which `wanted` is true.
   template <class Wanted>
   void fill_if(std::uint32_t end, const Wanted& wanted) {
     clear(end);
@@ -37,8 +37,9 @@ class IndexList {
   const std::uint32_t* begin() const { return indices_.data(); }
   const std::uint32_t* end() const { return indices_.data() + count_; }
 
+  /// Selected indices, followed by one spare element.
  private:
-  std::vector<std::uint32_t> indices_;  ///< with one spare element
+  std::vector<std::uint32_t> indices_;
   std::size_t count_ = 0;
 };
 

@@ -26,9 +26,9 @@ std::vector<ContactPoint>& RodNarrowPhase::find_contacts(const Pose& ground_from
   rotation_ = ground_from_body.rotation.toRotationMatrix();
   contacts_.clear();
   clearance_ = 1e300;
-  placed_.clear();
+  block_vertices_in_ground_.clear();
   for (const Vec3& vertex : block_.vertices) {
-    placed_.push_back(rotation_ * vertex + ground_from_body.translation);
+    block_vertices_in_ground_.push_back(rotation_ * vertex + ground_from_body.translation);
   }
   for (std::uint32_t v = 0; v < block_.vertices.size(); ++v) find_vertex_contacts(v);
   for (std::uint32_t e = 0; e < block_.edges.size(); ++e) find_edge_contacts(e);
@@ -50,16 +50,19 @@ void RodNarrowPhase::find_vertex_contacts(std::uint32_t v) {
   contact.block_feature = v;
   for (std::uint32_t g = 0; g < vertices; ++g) {
     contact.ground_feature = g;
-    const Vec3 out = (placed_[v] - ground.vertices[g]).normalized();
-    if (is_vertex_contact(v, g, out)) set_contact(contact, ground.vertices[g], placed_[v]);
+    const Vec3 out = (block_vertices_in_ground_[v] - ground.vertices[g]).normalized();
+    if (is_vertex_contact(v, g, out))
+      set_contact(contact, ground.vertices[g], block_vertices_in_ground_[v]);
   }
   for (std::uint32_t e = 0; e < ground.edges.size(); ++e) {
     const SurfaceEdge& edge = ground.edges[e];
     contact.ground_feature = vertices + e;
-    const std::optional<Vec3> foot = foot_between_ends(ground.vertices[edge.vertices[0]],
-                                                       edge.direction, edge.length, placed_[v]);
-    if (foot && is_vertex_contact(v, kNoFeature, (placed_[v] - *foot).normalized())) {
-      set_contact(contact, *foot, placed_[v]);
+    const std::optional<Vec3> foot =
+        foot_between_ends(ground.vertices[edge.vertices[0]], edge.direction, edge.length,
+                          block_vertices_in_ground_[v]);
+    if (foot &&
+        is_vertex_contact(v, kNoFeature, (block_vertices_in_ground_[v] - *foot).normalized())) {
+      set_contact(contact, *foot, block_vertices_in_ground_[v]);
     }
   }
 }
@@ -67,7 +70,8 @@ void RodNarrowPhase::find_vertex_contacts(std::uint32_t v) {
 void RodNarrowPhase::find_edge_contacts(std::uint32_t e) {
   const SurfaceFeatures& ground = ground_.features;
   const SurfaceEdge& edge = block_.edges[e];
-  const Segment of_block{placed_[edge.vertices[0]], rotation_ * edge.direction, edge.length};
+  const Segment of_block{block_vertices_in_ground_[edge.vertices[0]], rotation_ * edge.direction,
+                         edge.length};
   ContactPoint contact;
   contact.block_feature = e;
   contact.kind = ContactKind::kEdgeVertex;
@@ -83,7 +87,7 @@ void RodNarrowPhase::find_edge_contacts(std::uint32_t e) {
   for (std::uint32_t g = 0; g < ground.edges.size(); ++g) {
     const SurfaceEdge& other = ground.edges[g];
     const Segment of_ground = ground.segment(other);
-    const SegmentDistance closest = closest_points(of_block, of_ground);
+    const ClosestSegmentPoints closest = closest_segment_points(of_block, of_ground);
     if (!closest.crossing) continue;  // the ends carry the contact of parallel rods
     contact.ground_feature = g;
     set_contact(contact, of_ground.point_at(closest.second), of_block.point_at(closest.first));

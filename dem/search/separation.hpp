@@ -1,5 +1,6 @@
 #pragma once
-/// Separation bounds of features near the ground (docs/theory.md, Contact search).
+/// Separation bounds: limits of the displacement of block features before contact (docs/theory.md,
+/// Contact search).
 ///
 /// Two convex bodies at distance d have a separating plane with unit normal w. They stay separated
 /// until one has moved by d along w. Displacements are accumulated along an axis (u) and
@@ -8,13 +9,13 @@
 
 namespace clast::dem_detail {
 
-/// Upper bounds of the accumulated displacement of all points of a block part, m.
-struct Displacement {
-  double axial = 0.0;       ///< along the axis, in either direction
-  double transverse = 0.0;  ///< perpendicular to the axis
+/// Upper bounds of the accumulated displacement of any point of a block part, m.
+struct AccumulatedDisplacement {
+  double axial = 0.0;       ///< displacement along the axis, in either direction
+  double transverse = 0.0;  ///< displacement perpendicular to the axis
   double total = 0.0;
 
-  Displacement operator+(const Displacement& more) const {
+  AccumulatedDisplacement operator+(const AccumulatedDisplacement& more) const {
     return {axial + more.axial, transverse + more.transverse, total + more.total};
   }
   template <class Bytes>
@@ -23,60 +24,66 @@ struct Displacement {
   }
 };
 
-/// Separation bound. Contact is impossible while per_axial times the axial displacement plus
-/// per_transverse times the transverse displacement is below `until`.
+/// Separation bound. Contact is impossible while axial_coefficient times the axial displacement
+/// plus transverse_coefficient times the transverse displacement is below `until`.
 struct SeparationBound {
-  double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
+  double axial_coefficient = 0.0, transverse_coefficient = 0.0;  ///< 1/m
   double until = -1.0;
 
-  /// Returns the remaining margin until the bound expires; not positive if it has expired.
-  double remaining(const Displacement& displacement) const {
-    return until - per_axial * displacement.axial - per_transverse * displacement.transverse;
+  /// Returns the difference between `until` and the weighted displacement; not positive if the
+  /// bound has expired.
+  double remaining(const AccumulatedDisplacement& displacement) const {
+    return until - axial_coefficient * displacement.axial -
+           transverse_coefficient * displacement.transverse;
   }
-  bool is_expired(const Displacement& displacement) const {
+  bool is_expired(const AccumulatedDisplacement& displacement) const {
     return !(remaining(displacement) > 0.0);
   }
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(per_axial, per_transverse, until);
+    bytes(axial_coefficient, transverse_coefficient, until);
   }
 };
 
-/// Coefficients of separation bounds, |w.axis|/d and |w x axis|/d, or maxima of several.
+/// Coefficients of a separation bound for axial and transverse displacement. They are the
+/// components of the separating normal divided by the distance, or maxima over several bounds.
 struct SeparationCoefficients {
-  double per_axial = 0.0, per_transverse = 0.0;  ///< 1/m
+  double axial_coefficient = 0.0, transverse_coefficient = 0.0;  ///< 1/m
 
   void include(const SeparationCoefficients& other) {
-    per_axial = std::max(per_axial, other.per_axial);
-    per_transverse = std::max(per_transverse, other.per_transverse);
+    axial_coefficient = std::max(axial_coefficient, other.axial_coefficient);
+    transverse_coefficient = std::max(transverse_coefficient, other.transverse_coefficient);
   }
-  double sum() const { return per_axial + per_transverse; }
-  SeparationBound separation_bound(const Displacement& displacement) const {
-    return {per_axial, per_transverse,
-            1.0 + per_axial * displacement.axial + per_transverse * displacement.transverse};
+  double sum() const { return axial_coefficient + transverse_coefficient; }
+  SeparationBound separation_bound(const AccumulatedDisplacement& displacement) const {
+    return {axial_coefficient, transverse_coefficient,
+            1.0 + axial_coefficient * displacement.axial +
+                transverse_coefficient * displacement.transverse};
   }
 };
 
-/// Earliest expiry of several separation bounds.
-class EarliestExpiry {
+/// Combines several separation bounds into one that expires no later than any of them.
+class EarliestBoundExpiry {
  public:
-  explicit EarliestExpiry(const Displacement& displacement) : displacement_(displacement) {}
+  explicit EarliestBoundExpiry(const AccumulatedDisplacement& displacement)
+      : displacement_(displacement) {}
   void include(const SeparationBound& one) {
     const double remaining = one.remaining(displacement_);
     expired_ = expired_ || !(remaining > 0.0);
     if (expired_) return;
     // Most bounds are weaker than those before them; the comparison needs no division.
     SeparationCoefficients& all = separation_;
-    if (one.per_axial > all.per_axial * remaining) all.per_axial = one.per_axial / remaining;
-    if (one.per_transverse > all.per_transverse * remaining)
-      all.per_transverse = one.per_transverse / remaining;
+    if (one.axial_coefficient > all.axial_coefficient * remaining)
+      all.axial_coefficient = one.axial_coefficient / remaining;
+    if (one.transverse_coefficient > all.transverse_coefficient * remaining)
+      all.transverse_coefficient = one.transverse_coefficient / remaining;
   }
   SeparationBound separation_bound() const {
     return expired_ ? SeparationBound() : separation_.separation_bound(displacement_);
   }
 
  private:
-  const Displacement& displacement_;
+  const AccumulatedDisplacement& displacement_;
   SeparationCoefficients separation_;
   bool expired_ = false;
 };

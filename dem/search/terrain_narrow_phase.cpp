@@ -34,7 +34,7 @@ TerrainNarrowPhase::TerrainNarrowPhase(const IndexedSurface& ground, const Block
       reach_(block.radius + ground.radius),
       size_(size),
       margin_(kGroundMarginFraction * size),
-      list_holds_(kPartMargins * margin_),
+      list_lifetime_(kPartMargins * margin_),
       tests_(ground, block, size),
       part_states_(parts_.parts.size()),
       part_expiry_(parts_.parts.size(), -1.0) {
@@ -62,7 +62,7 @@ std::vector<ContactPoint>& TerrainNarrowPhase::find_contacts(const Pose& ground_
   list_expired_parts();
   for (const std::uint32_t p : near_parts_to_update) update_vertices(p, {}, found);
   for (const ContactPoint& contact : contacts) deepest_ = std::max(deepest_, contact.overlap);
-  if (allowed_.update(deepest_, margin_)) list_all_parts();
+  if (depth_limit_.update(deepest_, margin_)) list_all_parts();
   for (const std::uint32_t p : near_parts_to_update) {
     update_sides(p, {}, found);
     part_expiry_[p] = next_update(p);
@@ -75,7 +75,7 @@ std::vector<ContactPoint>& TerrainNarrowPhase::find_contacts(const Pose& ground_
   if (touches_) {
     search_at_ = -1.0;
   } else {
-    allowed_.reset();
+    depth_limit_.reset();
   }
   return contacts;
 }
@@ -87,9 +87,9 @@ void TerrainNarrowPhase::set_pose(const Pose& ground_from_body) {
     // The rotation moves a point by at most 2 sin(angle/2) times its arm. This factor is the
     // Frobenius norm of the change of the matrix over sqrt(2).
     const double turn = std::sqrt(0.5 * (rotation - tests_.rotation()).squaredNorm());
-    turned_ += turn;
+    accumulated_rotation_ += turn;
     last_move_ = (position - tests_.position()).norm() + turn * farthest_;
-    moved_ += last_move_;
+    accumulated_displacement_ += last_move_;
   }
   started_ = true;
   tests_.set_pose(rotation, position);
@@ -100,16 +100,15 @@ void TerrainNarrowPhase::list_expired_parts() {
   IndexList &expired_parts = scratch().expired_parts,
             &near_parts_to_update = scratch().near_parts_to_update;
   near_parts_to_update.clear(parts);
-  expired_parts.fill_if(parts, [expired = part_expiry_.data(), now = moved_](std::uint32_t p) {
-    return expired[p] <= now;
-  });
+  expired_parts.fill_if(parts, [expired = part_expiry_.data(), now = accumulated_displacement_](
+                                   std::uint32_t p) { return expired[p] <= now; });
   if (expired_parts.size() == 0 || defer_all_parts()) return;
   for (const std::uint32_t p : expired_parts) {
     if (part_states_[p].near) {
       update_displacement(p);
       refresh_ground_list(p, 0.0);
     } else {
-      update_part(p, moved_);
+      update_part(p, accumulated_displacement_);
     }
     near_parts_to_update.add_if(part_states_[p].near != nullptr, p);
   }
@@ -142,14 +141,14 @@ bool TerrainNarrowPhase::defer_all_parts() {
   }
   if (above <= bounding_radius_ + reach_ + margin_) return false;
   for (double& expired : part_expiry_)
-    expired = std::max(expired, moved_ + above - bounding_radius_ - reach_);
+    expired = std::max(expired, accumulated_displacement_ + above - bounding_radius_ - reach_);
   return true;
 }
 
 void TerrainNarrowPhase::collect_ground(double complete) {
-  if (ground_complete_ - (moved_ - ground_gathered_at_) >= complete) return;
+  if (ground_complete_ - (accumulated_displacement_ - ground_gathered_at_) >= complete) return;
   ground_complete_ = complete + kGroundMargins * margin_;
-  ground_gathered_at_ = moved_;
+  ground_gathered_at_ = accumulated_displacement_;
   local_.collect_near(ground_, tests_.position(), bounding_radius_ + ground_complete_);
   for (PartState& part : part_states_) part.near_face = 0;
 }
@@ -161,16 +160,17 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
   const double touching = part.radius + reach_;
   // Often the last measurement or the bounding plane gives a sufficient bound.
   collect_ground(touching + 2.0 * kPartMargins * margin_);
-  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
-  const double enough = std::max(margin_, until - moved_);
+  const double complete = ground_complete_ - (accumulated_displacement_ - ground_gathered_at_);
+  const double enough = std::max(margin_, until - accumulated_displacement_);
   double clearance = std::min(local_.plane.clearance(centre) - part.radius, complete) - reach_;
-  clearance = std::max(clearance, state.clearance - (centre - state.measured_centre).norm() -
-                                      part.radius * (turned_ - state.measured_rotation));
+  clearance =
+      std::max(clearance, state.clearance - (centre - state.measured_centre).norm() -
+                              part.radius * (accumulated_rotation_ - state.measured_rotation));
   if (clearance <= enough) {
     clearance = measure_clearance(p);
   }
   if (clearance > margin_) {
-    part_expiry_[p] = moved_ + clearance;
+    part_expiry_[p] = accumulated_displacement_ + clearance;
     return;
   }
   // A part that was skipped is outside the ground. At the start, this is not known.
@@ -179,14 +179,14 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
   state.near = std::make_unique<NearPart>(part);
   for (VertexState& vertex : state.near->vertices) vertex.outside = slept;
   state.near->centre = centre;
-  state.near->turned = turned_;
+  state.near->turned = accumulated_rotation_;
   collect_part_ground(p, deepest);
 }
 
 double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
   PartState& state = part_states_[p];
   const double touching = parts_.parts[p].radius + reach_;
-  const double complete = ground_complete_ - (moved_ - ground_gathered_at_);
+  const double complete = ground_complete_ - (accumulated_displacement_ - ground_gathered_at_);
   const Vec3 centre = in_ground_frame(parts_.parts[p].centre);
   double distance = complete;
   if (part_expiry_[p] < 0.0) {
@@ -202,7 +202,7 @@ double TerrainNarrowPhase::measure_clearance(std::uint32_t p) {
   }
   state.clearance = distance - touching;
   state.measured_centre = centre;
-  state.measured_rotation = turned_;
+  state.measured_rotation = accumulated_rotation_;
   return state.clearance;
 }
 
@@ -210,13 +210,13 @@ void TerrainNarrowPhase::update_displacement(std::uint32_t p) {
   NearPart& part = *part_states_[p].near;
   const Vec3 centre = in_ground_frame(parts_.parts[p].centre);
   const Vec3 shift = centre - part.centre;
-  const double turn = parts_.parts[p].radius * (turned_ - part.turned);
+  const double turn = parts_.parts[p].radius * (accumulated_rotation_ - part.turned);
   const double axial = part.axis.dot(shift), squared = shift.squaredNorm();
   part.displacement.axial += std::abs(axial) + turn;
   part.displacement.transverse += std::sqrt(std::max(0.0, squared - axial * axial)) + turn;
   part.displacement.total += std::sqrt(squared) + turn;
   part.centre = centre;
-  part.turned = turned_;
+  part.turned = accumulated_rotation_;
 }
 
 void TerrainNarrowPhase::refresh_ground_list(std::uint32_t p, double ahead) {
@@ -229,7 +229,7 @@ void TerrainNarrowPhase::refresh_ground_list(std::uint32_t p, double ahead) {
   const double clearance = measure_clearance(p);
   if (clearance > kFarMargins * margin_) {
     part_states_[p].near.reset();
-    part_expiry_[p] = moved_ + clearance;
+    part_expiry_[p] = accumulated_displacement_ + clearance;
     return;
   }
   collect_part_ground(p, deepest_ + last_move_);
@@ -238,11 +238,11 @@ void TerrainNarrowPhase::refresh_ground_list(std::uint32_t p, double ahead) {
 void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   const BlockPart& part = parts_.parts[p];
   NearPart& state = *part_states_[p].near;
-  const bool is_new = !(state.complete > 0.0);
-  state.complete = std::max(reach_, deepest) + 2.0 * kPartMargins * margin_;
-  state.gathered_at = state.displacement.total;
-  collect_ground(state.complete);
-  const double reach = part.radius + state.complete;
+  const bool is_new = !(state.complete_distance > 0.0);
+  state.complete_distance = std::max(reach_, deepest) + 2.0 * kPartMargins * margin_;
+  state.collected_at = state.displacement.total;
+  collect_ground(state.complete_distance);
+  const double reach = part.radius + state.complete_distance;
   state.ground.collect_near(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
   state.tilts.clear();
@@ -286,17 +286,18 @@ void TerrainNarrowPhase::update_axis(std::uint32_t p) {
 
 double TerrainNarrowPhase::next_update(std::uint32_t p) const {
   const NearPart& part = *part_states_[p].near;
-  if (!part.expired_vertices.empty()) return moved_;
+  if (!part.expired_vertices.empty()) return accumulated_displacement_;
   double least = list_expiry(part) - part.displacement.total;
   for (const SeparationBound* separation_bound :
        {&part.other_vertices, &part.all_features, &part.all_pairs}) {
     const double remaining = separation_bound->remaining(part.displacement);
-    if (!(remaining > 0.0)) return moved_;
+    if (!(remaining > 0.0)) return accumulated_displacement_;
     // No point of the part moves farther than the bound for the block, along or across the axis.
-    const double used = separation_bound->per_axial + separation_bound->per_transverse;
+    const double used =
+        separation_bound->axial_coefficient + separation_bound->transverse_coefficient;
     if (remaining < least * used) least = remaining / used;
   }
-  return moved_ + least;
+  return accumulated_displacement_ + least;
 }
 
 SeparationBound TerrainNarrowPhase::separation_bound(const NearPart& part, const Vec3& away,
@@ -307,8 +308,8 @@ SeparationBound TerrainNarrowPhase::separation_bound(const NearPart& part, const
   const double per = 1.0 / distance, per_other = 1.0 / others;
   SeparationBound result{std::max(axial * per, per_other), std::max(transverse * per, per_other),
                          1.0};
-  result.until += result.per_axial * part.displacement.axial +
-                  result.per_transverse * part.displacement.transverse;
+  result.until += result.axial_coefficient * part.displacement.axial +
+                  result.transverse_coefficient * part.displacement.transverse;
   return result;
 }
 

@@ -3,10 +3,10 @@
 /// block. The reference body is called the ground here; all data are in its frame.
 ///
 /// The block is divided into parts. A part far from the ground is skipped until the accumulated
-/// displacement `moved_` has grown by its distance from the ground. A part near the ground keeps a
-/// list of nearby ground features. Its vertices and sides (edges and faces) are tested against
-/// them. Each test gives a separation bound; it is not repeated before the bound expires
-/// (docs/theory.md, Contact search).
+/// displacement `accumulated_displacement_` has grown by its distance from the ground. A part near
+/// the ground keeps a list of nearby ground features. Its vertices and sides (edges and faces) are
+/// tested against them. Each test gives a separation bound; it is not repeated before the bound
+/// expires (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -18,44 +18,45 @@
 
 namespace clast::dem_detail {
 
-/// State of a free flight, with bounds that hold for all points of the core.
+/// State of a body in free flight, with bounds of the motion of all its points.
 struct FlightBounds {
   Vec3 velocity = Vec3::Zero();  ///< present velocity of the centre, m/s
   Vec3 spin = Vec3::Zero();      ///< present angular velocity, rad/s
-  double turning = 0.0;          ///< bound of rotational acceleration over the radius, 1/s^2
+  /// Bound of the acceleration by rotation, per distance from the centre, 1/s^2.
+  double rotational_acceleration = 0.0;
   double acceleration = 0.0;     ///< bound of the acceleration of any point, m/s^2
-  double max_point_speed = 0.0;  ///< bound of the speed of any point if there were no gravity, m/s
-  double gravity = 0.0;          ///< along -z, m/s^2
+  double max_point_speed = 0.0;  ///< bound of the speed of any point without gravity, m/s
+  double gravity = 0.0;          ///< acceleration of gravity along -z, m/s^2
 };
 
 class TerrainNarrowPhase {
  public:
   /// Prepares the search.
-  /// @param block  in its body frame; must outlive this object, as must the ground
+  /// @param block  block in its body frame; must outlive this object, as must the ground
   /// @param size  smallest side of the block, m; the list margin is proportional to it
   TerrainNarrowPhase(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   /// Re-evaluates all expired separation bounds and returns the contacts, in a deterministic order.
   /// The caller may modify the returned list. It is valid until the next search in this thread.
-  /// @param displacement  bound of the displacement of any block point since the start, m; must not
-  ///                      decrease between calls
+  /// @param displacement  upper bound of the accumulated displacement of any block point, m
   std::vector<ContactPoint>& find_contacts(const Pose& ground_from_body, double displacement);
 
-  /// Displacement before which contact is impossible, m. Valid after `find_contacts`. If it is
-  /// small, the search is suspended for a while, and the present displacement is returned.
-  double safe_displacement();
-  /// Returns a time of flight without contact, s. Valid after `find_contacts`. Far from the ground,
-  /// it follows from the bounding sphere. Otherwise it needs a search that costs as much as several
-  /// steps. If the result is too small, the search is suspended for a while; calls then return 0.
+  /// Returns the value of the accumulated displacement below which contact is impossible, m. Valid
+  /// after `find_contacts`. If it is close to the present value, the search is suspended for a
+  /// while and the present value is returned.
+  double contact_free_displacement();
+  /// Finds a time of flight during which contact is impossible, s. Valid after `find_contacts`.
+  /// Near the ground, the search costs as much as several steps. If the result is too small, the
+  /// search is suspended for a while; calls then return 0.
   /// @param worthwhile  shortest time that is useful to the caller, s
-  double safe_time(const FlightBounds& flight, double worthwhile);
+  double find_contact_free_flight_time(const FlightBounds& flight, double worthwhile);
 
   /// Serialises the state that determines future contacts and their order.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(tests_, started_, displacement_, moved_, turned_, last_move_, local_, ground_complete_,
-          ground_gathered_at_, part_states_, part_expiry_, search_at_, deepest_, allowed_,
-          lowest_face_, touches_);
+    bytes(tests_, started_, displacement_, accumulated_displacement_, accumulated_rotation_,
+          last_move_, local_, ground_complete_, ground_gathered_at_, part_states_, part_expiry_,
+          search_at_, deepest_, depth_limit_, lowest_face_, touches_);
     for (std::uint32_t p = 0; p < part_states_.size(); ++p) {
       bool near = part_states_[p].near != nullptr;  ///< null if the part is far from the ground
       bytes(near);
@@ -70,15 +71,16 @@ class TerrainNarrowPhase {
   /// Ground edge or vertex near a part.
   struct GroundFeature {
     bool is_vertex = false;
-    std::uint32_t index = 0;           ///< of the edge or vertex
-    SeparationBound separation_bound;  ///< until it expires, no unlisted side can touch the feature
+    std::uint32_t index = 0;  ///< index of the edge or vertex
+    /// Bound before which no unlisted edge or face of the block can touch it.
+    SeparationBound separation_bound;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(is_vertex, index, separation_bound);
     }
   };
-  /// Pair of a block side and a ground edge or vertex.
+  /// Pair of a block edge or face and a ground edge or vertex.
   struct FeaturePair {
     ContactKind kind;
     std::uint32_t side;  ///< index into BlockParts::sides
@@ -90,11 +92,12 @@ class TerrainNarrowPhase {
       bytes(kind, side, ground_feature, separation_bound);
     }
   };
-  /// Components |n.axis| and |n x axis| of the normal n of a ground face.
-  struct FaceTilt {
+  /// Components of the normal of a ground face along the axis of a block part and perpendicular to
+  /// it.
+  struct FaceNormalComponents {
     double axial, transverse;
-    /// Displacement allowed per height above the plane of the face. 0 for a face at a border, whose
-    /// plane extends beyond the ground.
+    /// Displacement before contact, per height above the plane of the face. It is 0 for a face at
+    /// the border of the ground.
     double displacement_per_height;
 
     bool is_at_border() const { return displacement_per_height == 0.0; }
@@ -104,11 +107,11 @@ class TerrainNarrowPhase {
     }
   };
   struct VertexState {
-    bool outside = false;  ///< true if it is known to be out of reach of the ground
+    bool outside = false;  ///< true if the vertex cannot be in contact at present
     // If `outside`: the listed face whose plane it may reach first, and the bound for all others.
     std::uint32_t closest_plane = kNoFeature;
-    SeparationBound others;
-    std::uint32_t near_face = 0;  ///< entry of the nearest face in the part's list
+    SeparationBound other_features_bound;
+    std::uint32_t near_face = 0;  ///< index of the nearest face in the list of the part
     // While the vertex's foot stays on `nearest_face`, no other face needs a test. This holds up to
     // a `displacement.total` of `inside_until` if the vertex is inside the ground, and of
     // `outside_until` if it is outside but within reach.
@@ -119,8 +122,8 @@ class TerrainNarrowPhase {
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(outside, closest_plane, others, near_face, nearest_face, foot_on_face_until,
-            inside_until, outside_until);
+      bytes(outside, closest_plane, other_features_bound, near_face, nearest_face,
+            foot_on_face_until, inside_until, outside_until);
     }
   };
   struct NearPart {
@@ -130,34 +133,36 @@ class TerrainNarrowPhase {
           vertex_bounds(vertices.size()) {}
 
     LocalFaces ground;
-    double complete = 0.0;     ///< distance from all points of the part up to which the list was
-                               ///< complete when made, m
-    double gathered_at = 0.0;  ///< `displacement.total` at that time
+    /// Distance from the part up to which its ground list was complete when made, m.
+    double complete_distance = 0.0;
+    double collected_at = 0.0;  ///< `displacement.total` at that time
     Vec3 axis = Vec3::UnitZ();
-    Displacement displacement;
-    Vec3 centre = Vec3::Zero();  ///< centre and `turned_` at the last update of `displacement`
+    AccumulatedDisplacement displacement;
+    /// Centre and `accumulated_rotation_` at the last update of `displacement`.
+    Vec3 centre = Vec3::Zero();
     double turned = 0.0;
-    std::vector<FaceTilt> tilts;  ///< tilt of each face of `ground`
+    std::vector<FaceNormalComponents> tilts;  ///< normal components of each face of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
-    std::uint32_t first_vertex;  ///< index into BlockParts::vertices
+    std::uint32_t first_vertex;  ///< index into `BlockParts::vertices`
     // Indexed by vertex within the part:
     std::vector<VertexState> vertices;
     std::vector<SeparationBound> vertex_bounds;
     std::vector<std::uint32_t> expired_vertices;  ///< ascending; mostly vertices in contact
     SeparationBound other_vertices, all_features,
-        all_pairs;  ///< earliest expiry in each group
+        all_pairs;  ///< combined bound of each group
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(ground, complete, gathered_at, axis, displacement, centre, turned, tilts, features,
-            pairs, vertices, vertex_bounds, expired_vertices, other_vertices, all_features,
-            all_pairs);
+      bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
+            features, pairs, vertices, vertex_bounds, expired_vertices, other_vertices,
+            all_features, all_pairs);
     }
   };
   struct PartState {
     std::unique_ptr<NearPart> near;  ///< null if the part is far from the ground
-    // Last measurement while the part was far: its clearance, its centre and `turned_`.
+    // Last measurement while the part was far: its clearance, its centre and
+    // `accumulated_rotation_`.
     double clearance = 0.0;
     Vec3 measured_centre = Vec3::Zero();
     double measured_rotation = 0.0;
@@ -168,29 +173,29 @@ class TerrainNarrowPhase {
       bytes(clearance, measured_centre, measured_rotation, near_face);
     }
   };
-  /// Contact of a side with its sort key.
+  /// Contact of a block edge or face, with the sort key `side`.
   struct SideContact {
     std::uint32_t side;
     ContactPoint point;
   };
   struct FoundContacts {
     std::vector<ContactPoint> contacts;
-    std::vector<SideContact> of_sides;
+    std::vector<SideContact> side_contacts;
 
     void clear() {
       contacts.clear();
-      of_sides.clear();
+      side_contacts.clear();
     }
   };
   /// Temporary data of one call, shared by all searches of a thread.
   struct Scratch {
-    IndexList expired_parts;                ///< parts to update
-    IndexList near_parts_to_update;         ///< members of `expired_parts` near the ground
-    FoundContacts found;                    ///< contacts found by `find_contacts`
-    FoundContacts ahead;                    ///< contacts found by other searches, which ignore them
+    IndexList expired_parts;         ///< block parts to update
+    IndexList near_parts_to_update;  ///< those of `expired_parts` that are near the ground
+    FoundContacts found;             ///< contacts found by `find_contacts`
+    FoundContacts ahead;             ///< contacts found by flight searches, which are not used
     std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
-    std::vector<std::uint32_t>
-        unseparated_parts;  ///< members of `near_parts` that no plane separates from some face
+    /// Those of `near_parts` that no plane separates from some ground face.
+    std::vector<std::uint32_t> unseparated_parts;
   };
   static Scratch& scratch();
 
@@ -198,54 +203,57 @@ class TerrainNarrowPhase {
   bool defer_all_parts();
   /// Stores the ground features within the distance `complete` of the block in `local_`.
   void collect_ground(double complete);
-  /// Lists the parts to update in this call.
+  /// Lists the block parts whose separation bounds have expired.
   void list_expired_parts();
   /// Lists all parts near the ground and marks all their features as expired.
   void list_all_parts();
-  /// Updates the expiry of a part far from the ground.
+  /// Updates the clearance of a block part that is far from the ground.
   void update_part(std::uint32_t p, double until);
-  /// Returns the distance between the part's bounding sphere and the ground, m.
+  /// Returns the distance between the bounding sphere of a block part and the ground, m.
   double measure_clearance(std::uint32_t p);
-  /// Collects the ground features near a part.
+  /// Collects the ground features near a block part.
   /// @param deepest  bound of the depth of any part point inside the ground, m
   void collect_part_ground(std::uint32_t p, double deepest);
-  /// Sets the axis to the mean normal of the listed ground. All bounds of the part expire.
+  /// Sets the axis of a block part to the mean normal of the ground near it. All separation bounds
+  /// of the part expire.
   void update_axis(std::uint32_t p);
   void update_displacement(std::uint32_t p);
-  /// Renews the ground list of a part if it is about to expire. A part that has left the ground
-  /// loses its lists and is skipped as a whole again.
+  /// Renews the list of ground features of a block part if it is about to expire. If the part has
+  /// left the ground, its lists are deleted.
   void refresh_ground_list(std::uint32_t p, double ahead);
-  /// Returns the value of `moved_` at which a part must be updated.
+  /// Returns the value of `accumulated_displacement_` at which a block part must be updated, m.
   double next_update(std::uint32_t p) const;
-  /// Returns the `displacement.total` at which the ground list expires.
-  double list_expiry(const NearPart& part) const { return part.gathered_at + list_holds_; }
-  /// Returns the contact-free time of a part, s, at most `wanted`.
+  /// Returns the total displacement at which the ground list of a block part expires, m.
+  double list_expiry(const NearPart& part) const { return part.collected_at + list_lifetime_; }
+  /// Returns the time of flight without contact of a block part, s, at most `wanted`.
   double part_contact_free_time(std::uint32_t p, const FlightBounds& flight, double wanted);
-  /// Returns the contact-free time of a flight, s, from planes that separate block and ground.
-  /// @param horizon  largest time of interest, s
+  /// Returns the time of flight without contact of the block, s. It follows from planes that
+  /// separate block and ground.
+  /// @param horizon  largest time that is useful, s
   double contact_free_time(const FlightBounds& flight, double horizon);
   double contact_free_time_over_face(const LocalFaces::Face& face, const FlightBounds& flight,
                                      double horizon);
-  /// Returns the contact-free time over a face whose plane does not separate the whole block. It
-  /// tests each near part against the plane through its nearest point. Parts without a separating
-  /// plane are added to `Scratch::unseparated_parts`.
+  /// Returns the time of flight without contact over a ground face whose plane does not separate
+  /// the whole block, s. Each near part of the block is tested separately. Parts without a
+  /// separating plane are added to `Scratch::unseparated_parts`.
   double parts_contact_free_time(const LocalFaces::Face& face, bool at_border,
                                  const FlightBounds& flight, double horizon);
-  /// Bounding sphere of a part in flight.
+  /// Bounding sphere of a block part in flight.
   struct PartSphere {
     Vec3 centre;
     double radius;
-    double turning;  ///< bound of the acceleration of its centre by rotation, m/s^2
+    double centre_acceleration;  ///< bound of the acceleration of the centre by rotation, m/s^2
   };
-  /// Returns the contact-free time of a part sphere over a face, s; 0 if contact is possible.
+  /// Returns the time of flight without contact of the sphere of a block part over a ground face,
+  /// s; 0 if contact is possible at once.
   double sphere_contact_free_time(const LocalFaces::Face& face, const PartSphere& part,
                                   const FlightBounds& flight, double horizon) const;
-  double completeness(const NearPart& part) const {
-    return part.complete - (part.displacement.total - part.gathered_at);
+  double remaining_complete_distance(const NearPart& part) const {
+    return part.complete_distance - (part.displacement.total - part.collected_at);
   }
-  /// Makes the separation bound from one feature and all others. The feature is at `distance` along
-  /// the unit vector `away`; `others` is a lower bound of all other distances. The bound is expired
-  /// if either is not positive.
+  /// Makes the separation bound of a block part. The nearest ground feature is at `distance` along
+  /// the unit vector `away`; all others are at least at the distance `others`. The bound is expired
+  /// if a distance is not positive.
   SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
@@ -255,59 +263,64 @@ class TerrainNarrowPhase {
     return parts_.vertices[part.first_vertex + vertex];
   }
 
-  /// Updates all expired vertices of a part.
-  /// @param ahead  further displacement for which contacts must be known
-  void update_vertices(std::uint32_t p, const Displacement& ahead, FoundContacts& found);
-  void update_vertex(NearPart& part, std::uint32_t vertex, const Displacement& ahead,
+  /// Updates all vertices of a block part whose separation bounds have expired.
+  /// @param ahead  further displacement for which contacts must be found
+  void update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
+  void update_vertex(NearPart& part, std::uint32_t vertex, const AccumulatedDisplacement& ahead,
                      FoundContacts& found);
-  /// Returns the separation bound of a vertex outside the ground; expired if contact is possible.
+  /// Returns the separation bound of a vertex outside the ground; it is expired if contact is
+  /// possible.
   SeparationBound ground_separation_bound(NearPart& part, std::uint32_t vertex, const Vec3& centre);
-  /// Returns the separation bound of a vertex from its closest plane, if its bound from all other
-  /// features is still valid.
+  /// Returns the separation bound of a vertex from the plane that it may reach first; it is expired
+  /// if the bound from other features has expired.
   SeparationBound plane_separation_bound(const NearPart& part, std::uint32_t vertex,
                                          const Vec3& centre) const;
   bool update_nearest_face(NearPart& part, std::uint32_t vertex, const Vec3& centre,
                            FoundContacts& found);
   void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre,
                       FoundContacts& found);
-  /// Updates all expired sides of a part.
-  void update_sides(std::uint32_t p, const Displacement& ahead, FoundContacts& found);
-  /// Lists the sides of a part that are near a ground feature.
+  /// Updates all edges and faces of a block part whose separation bounds have expired.
+  void update_sides(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
+  /// Lists the edges and faces of a block part that are near a ground feature.
   void update_feature(std::uint32_t p, GroundFeature& feature);
   void update_pair(const NearPart& part, FeaturePair& pair, FoundContacts& found);
-  /// Returns the distance up to which a side and a ground feature may touch, m.
-  double contact_distance() const { return std::max(reach_, allowed_.depth()); }
+  /// Returns the largest distance between a block edge or face and a ground feature in contact, m.
+  double contact_distance() const { return std::max(reach_, depth_limit_.depth()); }
   void add_side_contacts(FoundContacts& found);
   Vec3 in_ground_frame(const Vec3& in_body) const { return tests_.in_ground_frame(in_body); }
 
   const IndexedSurface& ground_;
-  const IndexedSurface& surface_;  ///< of the block
+  const IndexedSurface& surface_;  ///< indexed surface of the block
   const SurfaceFeatures& block_;   ///< features of the block
   const BlockParts& parts_;        ///< parts of the block
-  double reach_;                   ///< block radius + ground radius, m
-  double bounding_radius_ = 0.0;   ///< of the core about the centre, m
+  double reach_;                   ///< sum of the rounding radii of block and ground, m
+  double bounding_radius_ = 0.0;   ///< bounding radius of the core about the centre of mass, m
   double farthest_ = 0.0;          ///< largest distance of part spheres from the centre, m
   double size_;                    ///< smallest side of the block, m
-  double margin_;                  ///< list margin, m
-  double list_holds_;              ///< displacement of a part for which its ground list is valid, m
-  FeatureTests tests_;             ///< at the present pose
+  double margin_;                  ///< margin of the feature lists, m
+  double list_lifetime_;           ///< displacement of a part for which its ground list is valid, m
+  FeatureTests tests_;             ///< tests at the present pose
 
   bool started_ = false;
-  double displacement_ = 0.0;  ///< as passed by the caller, m
-  double moved_ = 0.0;         ///< accumulated displacement since the start, m
-  double turned_ = 0.0;     ///< accumulated rotation: displacement of a point at an arm of 1 m, m
-  double last_move_ = 0.0;  ///< increase of `moved_` in the last call, m
+  double displacement_ = 0.0;              ///< displacement passed to `find_contacts`, m
+  double accumulated_displacement_ = 0.0;  ///< accumulated displacement since the start, m
+  /// Accumulated rotation, as the displacement of a point at 1 m from the centre, m.
+  double accumulated_rotation_ = 0.0;
+  double last_move_ = 0.0;  ///< increase of `accumulated_displacement_` in the last call, m
   LocalGround local_;       ///< ground around the whole block
-  // Distance from the block to which `local_` was complete when collected, m; `moved_` then.
+  // Distance from the block to which `local_` was complete when collected, m;
+  // `accumulated_displacement_` then.
   double ground_complete_ = -1.0;
   double ground_gathered_at_ = 0.0;
   std::vector<PartState> part_states_;
-  std::vector<double> part_expiry_;  ///< `moved_` at which each part must be updated
-  double search_at_ = -1.0;          ///< `moved_` before which the search for flights is suspended
-  double deepest_ = 0.0;             ///< largest overlap of the last call, m
-  ContactDepthLimit allowed_;        ///< depth limit that all separation bounds take into account
-  std::uint32_t lowest_face_ = 0;    ///< entry of `local_` that limited the last flight
-  bool touches_ = false;             ///< true if the last call found contacts
+  std::vector<double>
+      part_expiry_;  ///< `accumulated_displacement_` at which each part must be updated
+  double search_at_ =
+      -1.0;  ///< `accumulated_displacement_` before which the search for flights is suspended
+  double deepest_ = 0.0;           ///< largest overlap of the last call, m
+  ContactDepthLimit depth_limit_;  ///< depth limit that all separation bounds take into account
+  std::uint32_t lowest_face_ = 0;  ///< entry of `local_` that limited the last flight
+  bool touches_ = false;           ///< true if the last call found contacts
 };
 
 }  // namespace clast::dem_detail

@@ -1,17 +1,17 @@
 #pragma once
-/// Energy of many blocks at one time, and the dissipation until then.
+/// Energies of all blocks of a simulation at one time, and the energy dissipated until then.
 #include <cstddef>
 
 namespace clast {
 
 /// Energy dissipated by contacts, J.
-struct Dissipation {
-  double normal = 0.0;    ///< by the normal law
-  double friction = 0.0;  ///< by sliding and by scar drag
-  double rolling = 0.0;   ///< by rolling resistance
+struct DissipatedEnergy {
+  double normal = 0.0;    ///< energy dissipated by the normal law
+  double friction = 0.0;  ///< energy dissipated by sliding and by scar drag
+  double rolling = 0.0;   ///< energy dissipated by rolling resistance
 
   double sum() const { return normal + friction + rolling; }
-  Dissipation& operator-=(const Dissipation& part) {
+  DissipatedEnergy& operator-=(const DissipatedEnergy& part) {
     normal -= part.normal;
     friction -= part.friction;
     rolling -= part.rolling;
@@ -33,11 +33,13 @@ struct EnergySample {
   double potential = 0.0;      ///< m g z, without removed bodies
   double stored = 0.0;         ///< elastic energy of the contacts
   double departed = 0.0;  ///< kinetic and potential energy of removed bodies when they were removed
-  Dissipation on_ground;  ///< since the first body was added
-  Dissipation between_bodies;  ///< likewise
-  double reassigned = 0.0;     ///< lost by changes of contacts until now; negative if gained
+  DissipatedEnergy on_ground;  ///< energy dissipated on the ground since the first body was added
+  /// Energy dissipated between bodies since the first body was added.
+  DissipatedEnergy between_bodies;
+  double reassigned = 0.0;  ///< lost by changes of contacts until now; negative if gained
 
-  /// Returns this sample with time, dissipation and reassigned energy relative to `begin`.
+  /// Returns a sample whose time, dissipated and reassigned energies are counted from the sample
+  /// `begin`.
   EnergySample change_since(const EnergySample& begin) const {
     EnergySample sample = *this;
     sample.time -= begin.time;

@@ -27,14 +27,15 @@ void MotionSettings::check() const {
   require(start_overlap >= 0.0, "start_overlap", start_overlap, "0 or more");
 }
 
-void check_zones(const TerrainSurface& terrain, std::span<const GroundParameters> zones) {
+void check_zone_parameters(const TerrainSurface& terrain, std::span<const GroundParameters> zones) {
   if (zones.size() >= terrain.zone_count()) return;
   throw SimulationError("terrain has " + std::to_string(terrain.zone_count()) +
                         " ground zones but parameters are given for " +
                         std::to_string(zones.size()) + "; give them for each zone");
 }
 
-void check_start(const TerrainSurface& terrain, const Vec3& position, const std::string& name) {
+void check_start_position(const TerrainSurface& terrain, const Vec3& position,
+                          const std::string& name) {
   if (!terrain.covers(position.x(), position.y())) {
     throw SimulationError(name + " starts at (" + format_significant(position.x(), 9) + ", " +
                           format_significant(position.y(), 9) +

@@ -119,8 +119,8 @@ const std::string& physics_digest() {
 std::string describe_physics_difference(const std::string& stored, const std::string& now) {
   constexpr std::size_t kShown = 10;
   if (stored.empty() || now.empty() || stored == now) return "";
-  return "blocks move differently in this clast (physics digest " + stored.substr(0, kShown) +
-         ", here " + now.substr(0, kShown) + ")";
+  return "this version of clast computes different motions (physics digest " +
+         stored.substr(0, kShown) + ", here " + now.substr(0, kShown) + ")";
 }
 
 }  // namespace clast

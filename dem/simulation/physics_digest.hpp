@@ -15,8 +15,8 @@ std::string simulate_reference_motions(double gravity = 9.81);
 /// which takes milliseconds.
 const std::string& physics_digest();
 
-/// Describes why runs of two programs cannot be combined; empty if they can or a digest is unknown.
-/// Example: "blocks move differently in this clast (physics digest 0123456789, here 9876543210)".
+/// Describes why runs of two program versions cannot be combined. Empty if they compute the same
+/// motions, or if a digest is unknown.
 std::string describe_physics_difference(const std::string& stored, const std::string& now);
 
 }  // namespace clast

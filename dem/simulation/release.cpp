@@ -42,7 +42,7 @@ class Release {
         observe_(observe),
         surface_(body.shape),
         search_(terrain.impl().surface, surface_, body.size()),
-        rules_(zones, terrain.impl().zones, settings.stiffness, settings.weights, settings.law),
+        rules_(zones, terrain.impl().zones, settings.stiffness, settings.weighting, settings.law),
         forces_(rules_, surface_, body.size()),
         integrator_(body, start),
         mobilities_(vertex_mobilities(body)),
@@ -91,14 +91,14 @@ class Release {
   }
 
   /// Returns a time of flight without contact, s.
-  double safe_time() {
+  double find_contact_free_flight_time() {
     const double spin = flight_->max_angular_speed(), g = settings_.gravity;
     // Bound of the acceleration by rotation: centripetal and Euler acceleration.
     const double uneven = body_.moments.maxCoeff() / body_.moments.minCoeff();
-    return search_.safe_time(
+    return search_.find_contact_free_flight_time(
         {.velocity = integrator_.state().velocity,
          .spin = integrator_.state().angular_velocity,
-         .turning = uneven * spin * spin,
+         .rotational_acceleration = uneven * spin * spin,
          .acceleration = g + uneven * spin * spin * radius_,
          .max_point_speed = integrator_.state().velocity.norm() + spin * radius_,
          .gravity = g},
@@ -124,8 +124,8 @@ class Release {
       flown_ = 0.0;
     }
     const double before = flown_;
-    double end =
-        before + std::min(std::max(safe_time(), max_time_step()), settings_.max_time - time_);
+    double end = before + std::min(std::max(find_contact_free_flight_time(), max_time_step()),
+                                   settings_.max_time - time_);
     const auto inside = [&](double flown) {
       const RigidState& from = flight_->begin();
       return terrain_.covers(from.position.x() + flown * from.velocity.x(),
@@ -203,7 +203,7 @@ class Release {
     const double specific =
         std::max(integrator_.kinetic_energy() / body_.mass, settings_.rest_energy);
     return contact_time_step(contact, forces_.contact_mobility(mobilities_) / largest_mobility_,
-                             is_impact(load_.impact, specific));
+                             is_impact(load_.impact_energy, specific));
   }
 
   void step() {
@@ -229,12 +229,12 @@ class Release {
     update_contacts(motion, dt);
     if (impact_correction_) impact_correction_->add_contact_load(0.5 * dt, load_);
     integrator_.end_step(dt, load_.force, load_.torque, gravity);
-    if (load_.event) {
-      const EventImpulse& event = *load_.event;
-      result_.energy.reassigned -= integrator_.apply_event_impulse(
+    if (load_.correction) {
+      const CorrectionImpulse& event = *load_.correction;
+      result_.energy.reassigned -= integrator_.apply_correction_impulse(
           event.impulse, event.angular_impulse, event.moment, event.angular_moment, gravity);
       displacement_ += integrator_.correction_displacement();
-      if (impact_correction_) impact_correction_->add_event_impulse(event);
+      if (impact_correction_) impact_correction_->add_correction_impulse(event);
     }
     if (impact_correction_ && forces_.empty()) end_impact();
     ++result_.contact_steps;
@@ -268,8 +268,8 @@ class Release {
 
   void update_contacts(const BodyMotion& motion, double dt) {
     const bool flying = forces_.empty();
-    load_ = forces_.update(search_.find_contacts(motion.world_from_body, displacement_), motion, {},
-                           dt, result_.energy);
+    load_ = forces_.update_loads(search_.find_contacts(motion.world_from_body, displacement_),
+                                 motion, {}, dt, result_.energy);
     if (flying && !forces_.empty() && time_ > 0.0) ++result_.impacts;
     result_.max_penetration = std::max(result_.max_penetration, forces_.max_overlap());
   }
@@ -403,8 +403,8 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
                        ": residual indentations of a single release meet no later blocks; give 0");
     }
   }
-  check_zones(terrain, zones);
-  check_start(terrain, start.position, "the block");
+  check_zone_parameters(terrain, zones);
+  check_start_position(terrain, start.position, "the block");
   const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
   if (overlap > settings.start_overlap * body.smallest_side) {
     throw SimulationError("the block starts inside the ground, " + format_significant(overlap, 6) +

@@ -18,7 +18,7 @@ enum class StopReason { kRest, kLeftTerrain, kMaxTime, kError };
 /// Returns "rest", "left_terrain", "max_time" or "error".
 std::string name_of(StopReason reason);
 
-/// Settings of a release other than block, terrain and start.
+/// Settings of the simulation of a single block.
 struct ReleaseSettings : MotionSettings {
   double max_time = 60.0;  ///< s
 
@@ -27,7 +27,7 @@ struct ReleaseSettings : MotionSettings {
 
 struct ContactSummary {
   std::uint32_t contact_count =
-      0;                 ///< number of contact points; if 0, the other members are undefined
+      0;                 ///< number of contact points; without any, the other members are undefined
   double overlap = 0.0;  ///< overlap of the deepest contact, m
   Vec3 position = Vec3::Zero();  ///< position of the deepest contact
   std::uint16_t zone = 0;        ///< ground zone at the deepest contact
@@ -39,13 +39,12 @@ struct MotionStep {
   double end_time = 0.0;
   RigidState begin;
   RigidState end;
-  /// True if the step is a free flight; `free_flight` then gives all intermediate states exactly.
-  /// For bodies of a world, true if there is no contact at the start of the step; contacts that
-  /// begin inside the step already act.
+  /// True if the step is a free flight, whose intermediate states `free_flight` gives exactly. In
+  /// simulations of several bodies, contacts may begin inside such a step.
   bool flight = false;
   ContactSummary contact_summary;  ///< contacts at the end of the step
-  /// True if the step ends inside an impact whose energy will be corrected at its end. The final
-  /// velocities may be too large then (docs/theory.md, Weights and energy).
+  /// True if the step ends during an impact whose energy will still be corrected. The final
+  /// velocities may be too large (docs/theory.md, Weights and energy).
   bool correction_pending = false;
 };
 
@@ -61,11 +60,11 @@ struct ReleaseResult {
   std::string message;    ///< message of an error, otherwise empty
   double duration = 0.0;  ///< simulated time, s
   RigidState final_state;
-  double path_length = 0.0;          ///< of the centre, m
-  double max_speed = 0.0;            ///< of the centre, m/s
+  double path_length = 0.0;          ///< path length of the centre of mass, m
+  double max_speed = 0.0;            ///< largest speed of the centre of mass, m/s
   double max_penetration = 0.0;      ///< largest overlap of any contact, m
   double settled_penetration = 0.0;  ///< largest overlap at the end, m
-  bool below_ground = false;         ///< true if the block ended below the ground (docs/theory.md)
+  bool below_ground = false;         ///< true if the block was below the ground at the end
   EnergyBalance energy;
   std::uint64_t contact_steps = 0;
   std::uint64_t flight_segments = 0;  ///< number of flight steps
@@ -78,7 +77,7 @@ struct ReleaseResult {
   }
 };
 
-/// Simulates one release.
+/// Simulates the motion of a single block on a terrain.
 /// @param zones  parameters of each ground zone of the terrain
 /// @param start  initial state, at rest or moving
 /// @throws SimulationError  if the start is outside the terrain or overlaps the ground by more than

@@ -156,7 +156,8 @@ class Sequence {
     });
     refuse_settled(false, [&](std::size_t block) { return !world_.is_resting(block); });
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
-      if (schedule_.is_confined(block)) recorders_[block].result.settled = world_.state(block);
+      if (schedule_.is_confined(block))
+        recorders_[block].result.state_after_settling = world_.state(block);
     }
     energy_before_ = world_.energy_balance();
     released_at_ = world_.time();

@@ -1,6 +1,6 @@
 #pragma once
-/// Sequences of persistent blocks. The blocks are released all at once or one after the other, each
-/// when all previous ones are at rest. They may collide with, move and stop each other.
+/// Simulation of several blocks that stay on the terrain. They are released at once, or one after
+/// the other when all previous ones are at rest. They may collide with, move and stop each other.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -16,43 +16,42 @@ namespace clast {
 struct SequenceBlock {
   std::size_t shape = 0;  ///< index into the shapes
   RigidState start;
-  /// Time after the first release until which the block of a multi-block release is fixed, s. Other
-  /// blocks may hit it before.
+  /// Time from the first release until which the block is fixed, s, if all blocks are released at
+  /// once. Other blocks may hit it before.
   double release_time = 0.0;
 };
 
-/// Confining wall: a fixed body that holds given blocks of a multi-block release while they settle.
-/// It touches no other blocks.
+/// Confining wall: a fixed body that holds a range of blocks while they settle before their
+/// release. It touches no other blocks.
 struct ConfiningWall {
   std::size_t shape = 0;  ///< index into the shapes
   RigidState pose;        ///< pose of the wall; its x axis points towards the blocks that it holds
-  std::size_t first = 0, end = 0;  ///< range of the blocks that it holds
-  double removed_at = 0.0;         ///< time of its removal since the first release, s
+  std::size_t first = 0, end = 0;  ///< range of the indices of the blocks that it holds
+  double removed_at = 0.0;         ///< time from the first release to the removal of the wall, s
 };
 
 struct SequenceSettings {
   WorldSettings world;
-  /// If true, all blocks exist from the start and are released together, except those fixed until
-  /// their `release_time`. If false, they are released one after the other.
+  /// True if all blocks exist from the start and are released together, or at their `release_time`.
+  /// False if they are released one after the other.
   bool at_once = false;
-  /// Time limit of each release, s; the next block then follows although some still move. For
-  /// multi-block releases, the limit counts from the last release.
+  /// Time limit of each release, s. After it, the next block is released although some blocks still
+  /// move.
   double max_time = 0.0;
   /// Interval of energy samples, s. If 0, samples are taken only at each release and each rest.
   double energy_interval = 0.0;
-  /// Ground zones that are cleared when all blocks rest. Blocks with their centre in one of them
-  /// are removed before the next release. Blocks that they supported may move again.
+  /// Indices of the ground zones that are cleared. Blocks that come to rest in one of them are
+  /// removed before the next release. Blocks that they supported may move again.
   std::vector<std::uint16_t> cleared_zones;
-  /// Confining walls of a multi-block release. Their blocks settle under gravity before the first
-  /// release, while other blocks are fixed. Times and energies count from the first release. A
-  /// confined block is released when the first of its walls is removed.
+  /// Confining walls of blocks that are released at once. These blocks settle under gravity before
+  /// the first release. A confined block is released when the first of its walls is removed.
   std::vector<ConfiningWall> confining_walls;
   double settle_time = 20.0;  ///< time limit for settling, s
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Error thrown if confined blocks do not settle.
+/// Error thrown if blocks do not settle behind confining walls.
 class SettlingError : public SimulationError {
  public:
   SettlingError(const std::string& message, std::size_t first_block, std::size_t of_blocks,
@@ -61,32 +60,33 @@ class SettlingError : public SimulationError {
 
   std::size_t block = 0;   ///< index of the first block that did not settle
   std::size_t count = 0;   ///< number of blocks that did not settle
-  bool left_wall = false;  ///< true if they left their walls, false if they still moved
+  bool left_wall = false;  ///< true if blocks left their walls; false if they still moved
 };
 
 struct SequenceResult {
-  /// Result of the block. `duration` and `energy` refer to its own release; those of a multi-block
-  /// release refer to the time until all blocks rested. `stop_reason` and `final_state` refer to
-  /// the end of the sequence, or to the block's removal. Other values cover the whole sequence,
+  /// Motion of the block. `duration` and `energy` refer to its own release, or to the time until
+  /// all blocks rested if they are released at once. Other values refer to the whole simulation,
   /// because later blocks may move it.
   ReleaseResult release;
-  double released_at = 0.0;  ///< since the first release, s
-  /// Height by which the start was raised, m, so that the bounding sphere is clear of those of all
-  /// lying blocks. Always 0 in multi-block releases.
+  double released_at = 0.0;  ///< time from the first release to that of the block, s
+  /// Height by which the start position was raised to be clear of blocks that lay there, m.
   double raise_height = 0.0;
-  std::optional<RigidState> settled;  ///< state after settling; empty if it did not settle
-  double later_displacement = 0.0;    ///< from the end of its own release to its final position, m
-  std::optional<double> removed_at;   ///< since the first release, s; empty if not removed
+  /// State after settling behind confining walls; empty if not confined.
+  std::optional<RigidState> state_after_settling;
+  /// Distance from the position at the end of its own release to the final position, m.
+  double later_displacement = 0.0;
+  /// Time from the first release to its removal, s; empty if not removed.
+  std::optional<double> removed_at;
   std::uint32_t blocks_hit = 0;  ///< number of other blocks that it touched during its own release
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(release, released_at, raise_height, settled, later_displacement, removed_at, blocks_hit);
+    bytes(release, released_at, raise_height, state_after_settling, later_displacement, removed_at,
+          blocks_hit);
   }
 };
 
-/// Observer of block motions. It is called in order of time for each block, from any thread. Times
-/// count from the block's own release, or from the first release of a multi-block release. It is
+/// Observer of block motions. It is called in order of time for each block, from any thread. It is
 /// not called while a block sleeps, is fixed or settles.
 using SequenceObserver = std::function<void(std::size_t block, const MotionStep&)>;
 
@@ -97,28 +97,29 @@ struct SequenceProgress {
   // Both functions may be called only while the observer runs. They are empty for single releases.
 
   /// Counts released blocks that are at rest or removed.
-  std::function<std::size_t()> resting = {};
+  std::function<std::size_t()> count_resting = {};
   /// Saves the complete state, from which `simulate_sequence` can continue.
-  std::function<void(ByteWriter& to)> save = {};
+  std::function<void(ByteWriter& to)> save_state = {};
 };
-/// Called after each step; its exceptions end the sequence.
+/// Observer of the progress, called after each step. If it throws, the simulation ends.
 using SequenceProgressObserver = std::function<void(const SequenceProgress&)>;
 
-/// Observer of the energy of all blocks in order of time since the first release. Called at each
-/// release, at each rest, and after the first step past each multiple of `energy_interval`.
+/// Observer of the energies of all blocks. It is called at each release, when all blocks rest, and
+/// at the interval `energy_interval`.
 using EnergyObserver = std::function<void(const EnergySample&)>;
 
-/// Optional observers; they do not affect the results.
+/// Optional observers of a simulation. They do not affect the results.
 struct SequenceObservers {
   SequenceObserver motion = {};
   EnergyObserver energy = {};
   SequenceProgressObserver progress = {};
 };
 
-/// Simulates a sequence.
+/// Simulates the motion of several blocks on a terrain.
 /// @param shapes  shapes of the blocks
 /// @param zones  parameters of each ground zone of the terrain
-/// @param from  state of the same sequence saved by the same program (`SequenceProgress::save`);
+/// @param from  state of the same sequence saved by the same program
+/// (`SequenceProgress::save_state`);
 ///              the simulation continues bit-identically. If null, it starts from the beginning.
 /// @throws InputError  if settings are out of range or the state is of another sequence
 /// @throws SettlingError  if confined blocks do not settle

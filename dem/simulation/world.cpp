@@ -66,7 +66,7 @@ std::size_t World::add_body(std::size_t shape, const RigidState& state, bool fix
                           ": position, velocity and spin must be finite and the orientation "
                           "a unit quaternion");
   }
-  if (impl_->terrain() && !fixed) check_start(*impl_->terrain(), state.position, name);
+  if (impl_->terrain() && !fixed) check_start_position(*impl_->terrain(), state.position, name);
   RigidState start = state;
   start.orientation.normalize();
   if (fixed) start.velocity = start.angular_velocity = Vec3::Zero();
@@ -100,7 +100,7 @@ void World::release_bodies(std::span<const std::size_t> bodies) {
       throw SimulationError(name + (is_inactive(body) ? " is gone" : " moves already") +
                             "; only existing fixed bodies can be made free");
     }
-    if (impl_->terrain()) check_start(*impl_->terrain(), state(body).position, name);
+    if (impl_->terrain()) check_start_position(*impl_->terrain(), state(body).position, name);
   }
   impl_->release_bodies(bodies);
 }
@@ -144,7 +144,7 @@ const RigidState& World::state(std::size_t body) const {
 bool World::is_fixed(std::size_t body) const { return impl_->bodies().at(body).fixed; }
 bool World::is_resting(std::size_t body) const {
   const WorldBody& asked = impl_->bodies().at(body);
-  return asked.fixed || asked.asleep || asked.resting >= impl_->settings().rest_duration;
+  return asked.fixed || asked.asleep || asked.resting_time >= impl_->settings().rest_duration;
 }
 bool World::is_asleep(std::size_t body) const { return impl_->bodies().at(body).asleep; }
 bool World::is_inactive(std::size_t body) const { return impl_->bodies().at(body).inactive; }

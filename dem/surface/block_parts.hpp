@@ -15,25 +15,28 @@ struct BlockSide {
   double radius = 0.0;
 };
 
-/// Group of adjacent block features with a bounding sphere in the body frame.
+/// Group of adjacent vertices, edges and faces of a block, with a bounding sphere in the body
+/// frame.
 struct BlockPart {
   Vec3 centre = Vec3::Zero();
   double radius = 0.0;
-  double arm = 0.0;                                ///< distance of `centre` from the body origin, m
-  std::uint32_t first_vertex = 0, end_vertex = 0;  ///< range of BlockParts::vertices
-  std::uint32_t first_side = 0, end_side = 0;      ///< range of BlockParts::sides
+  double arm = 0.0;  ///< distance of `centre` from the body origin, m
+  /// Range of its vertices in `BlockParts::vertices`.
+  std::uint32_t first_vertex = 0, end_vertex = 0;
+  /// Range of its edges and faces in `BlockParts::sides`.
+  std::uint32_t first_side = 0, end_side = 0;
 };
 
-/// Parts of a block. Each feature that can be in contact (pointed vertex, convex edge or face)
-/// belongs to exactly one part.
+/// Partition of the features of a block. Each vertex, edge and face that can be in contact belongs
+/// to exactly one part.
 struct BlockParts {
   std::vector<BlockPart> parts;
-  std::vector<std::uint32_t> vertices;  ///< by part
-  std::vector<BlockSide> sides;         ///< by part
+  std::vector<std::uint32_t> vertices;  ///< indices of the vertices, ordered by part
+  std::vector<BlockSide> sides;         ///< edges and faces, ordered by part
 };
 
-/// Partitions the features by repeated bisection along their longest extent. About 2 sqrt(n) parts
-/// for n vertices balance the cost of testing parts with that of testing features.
+/// Partitions the features of a block by repeated bisection along their longest extent, into about
+/// 2 sqrt(n) parts for n vertices.
 BlockParts partition_block(const SurfaceFeatures& block);
 
 }  // namespace clast::dem_detail

@@ -14,13 +14,13 @@ EdgeNormalArc::EdgeNormalArc(const SurfaceFeatures& surface, const SurfaceEdge& 
 }
 
 BlockSurface::BlockSurface(const SpheroPolyhedron& body)
-    : IndexedSurface(index_surface(body)),
+    : IndexedSurface(build_indexed_surface(body)),
       parts(partition_block(features)),
-      groups(group_features(features)) {
+      groups(find_feature_groups(features)) {
   for (std::uint32_t f = 0; f < features.faces.size(); ++f) {
     local_faces.push_back(make_local_face(features, f));
   }
-  for (const SurfaceEdge& edge : features.edges) arcs.emplace_back(features, edge);
+  for (const SurfaceEdge& edge : features.edges) edge_normal_arcs.emplace_back(features, edge);
   for (std::uint32_t v = 0; v < features.vertices.size(); ++v) {
     cone_slacks.push_back(normal_cone_slack(features, v));
     bounding_radius = std::max(bounding_radius, features.vertices[v].norm());

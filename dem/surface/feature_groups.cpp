@@ -40,7 +40,7 @@ std::vector<std::uint32_t> lines(const SurfaceFeatures& block) {
 
 }  // namespace
 
-FeatureGroups group_features(const SurfaceFeatures& block) {
+FeatureGroups find_feature_groups(const SurfaceFeatures& block) {
   FeatureGroups made;
   made.group_of_face = planes(block);
   made.group_of_edge = lines(block);

@@ -1,5 +1,5 @@
 #pragma once
-/// Groups of block features that connect contact points: planes and straight lines.
+/// Groups of coplanar faces and of collinear edges of a block.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,13 +8,17 @@
 
 namespace clast::dem_detail {
 
-/// Planes and lines with common indices. A plane has the index of one of its faces; the lines are
-/// numbered after all faces.
+/// Groups of coplanar faces (planes) and of collinear convex edges (lines). Planes and lines have
+/// common indices, lines after planes.
 struct FeatureGroups {
-  std::vector<std::uint32_t> group_of_face;  ///< equal for faces connected over flat edges
-  std::vector<std::uint32_t> group_of_edge;  ///< equal for collinear convex edges
-  std::vector<std::uint32_t> offsets;  ///< groups at vertex v: groups_of_vertices[offsets[v] ..]
-  std::vector<std::uint32_t> groups_of_vertices;  ///< sorted for each vertex
+  /// Group of each face; equal for faces connected over flat edges.
+  std::vector<std::uint32_t> group_of_face;
+  /// Group of each edge; equal for collinear convex edges.
+  std::vector<std::uint32_t> group_of_edge;
+  /// Index in `groups_of_vertices` of the first group of each vertex.
+  std::vector<std::uint32_t> offsets;
+  /// Groups of all vertices, ordered by vertex and sorted for each vertex.
+  std::vector<std::uint32_t> groups_of_vertices;
 
   std::span<const std::uint32_t> groups_at(std::uint32_t vertex) const {
     return {groups_of_vertices.data() + offsets[vertex],
@@ -22,6 +26,6 @@ struct FeatureGroups {
   }
 };
 
-FeatureGroups group_features(const SurfaceFeatures& block);
+FeatureGroups find_feature_groups(const SurfaceFeatures& block);
 
 }  // namespace clast::dem_detail

@@ -13,14 +13,14 @@ constexpr double kMaxCells = 4e7;
 
 }  // namespace
 
-NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face,
-                             const Vec3& query) {
+NearestPoint nearest_point_on_face(const SurfaceFeatures& surface, std::uint32_t face,
+                                   const Vec3& query) {
   NearestPoint nearest = project_onto_face(surface, face, query);
-  determine_side(surface, query, nearest);
+  determine_query_side(surface, query, nearest);
   return nearest;
 }
 
-void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot) {
+void determine_query_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot) {
   if (foot.within_face) return;
   foot.normal = foot.edge != kNoFeature ? surface.edge_normal(surface.edges[foot.edge])
                                         : surface.vertex_normals[foot.vertex];
@@ -200,7 +200,7 @@ std::optional<NearestPoint> IndexedSurface::nearest_point(const Vec3& query, dou
       }
     }
   }
-  if (best) determine_side(features, query, *best);
+  if (best) determine_query_side(features, query, *best);
   return best;
 }
 
@@ -242,8 +242,8 @@ std::vector<std::uint32_t> IndexedSurface::find_faces_near(const Bounds& box, do
   return found;
 }
 
-IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
-                             std::span<const std::array<std::uint32_t, 2>> wires) {
+IndexedSurface build_indexed_surface(const TriangleMesh& mesh, double radius,
+                                     std::span<const std::array<std::uint32_t, 2>> wires) {
   IndexedSurface surface;
   surface.features = extract_surface_features(mesh, wires);
   surface.radius = radius;
@@ -258,11 +258,11 @@ IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
   return surface;
 }
 
-IndexedSurface index_surface(const SpheroPolyhedron& body) {
+IndexedSurface build_indexed_surface(const SpheroPolyhedron& body) {
   const bool wire = body.faces.empty();
-  IndexedSurface surface =
-      index_surface(core_mesh(body), body.radius,
-                    wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
+  IndexedSurface surface = build_indexed_surface(
+      core_mesh(body), body.radius,
+      wire ? std::span(body.edges) : std::span<const SpheroPolyhedron::Edge>());
   surface.is_block = true;
   return surface;
 }

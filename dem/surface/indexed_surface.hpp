@@ -1,5 +1,5 @@
 #pragma once
-/// Contact surface: features with a plan grid. It represents the ground or a block hit by others.
+/// Contact surface of the ground or of a block: vertices, edges and faces with a grid in plan.
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,30 +10,31 @@
 
 namespace clast::dem_detail {
 
-/// Nearest point of a surface to a query, with the side of the query.
+/// Point of a surface nearest to a query point, and the side on which the query point lies.
 struct NearestPoint {
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< outward normal of the nearest face, edge or vertex
-  double distance = 0.0;        ///< signed: negative inside the solid
+  double distance = 0.0;  ///< signed distance of the query point, m; negative inside the solid
   std::uint32_t face = kNoFeature;
-  bool within_face = false;           ///< true if the foot is inside the face
-  std::uint32_t edge = kNoFeature;    ///< edge that contains the foot, otherwise kNoFeature
-  std::uint32_t vertex = kNoFeature;  ///< vertex at the foot, otherwise kNoFeature
+  bool within_face = false;         ///< true if the nearest point is in the interior of the face
+  std::uint32_t edge = kNoFeature;  ///< edge that contains the nearest point, otherwise kNoFeature
+  std::uint32_t vertex = kNoFeature;  ///< vertex at the nearest point, otherwise kNoFeature
 };
 
 /// True if the nearest point is on the border of an open surface.
 bool is_on_border(const SurfaceFeatures& surface, const NearestPoint& nearest);
 
-/// Returns the nearest point of a face. The normal of the nearest feature (face, edge or vertex)
-/// decides the sign of `distance`.
-NearestPoint nearest_on_face(const SurfaceFeatures& surface, std::uint32_t face, const Vec3& query);
-/// Returns the nearest point of a face without the sign of `distance`, which is set only if the
-/// foot is inside the face. First step of `nearest_on_face`, for testing many faces.
+/// Returns the point of a face nearest to a query point, with the signed distance.
+NearestPoint nearest_point_on_face(const SurfaceFeatures& surface, std::uint32_t face,
+                                   const Vec3& query);
+/// Returns the point of a face nearest to a query point. The distance has no sign if the point is
+/// on an edge or vertex. Faster than `nearest_point_on_face`.
 NearestPoint project_onto_face(const SurfaceFeatures& surface, std::uint32_t face,
                                const Vec3& query);
-void determine_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
+void determine_query_side(const SurfaceFeatures& surface, const Vec3& query, NearestPoint& foot);
 
-/// Plan grid: each cell lists the faces whose bounds overlap it, with their height range.
+/// Grid in plan. Each cell lists the faces of a surface whose bounds overlap it, and their height
+/// range.
 class PlanGrid {
  public:
   PlanGrid() = default;
@@ -44,8 +45,8 @@ class PlanGrid {
     double low = 0.0;
     double high = 0.0;
   };
-  /// Range of the cells that cover a plan rectangle, clamped to the grid; empty (first > last) if
-  /// the rectangle is outside the grid.
+  /// Columns and rows of the cells that cover a plan rectangle. Empty (first > last) if the
+  /// rectangle is outside the grid.
   struct CellRange {
     int first_column, last_column, first_row, last_row;
   };
@@ -76,29 +77,31 @@ class PlanGrid {
 
 struct IndexedSurface {
   SurfaceFeatures features;
-  std::vector<std::uint32_t> face_of_vertex;  ///< one face per vertex, which gives its zone
+  /// One adjacent face of each vertex, which gives its ground zone.
+  std::vector<std::uint32_t> face_of_vertex;
   double radius = 0.0;    ///< offset of the rounded surface from the features, m
-  Bounds extent;          ///< of the vertices
+  Bounds extent;          ///< bounding box of the vertices
   bool is_block = false;  ///< false for a terrain
   PlanGrid grid;
 
-  /// Nearest point of the triangles (not of the rounded surface); empty if none is within `reach`.
+  /// Returns the nearest point of the triangles, without rounding; empty if none is within `reach`.
   /// @param guess  index of a face that is probably near; affects only the speed
   std::optional<NearestPoint> nearest_point(const Vec3& query, double reach,
                                             std::uint32_t guess = kNoFeature) const;
-  /// Returns a lower bound of the distance to the triangles, from the height ranges of the cells; 0
-  /// if they give no bound. Cheaper than `nearest_point`.
+  /// Returns a lower bound of the distance to the triangles, from the height ranges of the grid
+  /// cells; 0 if unknown. Faster than `nearest_point`.
   double height_clearance(const Vec3& query, double reach) const;
-  /// Returns the sorted faces whose bounds are within `reach` of the box.
+  /// Finds the faces whose bounding boxes are within `reach` of a box. Returns their sorted
+  /// indices.
   std::vector<std::uint32_t> find_faces_near(const Bounds& box, double reach) const;
 };
 
-/// Builds the surface of a mesh.
+/// Builds the contact surface of a mesh.
 /// @param wires  edges without triangles (capsules), as vertex pairs
 /// @throws GeometryError  if a triangle is degenerate or an edge non-manifold
-IndexedSurface index_surface(const TriangleMesh& mesh, double radius,
-                             std::span<const std::array<std::uint32_t, 2>> wires = {});
-/// Builds the surface of a block, in the frame of its core.
-IndexedSurface index_surface(const SpheroPolyhedron& body);
+IndexedSurface build_indexed_surface(const TriangleMesh& mesh, double radius,
+                                     std::span<const std::array<std::uint32_t, 2>> wires = {});
+/// Builds the contact surface of a block, in the frame of its core.
+IndexedSurface build_indexed_surface(const SpheroPolyhedron& body);
 
 }  // namespace clast::dem_detail

@@ -105,7 +105,7 @@ LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> face
     if (i != guess) measure(i);
   }
   found.second = std::min(found.second, std::abs(found.nearest.distance) + beyond);
-  if (found.nearest.face != kNoFeature) determine_side(features, query, found.nearest);
+  if (found.nearest.face != kNoFeature) determine_query_side(features, query, found.nearest);
   return found;
 }
 

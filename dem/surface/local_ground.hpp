@@ -8,12 +8,13 @@
 
 namespace clast::dem_detail {
 
-/// Plane above all ground of a region. The height above it is at most the distance to the ground.
+/// Plane above all ground of a region, which gives lower bounds of the distance to the ground.
 struct BoundingPlane {
-  Vec3 normal = Vec3::UnitZ();  ///< mean of the face normals
+  Vec3 normal = Vec3::UnitZ();  ///< unit normal: mean of the face normals
   double offset = -1e300;       ///< largest projection of a ground point onto `normal`, m
 
-  /// Returns a lower bound of the distance of a point; negative if it gives none.
+  /// Returns a lower bound of the distance of a point from the ground, m; it is not valid if
+  /// negative.
   double clearance(const Vec3& point) const { return normal.dot(point) - offset; }
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -34,23 +35,23 @@ struct LocalFaces {
     }
   };
   std::vector<Face> faces;
-  BoundingPlane plane;  ///< above all faces
+  BoundingPlane plane;  ///< plane above all faces
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(faces, plane);
   }
 
-  /// Collects the faces of `from` within `reach` of a point, in the order of `from`.
+  /// Copies the faces of `from` within the distance `reach` of a point, in the same order.
   void collect_near(const SurfaceFeatures& features, const LocalFaces& from, const Vec3& centre,
                     double reach);
 
   struct NearestFace {
-    NearestPoint nearest;     ///< distance 1e300 if nothing is within the limit
-    double second = 0.0;      ///< lower bound of the distance of all other faces, m
+    NearestPoint nearest;  ///< nearest point; its distance is 1e300 if no face is within the limit
+    double second = 0.0;   ///< lower bound of the distance of all other faces, m
     std::uint32_t entry = 0;  ///< index into `faces`
   };
-  /// Finds the nearest of the listed faces, as `find_nearest_face`.
+  /// Finds the nearest of the listed faces (see `find_nearest_face`).
   NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit,
                       double beyond, std::uint32_t guess) const;
 
@@ -60,7 +61,7 @@ struct LocalFaces {
 
 /// Ground features near a block, ordered by index.
 struct LocalGround : LocalFaces {
-  std::vector<std::uint32_t> edges;  ///< convex ones
+  std::vector<std::uint32_t> edges;  ///< indices of convex edges
   std::vector<std::uint32_t> pointed_vertices;
 
   template <class Bytes>
@@ -69,17 +70,17 @@ struct LocalGround : LocalFaces {
     bytes(edges, pointed_vertices);
   }
 
-  /// Collects all features within `reach` of a point.
+  /// Copies all ground features within the distance `reach` of a point.
   void collect_near(const IndexedSurface& ground, const Vec3& centre, double reach);
 };
 
-/// Makes the list entry of a face.
+/// Makes the list entry of a face, with precomputed plane and bounding sphere.
 LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t face);
 
 /// Finds the point of the given faces that is nearest to `query`.
 /// @param limit  largest distance, m; farther faces are ignored
-/// @param beyond  margin, m; other faces are measured up to this much farther than the nearest
-/// @param guess  entry of a face that is probably near; affects only the speed
+/// @param beyond  distance beyond the nearest face up to which other faces are measured, m
+/// @param guess  index of a face in the list that is probably near; affects only the speed
 LocalFaces::NearestFace find_nearest_face(std::span<const LocalFaces::Face> faces,
                                           const SurfaceFeatures& features, const Vec3& query,
                                           double limit, double beyond, std::uint32_t guess);

@@ -13,13 +13,13 @@ constexpr double kHalfPi = 0.5 * std::numbers::pi;
 
 }  // namespace
 
-SegmentDistance closest_points(const Segment& a, const Segment& b) {
+ClosestSegmentPoints closest_segment_points(const Segment& a, const Segment& b) {
   const Vec3 apart = a.start - b.start;
   const double cosine = a.direction.dot(b.direction);
   const double sine_squared = 1.0 - cosine * cosine;
   const double along_a = a.direction.dot(apart);
   const double along_b = b.direction.dot(apart);
-  SegmentDistance closest;
+  ClosestSegmentPoints closest;
   if (sine_squared > kParallel) {
     closest.sine = std::sqrt(sine_squared);
     closest.line_first = (cosine * along_b - along_a) / sine_squared;
@@ -38,8 +38,8 @@ SegmentDistance closest_points(const Segment& a, const Segment& b) {
   return closest;
 }
 
-double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
-                                const Vec3& centre, double radius) {
+double displacement_to_crossing(const ClosestSegmentPoints& closest, const Segment& a,
+                                const Segment& b, const Vec3& centre, double radius) {
   // A segment that ends before the other's line stays on its side of the plane through that line
   // and the common normal, which rotates about it up to pi/2 over the sine faster than the body.
   const double turning = kHalfPi / (radius * closest.sine);

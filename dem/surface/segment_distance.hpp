@@ -17,24 +17,23 @@ struct Segment {
   }
 };
 
-struct SegmentDistance {
+struct ClosestSegmentPoints {
   double first = 0.0;              ///< parameter on the first segment, m
   double second = 0.0;             ///< parameter on the second segment, m
-  Vec3 separation = Vec3::Zero();  ///< from the second to the first closest point
-  bool crossing = false;  ///< true if both closest points are inside the segments, so that they are
-                          ///< those of the two lines
+  Vec3 separation = Vec3::Zero();  ///< vector from the second closest point to the first, m
+  bool crossing = false;  ///< true if both closest points are in the interiors of the segments
   // The same of the lines, and the sine of the angle between them; all 0 where they are parallel.
   double line_first = 0.0, line_second = 0.0;
   double sine = 0.0;
 };
 
-SegmentDistance closest_points(const Segment& a, const Segment& b);
+ClosestSegmentPoints closest_segment_points(const Segment& a, const Segment& b);
 
 /// Returns a lower bound of the displacement at which the two segments can cross, m; 0 if unknown.
 /// The body with the first segment moves. Its displacement is the translation of its centre plus 2
 /// sin(angle/2) `radius` for its rotation angle (docs/theory.md, Contact search).
 /// @param closest  closest points of the two segments, with `crossing` false
-double displacement_to_crossing(const SegmentDistance& closest, const Segment& a, const Segment& b,
-                                const Vec3& centre, double radius);
+double displacement_to_crossing(const ClosestSegmentPoints& closest, const Segment& a,
+                                const Segment& b, const Vec3& centre, double radius);
 
 }  // namespace clast::dem_detail

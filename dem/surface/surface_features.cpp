@@ -58,7 +58,7 @@ void add_edge(SurfaceFeatures& surface, std::span<const HalfEdge> sides) {
     const auto corner = std::find(face.vertices.begin(), face.vertices.end(), sides[i].from());
     face.edges[corner - face.vertices.begin()] = static_cast<std::uint32_t>(surface.edges.size());
     edge.faces[i] = sides[i].triangle;
-    edge.forward[i] = sides[i].forward;
+    edge.forward[i] = sides[i].is_forward;
   }
   if (sides.size() == 2) {
     const SurfaceFace& second = surface.faces[edge.faces[1]];

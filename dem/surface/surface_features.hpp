@@ -16,39 +16,42 @@ enum class EdgeKind : std::uint8_t {
   kFlat,    ///< between coplanar faces; never a contact feature
   kConvex,  ///< between faces that meet at a convex angle
   kReflex,  ///< between faces that meet at a concave angle; other bodies reach the faces first
-  kBorder,  ///< with one face
+  kBorder,  ///< border edge with one face
   kWire,    ///< without faces: axis of a capsule
 };
 
 struct SurfaceFace {
   std::array<std::uint32_t, 3> vertices;
-  std::array<std::uint32_t, 3> edges;  ///< edge k runs from vertex k to vertex k + 1
+  std::array<std::uint32_t, 3> edges;  ///< edges; edge k runs from vertex k to vertex k + 1
   Vec3 normal;                         ///< unit, out of the solid
 };
 
 struct SurfaceEdge {
   std::array<std::uint32_t, 2> vertices;
-  std::array<std::uint32_t, 2> faces;  ///< second kNoFeature at a border, both for a wire
-  Vec3 direction;                      ///< unit, from the first vertex to the second
+  /// Adjacent faces; the second is kNoFeature at a border, both for a wire.
+  std::array<std::uint32_t, 2> faces;
+  Vec3 direction;  ///< unit, from the first vertex to the second
   double length = 0.0;
   EdgeKind kind = EdgeKind::kFlat;
-  std::array<bool, 2> forward = {true, false};  ///< per face: true if the face runs along the edge
-                                                ///< from its first vertex to its second
+  /// True for each face that has the edge in its direction.
+  std::array<bool, 2> forward = {true, false};
 
   bool is_convex() const { return kind != EdgeKind::kFlat && kind != EdgeKind::kReflex; }
 };
 
-/// Features of a surface. Other quantities are computed on demand, which saves memory.
+/// Faces, edges and vertices of a surface.
 struct SurfaceFeatures {
   std::vector<Vec3> vertices;
   std::vector<SurfaceFace> faces;
   std::vector<SurfaceEdge> edges;
-  std::vector<Vec3> vertex_normals;  ///< angle-weighted, unit (Baerentzen & Aanaes 2005)
+  /// Angle-weighted unit normals of the vertices (Baerentzen & Aanaes 2005).
+  std::vector<Vec3> vertex_normals;
   /// True for vertices that can be in contact: ends of convex edges without collinear continuation.
   std::vector<std::uint8_t> is_pointed_vertex;
-  std::vector<std::uint32_t>
-      edge_offsets;  ///< edges at vertex v: edges_at_vertex[edge_offsets[v] ..]
-  std::vector<std::uint32_t> edges_at_vertex;  ///< sorted
+  /// Index in `edges_at_vertex` of the first edge of each vertex.
+  std::vector<std::uint32_t> edge_offsets;
+  /// Edges of all vertices, ordered by vertex and sorted for each vertex.
+  std::vector<std::uint32_t> edges_at_vertex;
 
   std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const {
     return {edges_at_vertex.data() + edge_offsets[vertex],
@@ -66,13 +69,14 @@ struct SurfaceFeatures {
   Vec3 edge_normal(const SurfaceEdge& edge) const;
 };
 
-/// Extracts the features of a mesh.
+/// Extracts faces, edges and vertices of a mesh, with their contact data.
 /// @param wires  edges without triangles (capsules), as vertex pairs
 /// @throws GeometryError  if a triangle is degenerate or an edge non-manifold
 SurfaceFeatures extract_surface_features(const TriangleMesh& mesh,
                                          std::span<const std::array<std::uint32_t, 2>> wires = {});
 
-/// Returns how far the projection of a point lies inside a face, m; -1 if it is outside.
+/// Returns the distance from the projection of a point to the border of the face that contains it,
+/// m; -1 if it is outside the face.
 double distance_inside_face(const SurfaceFeatures& surface, const SurfaceFace& face,
                             const Vec3& point);
 

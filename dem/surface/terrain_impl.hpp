@@ -10,13 +10,13 @@ struct TerrainSurface::Impl {
     double height;       ///< z, m
     std::uint32_t face;  ///< index of its triangle
   };
-  /// Finds the point of the surface on the vertical line through (x, y), as
-  /// `TerrainSurface::height_at`.
+  /// Finds the surface point on the vertical line through (x, y) that is nearest to the height
+  /// `z_near`.
   std::optional<SurfacePoint> find_surface_point(double x, double y, double z_near) const;
 
   TriangleMesh mesh;
   dem_detail::IndexedSurface surface;
-  std::vector<std::uint16_t> zones;  ///< per triangle
+  std::vector<std::uint16_t> zones;  ///< ground zone of each triangle
   std::uint16_t zone_count = 0;
 };
 

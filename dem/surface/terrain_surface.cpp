@@ -44,7 +44,7 @@ TerrainSurface::TerrainSurface(TriangleMesh mesh, std::vector<std::uint16_t> zon
   if (!(radius >= 0.0 && std::isfinite(radius))) {
     throw InputError("terrain: radius = " + format_significant(radius, 6) + "; must be 0 or more");
   }
-  impl_->surface = index_surface(mesh, radius);
+  impl_->surface = build_indexed_surface(mesh, radius);
   impl_->mesh = std::move(mesh);
   impl_->zone_count = static_cast<std::uint16_t>(*std::max_element(zones.begin(), zones.end()) + 1);
   impl_->zones = std::move(zones);

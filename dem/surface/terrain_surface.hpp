@@ -1,5 +1,5 @@
 #pragma once
-/// Terrain surface for contact search: one-sided triangles with a zone each.
+/// Terrain surface for the contact search: one-sided triangles with ground zones.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,7 +14,7 @@ namespace clast {
 /// normals. Overhangs and vertical walls are allowed. Holes are not checked for.
 class TerrainSurface {
  public:
-  /// Builds the surface.
+  /// Builds the terrain surface.
   /// @param mesh  welded triangles with normals out of the ground; local frame, z up, m
   /// @param zones  ground zone of each triangle
   /// @param radius  offset of the contact surface above the triangles, m
@@ -28,8 +28,8 @@ class TerrainSurface {
   std::uint16_t zone_count() const;  ///< largest zone index + 1
   const Bounds& extent() const;
 
-  /// Height of the surface at (x, y). If several upward-facing triangles are there, returns the
-  /// height nearest to `z_near`; empty outside the surveyed area.
+  /// Returns the height of the surface at (x, y), m; empty outside the surveyed area. If there are
+  /// several upward-facing triangles, it is the height nearest to `z_near`.
   std::optional<double> height_at(double x, double y, double z_near) const;
   /// Returns the ground zone at the point that `height_at` finds.
   std::optional<std::uint16_t> zone_at(double x, double y, double z_near) const;

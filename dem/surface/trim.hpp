@@ -4,7 +4,7 @@
 
 namespace clast::dem_detail {
 
-/// Frees spare capacity beyond half the size.
+/// Frees the spare capacity of lists in which it exceeds half the size.
 template <class... T>
 void shrink_capacity(std::vector<T>&... lists) {
   const auto trim_one = [](auto& list) {

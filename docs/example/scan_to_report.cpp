@@ -12,10 +12,10 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[3], results = folder / "results.h5";
   try {
     // A scan, or all of a folder, become blocks of a library.
-    clast::BatchOptions batch;
+    clast::ScanBatchOptions batch;
     batch.library = folder / "blocks.h5";
     batch.scan.block.density = 2650.0;  // kg/m^3
-    clast::reconstruct_batch(clast::list_scans({argv[1]}), batch);
+    clast::reconstruct_scan_batch(clast::list_scans({argv[1]}), batch);
 
     // They fall down the terrain of the campaign, in 4 of its orientations.
     clast::Campaign campaign = clast::read_campaign(argv[2]);

@@ -63,8 +63,8 @@ HullInterpolation blend_of(const SpheroPolyhedron& body, double target) {
 
 }  // namespace
 
-SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double initial_convexity,
-                                        double target) {
+SpheroPolyhedron find_body_with_convexity(const SpheroPolyhedron& body, double initial_convexity,
+                                          double target) {
   if (std::abs(target - initial_convexity) <= kSameConvexity) return body;
   if (!(target <= 1.0 && target > initial_convexity)) {
     throw GeometryError("a convexity of " + format_significant(target, 4) +

@@ -8,7 +8,7 @@ namespace clast::library_detail {
 /// (shapes/hull_interpolation.hpp).
 /// @throws GeometryError  if the target is below the convexity of the body or above 1. Also if the
 ///                        body is not star-shaped and the target is neither its convexity nor 1
-SpheroPolyhedron find_body_of_convexity(const SpheroPolyhedron& body, double initial_convexity,
-                                        double target);
+SpheroPolyhedron find_body_with_convexity(const SpheroPolyhedron& body, double initial_convexity,
+                                          double target);
 
 }  // namespace clast::library_detail

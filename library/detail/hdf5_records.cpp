@@ -7,7 +7,7 @@
 
 namespace clast::library_detail {
 
-void require(bool condition, const std::string& where, const std::string& what) {
+void check_stored_value(bool condition, const std::string& where, const std::string& what) {
   if (!condition) {
     throw InputError(where + ": " + what +
                      "; the file is damaged: restore a backup, or make it again");
@@ -29,8 +29,9 @@ void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixX
 std::vector<double> read_array(const Hdf5Group& group, const std::string& name,
                                const std::vector<std::size_t>& shape, const std::string& where) {
   std::vector<double> values = group.read<double>(name);
-  require(group.shape(name) == shape, where, name + " has the wrong shape");
-  for (const double value : values) require(std::isfinite(value), where, name + " is not finite");
+  check_stored_value(group.shape(name) == shape, where, name + " has the wrong shape");
+  for (const double value : values)
+    check_stored_value(std::isfinite(value), where, name + " is not finite");
   return values;
 }
 
@@ -46,11 +47,11 @@ Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::str
   return matrix;
 }
 
-double read_scalar(const Hdf5Group& group, const std::string& name, double least,
+double read_scalar(const Hdf5Group& group, const std::string& name, double min_value,
                    const std::string& where) {
   const double value = group.read_attribute<double>(name);
-  require(std::isfinite(value) && value >= least, where,
-          name + " can't be " + format_significant(value, 6));
+  check_stored_value(std::isfinite(value) && value >= min_value, where,
+                     name + " can't be " + format_significant(value, 6));
   return value;
 }
 
@@ -65,7 +66,7 @@ void write_points(Hdf5Group group, const std::string& name, const std::vector<Ve
 std::vector<Vec3> read_points(const Hdf5Group& group, const std::string& name,
                               const std::string& where) {
   const std::vector<std::size_t> shape = group.shape(name);
-  require(shape.size() == 2, where, name + " has the wrong shape");
+  check_stored_value(shape.size() == 2, where, name + " has the wrong shape");
   const std::vector<double> flat = read_array(group, name, {shape[0], 3}, where);
   std::vector<Vec3> points(shape[0]);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -77,7 +78,7 @@ std::vector<Vec3> read_points(const Hdf5Group& group, const std::string& name,
 void check_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices,
                    const std::string& name, const std::string& where) {
   for (const std::uint32_t index : indices) {
-    require(index < vertices, where, name + " refers to a vertex that does not exist");
+    check_stored_value(index < vertices, where, name + " refers to a vertex that does not exist");
   }
 }
 

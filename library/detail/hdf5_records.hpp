@@ -13,7 +13,7 @@ namespace clast::library_detail {
 
 /// Checks a condition on a stored value.
 /// @throws InputError  if it is false; the message consists of `where` and `what`
-void require(bool condition, const std::string& where, const std::string& what);
+void check_stored_value(bool condition, const std::string& where, const std::string& what);
 
 void write_matrix(Hdf5Group group, const std::string& name, const Eigen::MatrixXd& values,
                   const std::string& unit);
@@ -22,8 +22,8 @@ std::vector<double> read_array(const Hdf5Group& group, const std::string& name,
                                const std::vector<std::size_t>& shape, const std::string& where);
 Vec3 read_vector(const Hdf5Group& group, const std::string& name, const std::string& where);
 Mat3 read_matrix(const Hdf5Group& group, const std::string& name, const std::string& where);
-/// Reads a finite number, at least `least`, from an attribute.
-double read_scalar(const Hdf5Group& group, const std::string& name, double least,
+/// Reads a finite number, at least `min_value`, from an attribute.
+double read_scalar(const Hdf5Group& group, const std::string& name, double min_value,
                    const std::string& where);
 
 void write_points(Hdf5Group group, const std::string& name, const std::vector<Vec3>& points);
@@ -49,8 +49,8 @@ std::vector<std::array<std::uint32_t, N>> read_indices(const Hdf5Group& group,
                                                        std::size_t vertices,
                                                        const std::string& where) {
   const std::vector<std::uint32_t> flat = group.read<std::uint32_t>(name);
-  require(group.shape(name) == std::vector<std::size_t>{flat.size() / N, N}, where,
-          name + " has the wrong shape");
+  check_stored_value(group.shape(name) == std::vector<std::size_t>{flat.size() / N, N}, where,
+                     name + " has the wrong shape");
   check_indices(flat, vertices, name, where);
   std::vector<std::array<std::uint32_t, N>> rows(flat.size() / N);
   for (std::size_t i = 0; i < flat.size(); ++i) rows[i / N][i % N] = flat[i];

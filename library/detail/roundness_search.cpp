@@ -23,18 +23,20 @@ constexpr std::array<double, 4> kFallingFractions = {0.2, 0.1, 0.05, 0.0};
                       " can't be reached: " + why + format_significant(nearest, 4));
 }
 
-bool good(const RoundedBody& one, double target, double tolerance) {
+bool good(const RoundnessSearchResult& one, double target, double tolerance) {
   return std::abs(one.roundness / target - 1.0) <= tolerance;
 }
 
 /// An end that stays twice running counts half, so that both ends close in. @cite dowell1971
-RoundedBody between(const std::function<RoundedBody(double)>& at, RoundedBody low, RoundedBody high,
-                    double target) {
+RoundnessSearchResult between(const std::function<RoundnessSearchResult(double)>& at,
+                              RoundnessSearchResult low, RoundnessSearchResult high,
+                              double target) {
   double below = low.roundness - target, above = high.roundness - target;
   bool moved_low = false, moved_high = false;
-  RoundedBody best = -below < above ? low : high;
+  RoundnessSearchResult best = -below < above ? low : high;
   for (int round = 0; round < kRounds && !good(best, target, kRoundnessTolerance); ++round) {
-    RoundedBody next = at((low.radius_share * above - high.radius_share * below) / (above - below));
+    RoundnessSearchResult next =
+        at((low.radius_fraction * above - high.radius_fraction * below) / (above - below));
     const double gap = next.roundness - target;
     if (std::abs(gap) < std::abs(best.roundness - target)) best = next;
     if (gap < 0.0) {
@@ -54,29 +56,29 @@ RoundedBody between(const std::function<RoundedBody(double)>& at, RoundedBody lo
 
 }  // namespace
 
-RoundedBody find_body_of_roundness(const std::function<SpheroPolyhedron(double)>& rounded,
-                                   double target, double edge_length) {
+RoundnessSearchResult find_body_with_roundness(
+    const std::function<SpheroPolyhedron(double)>& rounded, double target, double edge_length) {
   const auto at = [&](double share) {
-    RoundedBody one{rounded(share), share, 0.0};
+    RoundnessSearchResult one{rounded(share), share, 0.0};
     one.roundness = body_roundness(one.body, edge_length).value;
     return one;
   };
-  RoundedBody high = at(kVariedRadiusFraction.high);
+  RoundnessSearchResult high = at(kVariedRadiusFractionRange.high);
   if (good(high, target, kRoundnessTolerance)) return high;
   if (high.roundness < target) {
     refuse_target(target,
-                  "the largest radius, " + format_significant(kVariedRadiusFraction.high, 2) +
+                  "the largest radius, " + format_significant(kVariedRadiusFractionRange.high, 2) +
                       " of S, gives ",
                   high.roundness);
   }
   for (const double share : kFallingFractions) {
-    RoundedBody low = at(share);
+    RoundnessSearchResult low = at(share);
     if (good(low, target, kRoundnessTolerance)) return low;
     if (low.roundness > target) {
       high = std::move(low);
       continue;
     }
-    RoundedBody found = between(at, std::move(low), std::move(high), target);
+    RoundnessSearchResult found = between(at, std::move(low), std::move(high), target);
     if (good(found, target, kRoundnessTolerance)) return found;
     refuse_target(target, "the measured roundness is discontinuous there; the nearest value is ",
                   found.roundness);

@@ -7,18 +7,19 @@
 
 namespace clast::library_detail {
 
-struct VariedBody {
+/// Body of a variation before it is scaled to its size.
+struct VariationResult {
   SpheroPolyhedron body;
   std::string record;  ///< additional "key=value" pairs for `BlockSource::options`
 };
 
-VariedBody vary_body(const Block& parent, const StretchVariation& target);
-VariedBody vary_body(const Block& parent, const ConvexityVariation& target);
-VariedBody vary_body(const Block& parent, const RoundingVariation& target);
-VariedBody vary_body(const Block& parent, const VertexCountVariation& target);
-VariedBody vary_body(const Block& parent, const DetailVariation& target);
-VariedBody vary_body(const Block& parent, const ReferenceVariation& target);
-VariedBody vary_body(const Block& parent, const InertiaVariation& target);
-VariedBody vary_body(const Block& parent, const SampledFormVariation& target);
+VariationResult apply_variation(const Block& parent, const StretchVariation& target);
+VariationResult apply_variation(const Block& parent, const ConvexityVariation& target);
+VariationResult apply_variation(const Block& parent, const RoundingVariation& target);
+VariationResult apply_variation(const Block& parent, const VertexCountVariation& target);
+VariationResult apply_variation(const Block& parent, const DetailVariation& target);
+VariationResult apply_variation(const Block& parent, const ReferenceVariation& target);
+VariationResult apply_variation(const Block& parent, const InertiaVariation& target);
+VariationResult apply_variation(const Block& parent, const SampledFormVariation& target);
 
 }  // namespace clast::library_detail

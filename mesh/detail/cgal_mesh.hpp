@@ -14,9 +14,9 @@ using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalPoint = CgalKernel::Point_3;
 using CgalMesh = CGAL::Surface_mesh<CgalPoint>;
 
-/// Converts to a CGAL mesh.
+/// Converts a triangle mesh to a CGAL mesh.
 /// @throws GeometryError  if an edge is non-manifold or the windings are inconsistent
-inline CgalMesh to_cgal(const TriangleMesh& mesh) {
+inline CgalMesh to_cgal_mesh(const TriangleMesh& mesh) {
   CgalMesh result;
   result.reserve(static_cast<CgalMesh::size_type>(mesh.vertices.size()),
                  static_cast<CgalMesh::size_type>(3 * mesh.triangles.size() / 2),
@@ -34,8 +34,8 @@ inline CgalMesh to_cgal(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Converts from a CGAL mesh. The order is kept; removed elements are skipped.
-inline TriangleMesh from_cgal(const CgalMesh& mesh) {
+/// Converts a CGAL mesh to a triangle mesh. The order is kept; removed elements are skipped.
+inline TriangleMesh from_cgal_mesh(const CgalMesh& mesh) {
   TriangleMesh result;
   std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
   for (const CgalMesh::Vertex_index v : mesh.vertices()) {

@@ -8,14 +8,15 @@
 namespace clast::mesh_detail {
 
 /// Collects points and passes them on in batches that fit into the cache.
-class PointSink {
+class PointBatcher {
  public:
-  explicit PointSink(const std::function<void(const PointBatch&)>& consume) : consume_(consume) {}
+  explicit PointBatcher(const std::function<void(const PointBatch&)>& consume)
+      : consume_(consume) {}
 
   /// Adds a point. Non-finite points are counted and skipped.
   void add_point(const Vec3& point);
   void add_point(const Vec3& point, std::uint8_t asprs_class);
-  /// Passes on the remaining points and completes the summary.
+  /// Passes the remaining points to the consumer and completes the summary.
   CloudSummary finish(CloudSummary summary);
 
  private:
@@ -28,13 +29,13 @@ class PointSink {
   std::size_t non_finite_ = 0;
 };
 
-/// Readers of text, LAS and PCD clouds.
+/// Reads a text, LAS or PCD cloud and passes its points to `sink`.
 /// @param columns  columns of x, y and z, as in `stream_cloud`
 /// @param has_point_counts  true if the number of points precedes each scan, as in .pts files
 /// @throws InputError  if the file is corrupt or truncated
-CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
+CloudSummary read_text_cloud(std::istream& stream, PointBatcher& sink,
                              const std::vector<std::string>& columns, bool has_point_counts);
-CloudSummary read_las(std::istream& stream, PointSink& sink);
-CloudSummary read_pcd(std::string_view content, PointSink& sink);
+CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink);
+CloudSummary read_pcd_cloud(std::string_view content, PointBatcher& sink);
 
 }  // namespace clast::mesh_detail

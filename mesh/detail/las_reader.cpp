@@ -125,7 +125,7 @@ Flags flags_of(std::string_view record, std::size_t format) {
 
 }  // namespace
 
-CloudSummary read_las(std::istream& stream, PointSink& sink) {
+CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink) {
   stream.seekg(0, std::ios::end);
   const auto file_size = static_cast<std::uint64_t>(stream.tellg());
   stream.seekg(0);
@@ -143,7 +143,7 @@ CloudSummary read_las(std::istream& stream, PointSink& sink) {
           std::string_view(bytes).substr(i * header.record_size, header.record_size);
       const Flags flags = flags_of(record, header.format);
       if (flags.withheld || flags.asprs_class == kNoise || flags.asprs_class == kHighNoise) {
-        ++summary.withheld;
+        ++summary.withheld_points;
         continue;
       }
       const Vec3 steps(number_at<std::int32_t>(record, 0), number_at<std::int32_t>(record, 4),

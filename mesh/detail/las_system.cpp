@@ -76,11 +76,11 @@ void read_las_crs(std::istream& stream, const LasRecordLayout& records, CloudSum
   const ProjectionRecords found = projection_records(stream, records);
   GeoTiffReferenceSystem keyed = parse_geotiff_keys(found.keys);
   summary.crs = std::move(keyed.crs);
-  summary.lengths = std::move(keyed.lengths);
+  summary.unit_declarations = std::move(keyed.unit_declarations);
   if (found.wkt.find_first_not_of(" \t\r\n") == std::string::npos) return;
-  LengthUnitDeclaration declared = describe_system(found.wkt, "WKT");
+  LengthUnitDeclaration declared = determine_crs_units(found.wkt, "WKT");
   const bool known = declared.kind != ReferenceSystemKind::kUnknown;
-  summary.lengths.push_back(std::move(declared));
+  summary.unit_declarations.push_back(std::move(declared));
   if (summary.crs.empty() || (records.uses_wkt && known)) summary.crs = found.wkt;
 }
 

@@ -17,7 +17,8 @@ struct LasRecordLayout {
   bool uses_wkt = false;  ///< bit 4 of the global encoding: WKT instead of GeoTIFF keys
 };
 
-/// Reads GeoTIFF keys and WKT. Sets `crs` and `lengths` of the summary.
+/// Reads the coordinate system of a LAS file, from GeoTIFF keys and WKT. Sets `crs` and
+/// `unit_declarations` of the summary.
 void read_las_crs(std::istream& stream, const LasRecordLayout& records, CloudSummary& summary);
 
 }  // namespace clast::mesh_detail

@@ -10,11 +10,11 @@ namespace clast::mesh_detail {
 
 /// Reads a mesh in double precision; empty for format variants that only assimp can read.
 /// @throws InputError  if the file is corrupt or truncated; the message does not name the file
-std::optional<TriangleMesh> read_stl(std::string_view content);
-std::optional<TriangleMesh> read_obj(std::string_view content);
-std::optional<TriangleMesh> read_ply(std::string_view content);
-std::optional<TriangleMesh> read_off(std::string_view content);
-std::optional<TriangleMesh> read_tab(std::string_view content);
+std::optional<TriangleMesh> read_stl_mesh(std::string_view content);
+std::optional<TriangleMesh> read_obj_mesh(std::string_view content);
+std::optional<TriangleMesh> read_ply_mesh(std::string_view content);
+std::optional<TriangleMesh> read_off_mesh(std::string_view content);
+std::optional<TriangleMesh> read_tab_mesh(std::string_view content);
 
 /// Refuses glTF files whose geometry needs an extension, which assimp ignores without an error.
 /// @param content  content of a .gltf or .glb file

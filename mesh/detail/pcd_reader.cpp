@@ -157,7 +157,7 @@ std::string unpacked(std::string_view packed, std::size_t size) {
   return out;
 }
 
-void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink) {
+void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointBatcher& sink) {
   const std::array<std::size_t, 3> axes = axes_of(header);
   std::size_t left = header.points;
   while (left > 0 && text.next_line()) {
@@ -190,7 +190,7 @@ void read_pcd_ascii(TextScanner& text, const PcdHeader& header, PointSink& sink)
 
 /// @param by_field  all values of a field lie together (compressed files), else those of a point
 void read_pcd_binary(std::string_view bytes, const PcdHeader& header, bool by_field,
-                     PointSink& sink) {
+                     PointBatcher& sink) {
   const std::size_t record = header.record();
   if (record == 0 || bytes.size() / record < header.points) {
     throw InputError("its header says " + std::to_string(header.points) + " points, the file has " +
@@ -220,7 +220,7 @@ void read_pcd_binary(std::string_view bytes, const PcdHeader& header, bool by_fi
 
 }  // namespace
 
-CloudSummary read_pcd(std::string_view content, PointSink& sink) {
+CloudSummary read_pcd_cloud(std::string_view content, PointBatcher& sink) {
   TextScanner text(content);
   const PcdHeader header = read_pcd_header(text);
   if (header.data == "ascii") {

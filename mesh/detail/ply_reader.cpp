@@ -129,7 +129,7 @@ class Body {
   std::size_t count(const Type& type) {
     const double number = value(type);
     if (!(number >= 0.0) || number > static_cast<double>(bytes_.size())) {
-      throw InputError("a list announces more entries than the file holds; it is corrupt");
+      throw InputError("a list has more entries than the file can contain; the file is corrupt");
     }
     return static_cast<std::size_t>(number);
   }
@@ -299,7 +299,7 @@ void split_strips(std::vector<std::vector<std::int64_t>>& faces, std::size_t fir
 
 }  // namespace
 
-std::optional<TriangleMesh> read_ply(std::string_view content) {
+std::optional<TriangleMesh> read_ply_mesh(std::string_view content) {
   TextScanner text(content);
   const PlyHeader header = read_ply_header(text);
   Body body(text.remaining_text(), header);

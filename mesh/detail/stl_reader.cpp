@@ -81,7 +81,7 @@ TriangleMesh read_ascii_stl(std::string_view content) {
 
 }  // namespace
 
-std::optional<TriangleMesh> read_stl(std::string_view content) {
+std::optional<TriangleMesh> read_stl_mesh(std::string_view content) {
   std::string_view text = content;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));

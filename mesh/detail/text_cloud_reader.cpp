@@ -116,7 +116,7 @@ struct HeadLine {
 /// Finds out which columns hold the points, and reads them.
 class LinesOfPoints {
  public:
-  LinesOfPoints(PointSink& sink, const std::vector<std::string>& columns)
+  LinesOfPoints(PointBatcher& sink, const std::vector<std::string>& columns)
       : sink_(sink), asked_(columns) {}
 
   void read(std::string_view line, std::size_t number) {
@@ -157,7 +157,7 @@ class LinesOfPoints {
           "point numbers instead of x? Name the columns in a first line, such as "
           "\"id x y z\", or give `columns`");
     }
-    return columns_.lengths;
+    return columns_.unit_declarations;
   }
 
   /// Refuses a scan that holds another number of points than the line before it says.
@@ -314,12 +314,12 @@ class LinesOfPoints {
     for (std::size_t axis = 0; axis < 3 && columns_.axes[axis] < units.size(); ++axis) {
       const std::string unit(units[columns_.axes[axis]]);
       const ColumnHeading heading = parse_heading("x [" + unit + "]");
-      if (!heading.length) continue;
+      if (!heading.length_unit) continue;
       LengthUnitDeclaration declared{.source = "unit \"" + escape_nonprintable(unit) +
                                                "\" of line " + std::to_string(head.number)};
       (axis < 2 ? declared.plan : declared.height) =
-          DeclaredUnit{heading.length->factor, heading.length->name};
-      columns_.lengths.push_back(std::move(declared));
+          DeclaredUnit{heading.length_unit->factor, heading.length_unit->name};
+      columns_.unit_declarations.push_back(std::move(declared));
     }
   }
 
@@ -350,7 +350,7 @@ class LinesOfPoints {
     // Remarks are sentences more often than headings.
     const bool heading = head.remark ? axes > 2 && headings.size() + 1 == count
                                      : axes > 1 || (headings.size() == count &&
-                                                    is_possible_heading(headings, separator_));
+                                                    is_possible_heading_row(headings, separator_));
     if (!heading) return;
     throw InputError("line " + std::to_string(head.number) + ": the heading " +
                      quoted(head.text, kQuotedHeading) + " does not say which of the " +
@@ -377,7 +377,7 @@ class LinesOfPoints {
     const auto& axes = columns_.axes;
     if (fields_.empty() || std::find(axes.begin(), axes.end(), 0) != axes.end()) return;
     const std::string_view name = trimmed_field(fields_[0]);
-    if (parse_number(name) || detect_summary_label(name) != SummaryLabel::kCertain) return;
+    if (parse_number(name) || detect_summary_row_label(name) != SummaryRowLabel::kCertain) return;
     throw InputError("line " + std::to_string(number) + ": " + quoted(name) +
                      " is a sum of other rows; remove that row");
   }
@@ -405,7 +405,7 @@ class LinesOfPoints {
     return point;
   }
 
-  PointSink& sink_;
+  PointBatcher& sink_;
   const std::vector<std::string>& asked_;  ///< `columns`; empty: the headings decide
   std::vector<HeadLine> head_;
   std::size_t head_lines_ = 0;
@@ -428,7 +428,7 @@ class LinesOfPoints {
 
 }  // namespace
 
-CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
+CloudSummary read_text_cloud(std::istream& stream, PointBatcher& sink,
                              const std::vector<std::string>& columns, bool has_point_counts) {
   Lines lines(stream);
   LinesOfPoints points(sink, columns);
@@ -441,7 +441,7 @@ CloudSummary read_text_cloud(std::istream& stream, PointSink& sink,
     points.read(line, lines.number());
   }
   CloudSummary summary;
-  summary.lengths = points.finish();
+  summary.unit_declarations = points.finish();
   if (has_point_counts) points.check_count();
   return sink.finish(std::move(summary));
 }

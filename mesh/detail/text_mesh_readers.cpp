@@ -88,7 +88,7 @@ std::vector<std::int64_t> read_corners(TextScanner& text, std::size_t vertices) 
 
 }  // namespace
 
-std::optional<TriangleMesh> read_obj(std::string_view content) {
+std::optional<TriangleMesh> read_obj_mesh(std::string_view content) {
   const std::string joined = joined_lines(content);
   TriangleMesh mesh;
   std::vector<PendingFace> faces;
@@ -114,7 +114,7 @@ std::optional<TriangleMesh> read_obj(std::string_view content) {
   return mesh;
 }
 
-std::optional<TriangleMesh> read_off(std::string_view content) {
+std::optional<TriangleMesh> read_off_mesh(std::string_view content) {
   TextScanner text(content);
   if (!next_content_line(text)) throw InputError("is not an OFF file");
   std::string_view keyword = text.next_word();
@@ -165,7 +165,7 @@ std::optional<TriangleMesh> read_off(std::string_view content) {
   return mesh;
 }
 
-std::optional<TriangleMesh> read_tab(std::string_view content) {
+std::optional<TriangleMesh> read_tab_mesh(std::string_view content) {
   TriangleMesh mesh;
   std::vector<PendingFace> faces;
   TextScanner text(content);

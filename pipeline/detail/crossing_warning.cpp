@@ -5,7 +5,7 @@
 
 namespace clast::pipeline_detail {
 
-void warn_of_self_intersections(Block& block, const TriangleMesh& surface) {
+void add_self_intersection_warning(Block& block, const TriangleMesh& surface) {
   const std::size_t pairs = find_self_intersections(surface).size();
   if (pairs == 0) return;
   block.warnings.push_back("the surface passes through itself at " + format_count(pairs, "pair") +

@@ -5,6 +5,6 @@
 namespace clast::pipeline_detail {
 
 /// Adds a warning if `surface`, from which `block` was made without repair, intersects itself.
-void warn_of_self_intersections(Block& block, const TriangleMesh& surface);
+void add_self_intersection_warning(Block& block, const TriangleMesh& surface);
 
 }  // namespace clast::pipeline_detail

@@ -50,8 +50,9 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
     std::vector<std::string>& notes = block.scan.notes;
     notes.insert(notes.begin(), scan.notes.begin(), scan.notes.end());
     if (!scan.metric) {
-      notes.insert(notes.begin(), "UNSCALED, and m in notes means units of the model: " +
-                                      explain_unscaled_block());
+      notes.insert(notes.begin(),
+                   "UNSCALED; lengths in m in the notes are in units of the model: " +
+                       explain_unscaled_block());
     }
   }
   return {std::move(found), std::move(scan)};

@@ -7,13 +7,13 @@
 
 namespace clast::pipeline_detail {
 
-/// Blocks, with cameras and scale of the photographs.
+/// Blocks reconstructed from photographs, with cameras and scale of the photographs.
 struct PhotographedBlocks {
-  FieldScan found;
+  FieldScan field_scan;
   PhotoScan photos;
 };
 
-/// Reconstructs blocks from photographs.
+/// Reconstructs the blocks of a folder of photographs.
 /// @param reading  options for the points, except for their scale, which is that of the photographs
 /// @param source  origin of the blocks, to which the photo data are added
 /// @throws InputError, GeometryError  if a step fails; names the folder

@@ -1,13 +1,13 @@
-"""Rock blocks from field scans, and what they do on real terrain.
+"""Rock blocks from field scans, and their simulation on surveyed terrain.
 
     >>> import clast
     >>> block = clast.reconstruct("B017.ply", units="mm", density=2650)
     >>> block.mass, block.box_lengths, block.classes["sneed_folk"].survives
 
-Everything the program `clast` does can be called, with the names of its options, of the keys of
+The module has all functions of the program `clast`, with the names of its options, of the keys of
 campaign files and of the columns of its tables. Lengths are in metres, masses in kilograms, angles in
-radians where a name has no unit, and z is up. What goes wrong is raised as `InputError`,
-`GeometryError` or `SimulationError`, all of which are `Error`, with the program's messages.
+radians where a name has no unit, and z is up. Errors are raised as `InputError`,
+`GeometryError` or `SimulationError`, all subclasses of `Error`, with the program's messages.
 """
 
 from clast._blocks import (

@@ -1,4 +1,4 @@
-"""Blocks out of scans and rock masses, and the libraries that hold them."""
+"""Blocks from scans and rock masses, and block libraries."""
 
 from __future__ import annotations
 
@@ -61,33 +61,33 @@ def reconstruct(
     Args:
         scan: a mesh, a cloud, a .shp file, or a folder of photographs; or arrays in memory,
             (vertices (n, 3), triangles (m, 3)), or points (n, 3), which are not copied in Python.
-        id: of the block; without it the name of the file. Needed for arrays.
-        units: of length: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
-        scale_length: instead: two points of the scan and the metres between them.
-        scale_factor: on all lengths, after that.
+        id: id of the block; default: the name of the file. Required for arrays.
+        units: length unit: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
+        scale_length: in place of units: two points of the scan and their distance in metres.
+        scale_factor: factor on all lengths, applied after units or scale_length.
         up: axis of the scan that points up, "y" or "z".
-        columns: of a cloud in text: names or numbers from 1 of the columns x, y and z.
-        ground: "auto": the ground around a block is removed; "none": there is none.
-        split: a block of everything that stands on the ground, as ID_1, ID_2, ...
-        any_size: take blocks over 20 m, over 10,000 t or under 1 mm too.
-        vertices: that a block has at most; without, the fewest within the tolerance.
-        radius: Minkowski radius of the rounding, m; or `radius_share` of S, 0 to 0.25.
-        core: the mesh is the core that the sphere is swept over, taken as it is.
-        convex: take the convex hull.
+        columns: names or numbers from 1 of the columns x, y and z of a cloud in text.
+        ground: "auto": remove the ground around a block; "none": the scan has no ground.
+        split: make a block of each object on the ground, as ID_1, ID_2, ...
+        any_size: also accept blocks over 20 m, over 10,000 t or under 1 mm.
+        vertices: largest number of vertices; default: the smallest number within the tolerance.
+        radius: Minkowski radius of the rounding, m; `radius_share`: the same as a fraction of S, 0 to 0.25.
+        core: the mesh is the core over which the sphere is swept, and is used unchanged.
+        convex: use the convex hull.
         density: kg/m^3.
-        mass: weighed, kg: sets the density, or checks the volume when `density` is given too.
-        accuracy: relative, of volume and inertia, 1e-6 to 1e-2.
-        tolerance: Hausdorff distance to the scan as a share of L.
-        keep_inner_shells: closed shells inside stay cavities.
+        mass: weighed mass, kg: sets the density, or checks the volume if `density` is also given.
+        accuracy: relative accuracy of volume and inertia, 1e-6 to 1e-2.
+        tolerance: largest Hausdorff distance to the scan, as a fraction of L.
+        keep_inner_shells: keep closed shells inside a scan as cavities.
         scale_bar, board, marker_size, markers, allow_unscaled, model, masks, colmap,
-            colmap_minutes, photo_cache: of folders of photographs, as of `clast reconstruct`.
-        progress: called now and then with a dict: done, total, before, what.
+            colmap_minutes, photo_cache: for folders of photographs, as in `clast reconstruct`.
+        progress: called repeatedly with a dict: done, total, before, what.
 
     Returns:
-        The Block; with `split` a list of them.
+        The Block; with `split` a list of Blocks.
 
     Raises:
-        InputError, GeometryError: with the file or the id, the value, and what to do.
+        InputError, GeometryError: the message names the file or id, the value and the remedy.
     """
     options = dict(
         units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
@@ -111,7 +111,7 @@ def reconstruct(
 
 
 class Reconstruction(NamedTuple):
-    """What became of a batch of scans."""
+    """Result of a batch of scans."""
 
     library: Library
     added: list[str]  #: ids
@@ -131,18 +131,18 @@ def reconstruct_batch(
     progress: Progress | None = None,
     **options: Any,
 ) -> Reconstruction:
-    """Make the blocks of scans, files or folders of them, and add them to a library.
+    """Make blocks from files or folders of scans, and add them to a library.
 
-    A scan that gives no block never costs the others: see `failed` of what is returned.
+    A scan that gives no block does not affect the others; it is listed in `failed` of the result.
 
     Args:
-        scans: files and folders, as `clast reconstruct` takes them.
-        output: the library; blocks are added to one that is there.
-        jobs: scans worked on at the same time, 0: one per core.
-        replace: blocks whose id is there already.
-        resume: skip scans whose block is there, of the same bytes and options.
+        scans: files and folders, as in `clast reconstruct`.
+        output: the library; blocks are added to an existing library.
+        jobs: number of scans processed at the same time; 0: one per core.
+        replace: replace blocks whose id is in the library already.
+        resume: skip scans whose block is in the library, made from the same file with the same options.
         report: folder for a page about each block.
-        options: as of `reconstruct`.
+        options: arguments of `reconstruct`.
     """
     from clast import _reconstruct
 
@@ -195,24 +195,24 @@ def cut(
 
     Args:
         mass: closed mesh, such as a scar; or give before and after.
-        joints: sets, "DIP/DIP_DIRECTION/SPACING" or with "/SCATTER": degrees and metres. None, with
-            scar: the mass is written without cutting it.
-        output: library that the blocks are added to; without, none is written.
-        before, after: terrains between which the mass lies, where the first is higher.
-        min_thickness: upright height of one above the other from which on it is mass, m.
-        polygon: file of polygons outside of which nothing counts.
+        joints: joint sets, "DIP/DIP_DIRECTION/SPACING" or with "/SCATTER", in degrees and metres. None,
+            with scar: the mass is written without cutting it.
+        output: library to which the blocks are added; default: no library is written.
+        before, after: terrains before and after the failure; the mass is the volume between them.
+        min_thickness: smallest vertical difference of the terrains that counts as rock mass, m.
+        polygon: file of polygons; only the mass within them is used.
         bodies: "largest", "all", or numbers in the order of volume, "1,3".
-        resolution: both terrains are made into grids of such cells first, m.
-        scar: file that the mass between the terrains is written to as a closed mesh.
-        replace: blocks of the same id.
-        prefix: of the ids, which are numbered.
-        seed: of the places of the joints.
-        least_volume: smaller pieces are left out, m^3.
-        most_blocks: joints that cut more are refused.
+        resolution: cell size of grids to which both terrains are converted first, m.
+        scar: file to which the mass between the terrains is written as a closed mesh.
+        replace: replace blocks of the same id.
+        prefix: prefix of the ids, which are numbered.
+        seed: random seed of the joint positions.
+        least_volume: pieces smaller than this are left out, m^3.
+        most_blocks: largest number of blocks; joints that would cut more are refused.
         density: kg/m^3.
-        radius_share: Minkowski radius as a share of S, 0 to 0.25.
-        units, up: of the mesh; up of the terrains too.
-        threads: 0: one for each core; changes no bit of the result.
+        radius_share: Minkowski radius as a fraction of S, 0 to 0.25.
+        units, up: length unit and upward axis of the mesh; up also applies to the terrains.
+        threads: number of threads, 0: one for each core; the result does not depend on it.
     """
     options = dict(
         mass=mass, joints=joints, output=output, before=before, after=after,
@@ -225,7 +225,7 @@ def cut(
 
 
 class Series(NamedTuple):
-    """Twins and series of blocks."""
+    """Variants and series of blocks."""
 
     blocks: list[Block]
     failed: list[str]  #: bodies that could not be made, and why
@@ -261,31 +261,31 @@ def vary(
     threads: int = 0,
     progress: Progress | None = None,
 ) -> Series:
-    """Make twins and series of blocks that differ in one thing.
+    """Make variants and series of blocks that differ in one property.
 
     Args:
         library: a block library, or its file.
-        ids: blocks to vary; without: all.
-        output: library that the bodies are added to; without, none is written.
-        replace: blocks of the same id.
+        ids: blocks to vary; default: all.
+        output: library to which the bodies are added; default: no library is written.
+        replace: replace blocks of the same id.
         to: stretch to these ratios, (I/L, S/L).
         grid: stretch to forms all over a diagram: ("sneed-folk", steps) or ("zingg", steps).
-        least: smallest S/L, in zingg I/L and S/I, of the grid.
+        least: smallest S/L of the grid (zingg: smallest I/L and S/I).
         like: stretch to the ratios of these blocks.
-        convexity: fill hollows until the volume is this share of the hull's.
-        rounding: radius of edges and corners as a share of S, 0 to 0.4.
-        roundness: round edges and corners until Wadell's roundness is this, on edges of
-            `roundness_edge` diameters of the ball of equal volume.
-        vertices: simplify the core to so many.
-        detail: multiply what lies off the coarse form, of harmonics up to `degree`.
-        reference: simple bodies with the block's ratios, such as "ellipsoid"; `exponent` is of the
+        convexity: fill hollows until the volume is this fraction of that of the hull.
+        rounding: radius of edges and corners as a fraction of S, 0 to 0.4.
+        roundness: round edges and corners to this Wadell roundness, measured on a mesh with edges of
+            `roundness_edge` times the diameter of the ball of equal volume.
+        vertices: simplify the core to this number of vertices.
+        detail: factor on the deviation from the coarse form, given by harmonics up to `degree`.
+        reference: simple bodies with the block's ratios, such as "ellipsoid"; `exponent`: exponent of the
             superellipsoid.
         inertia: bodies with the block's mass and principal moments, "ellipsoid" or "box".
-        draw: so many bodies with sizes and forms as the blocks have, or as the table `from_` says.
-        units: of lengths in that table; without, as its header says, else m.
-        seed, prefix: of the bodies drawn.
-        keep: what bodies have in common with their block: "mass", "volume" or "L".
-        threads: 0: one for each core; changes no bit of the result.
+        draw: number of bodies with sizes and forms distributed like the blocks, or the table `from_`.
+        units: length unit of that table; default: from its header, else m.
+        seed, prefix: random seed and id prefix of the drawn bodies.
+        keep: quantity that is equal for a body and its block: "mass", "volume" or "L".
+        threads: number of threads, 0: one for each core; the result does not depend on it.
     """
     options = dict(
         library=library, ids=ids, output=output, replace=replace, to=to, grid=grid, least=least,
@@ -298,10 +298,10 @@ def vary(
 
 
 class Library:
-    """A block library, an HDF5 file, as it was when it was last read.
+    """A block library (HDF5 file), in the state of the last reading.
 
     It is a sequence of blocks in order of their ids: `library["B017"]`, `len(library)`,
-    `for block in library`. A file that is not there yet is made by the first `add`.
+    `for block in library`. The first `add` creates a missing file.
     """
 
     def __init__(self, path: PathLike) -> None:
@@ -311,7 +311,7 @@ class Library:
             self.reload()
 
     def reload(self) -> None:
-        """Reads the file again, which others may have changed."""
+        """Reads the file again, since other programs may have changed it."""
         self._blocks = _core.library_read(self.path)
 
     def _read(self) -> list[Block]:
@@ -321,7 +321,7 @@ class Library:
 
     @property
     def ids(self) -> list[str]:
-        """Of the blocks, ascending."""
+        """Ids of the blocks, ascending."""
         return [block.id for block in self._read()]
 
     def __len__(self) -> int:
@@ -337,7 +337,7 @@ class Library:
         return self.chosen([id])[0]
 
     def chosen(self, ids: str | Sequence[str] | None = None) -> list[Block]:
-        """The blocks of these ids, in their order; without ids, all."""
+        """The blocks with these ids, in this order; default: all blocks."""
         blocks = self._read()
         if ids is None:
             return list(blocks)
@@ -374,11 +374,11 @@ class Library:
         *,
         replace: bool = False,
     ) -> None:
-        """Adds a block, or several, to the file, which others may be adding to as well.
+        """Adds one or several blocks to the file; other programs may add blocks at the same time.
 
         Args:
             id: another name for the block.
-            replace: a block of that id; without, it is refused.
+            replace: replace a block of the same id, which is refused otherwise.
         """
         blocks = [block] if isinstance(block, Block) else list(block)
         if id is not None:
@@ -393,7 +393,7 @@ class Library:
             self._blocks = _core.library_add(self.path, _core.library_read(part), replace)
 
     def remove(self, ids: str | Sequence[str]) -> None:
-        """Removes blocks from the file; none, where one of them is not there."""
+        """Removes blocks from the file; if one of them is missing, none is removed."""
         self._blocks = _core.library_remove(self.path, [ids] if isinstance(ids, str) else list(ids))
 
     def set(
@@ -408,9 +408,9 @@ class Library:
         """Attaches field notes to a block; they change none of its values.
 
         Args:
-            site, note: texts.
+            site, note: place of the block, and a note.
             taped: three axes measured by tape, m, in any order.
-            weighed: mass, kg.
+            weighed: weighed mass, kg.
         """
         notes = dict(site=site, note=note, taped=taped, weighed=weighed)
         self._blocks = _core.library_set(self.path, id, notes)
@@ -430,13 +430,13 @@ class Library:
         """Writes a file for each block and format, and returns their paths.
 
         Args:
-            ids: without: all blocks.
+            ids: blocks to export; default: all.
             format: "shp" (Rockable, ExaDEM), "obj", "stl", "ply", "glb", "vtp", or several.
-            what: that mesh files hold: "skin", "core", "both", "surface".
-            segments: of a quarter turn in the skin, 1 to 64.
-            frame: of mesh files: "source" or "principal".
-            up: axis of mesh files: "z", "y" or "auto".
-            replace: existing files.
+            what: content of mesh files: "skin", "core", "both", "surface".
+            segments: segments per quarter circle of the skin, 1 to 64.
+            frame: frame of mesh files: "source" or "principal".
+            up: upward axis of mesh files: "z", "y" or "auto".
+            replace: replace existing files.
         """
         formats = [format] if isinstance(format, str) else list(format)
         options = dict(

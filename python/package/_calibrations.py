@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Calibration:
-    """What `calibrate` found."""
+    """Result of `calibrate`."""
 
     def __init__(self, page: str, draws: Table, found: dict[str, Any]) -> None:
         self._page = page
@@ -25,7 +25,7 @@ class Calibration:
 
     @property
     def path(self) -> str:
-        """Of the posterior file, which [ensemble] posterior of a campaign takes."""
+        """Path of the posterior file, for [ensemble] posterior of a campaign."""
         return self._found["file"]
 
     def __fspath__(self) -> str:
@@ -33,7 +33,7 @@ class Calibration:
 
     @property
     def page(self) -> str:
-        """Of the page beside it."""
+        """Path of the HTML page in the same folder."""
         return self._page
 
     @property
@@ -44,12 +44,12 @@ class Calibration:
 
     @property
     def unknowns(self) -> list[dict[str, Any]]:
-        """Of each unknown its range, median, 95 % interval, and whether it is determined."""
+        """Range, median and 95 % interval of each unknown, and whether it is determined."""
         return copy.deepcopy(self._found["unknowns"])
 
     @property
     def figures(self) -> list[dict[str, Any]]:
-        """Of each figure what was observed and what is predicted, and what it depends on."""
+        """Observed and predicted value of each statistic, and its sensitivity to the unknowns."""
         return copy.deepcopy(self._found["figures"])
 
     @property
@@ -59,7 +59,7 @@ class Calibration:
 
     @property
     def findings(self) -> list[str]:
-        """Whether fit and prediction hold, and what else a reader must know."""
+        """Results of the checks of fit and prediction, and other findings, in sentences."""
         return list(self._found["findings"])
 
     @property
@@ -68,7 +68,7 @@ class Calibration:
         return self._found["ground"]
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything but the draws, as `clast calibrate --json` prints it."""
+        """All results except the draws, as `clast calibrate --json` prints it."""
         return copy.deepcopy(self._found)
 
     def __repr__(self) -> str:
@@ -88,19 +88,19 @@ def calibrate(
     parts: Sequence[PathLike] = (),
     progress: Progress | None = None,
 ) -> Calibration:
-    """Find ground parameters from what was observed, with their uncertainty.
+    """Estimate ground parameters from field observations, with their uncertainty.
 
-    Ctrl-C stops it after the current member; what is simulated is kept: `resume=True` goes on.
+    Ctrl-C stops after the current member; simulated members are kept, and `resume=True` continues.
 
     Args:
         study: a study file.
         output: posterior file; a page is written beside it, with the extension .html.
-        threads: 0: one for each core; changes no bit of the result.
-        resume: takes over the members that an interrupted calibration, or one with other
-            observations, has simulated.
-        replace: the posterior that the file holds.
-        parts: files of all shards, whose members are taken instead of simulating them.
-        progress: called now and then with a dict: done, total, before, what.
+        threads: number of threads, 0: one for each core; the result does not depend on it.
+        resume: reuse the simulated members of an interrupted calibration, or of one with other
+            observations.
+        replace: replace an existing posterior.
+        parts: files of all shards; their members are used instead of simulating them.
+        progress: called repeatedly with a dict: done, total, before, what.
     """
     options = dict(
         threads=threads, resume=resume, replace=replace, parts=[os.fspath(part) for part in parts]
@@ -122,9 +122,9 @@ def calibrate_shard(
     """Simulate a part of the members of a calibration, for `calibrate` to join as `parts`.
 
     Args:
-        study, threads, resume, replace, progress: as of `calibrate`.
-        output: the file is named after it, with ".2of4" before its extension.
-        shard: (i, n): every n-th member only, from the i-th on.
+        study, threads, resume, replace, progress: as in `calibrate`.
+        output: name of the file, which gets ".2of4" before its extension.
+        shard: (i, n): simulate only every n-th member, starting with the i-th.
 
     Returns:
         The path of the file, which has no posterior.
@@ -134,7 +134,7 @@ def calibrate_shard(
 
 
 def check_calibration(study: PathLike) -> list[str]:
-    """All that `calibrate` would refuse in a study file, as `clast check` lists it; empty: nothing."""
+    """List of all errors in a study file, as printed by `clast check`; empty without errors."""
     return _core.check_calibration(study)
 
 

@@ -1,9 +1,9 @@
-"""Campaigns of releases: from a file, from nothing, every key an attribute.
+"""Campaigns of releases, from a file or empty; every key is an attribute.
 
-A campaign is kept as the tables and keys of its file, and is read by the program's own reader from TOML
-text: the file's own where nothing was changed, else what is written from the tables. So every key,
-range and refusal is the program's, results name the campaign that made them, and what a notebook made
-can be saved and run without Python.
+A campaign is stored as the tables and keys of its file, and is read by the reader of the program from
+TOML text: the text of the file if nothing was changed, else text written from the tables. Keys, ranges
+and refusals are therefore those of the program, results contain the campaign that made them, and a
+campaign made in a notebook can be saved and run without Python.
 """
 
 from __future__ import annotations
@@ -107,9 +107,9 @@ def _plain(value: Any) -> Any:
 
 
 class CampaignTable(MutableMapping):
-    """A table of a campaign. Its keys are attributes, `None` where they are not given.
+    """A table of a campaign. Its keys are attributes, `None` if they are not given.
 
-    What is no attribute of Python, or a name of one's own, such as of a ground zone, is an item:
+    Keys that are not valid attribute names, and names such as those of ground zones, are items:
     `campaign.ground["scree"].friction`, `barrier["from"]` or `barrier.from_`.
     """
 
@@ -219,7 +219,7 @@ class CampaignTables(MutableSequence):
 
 
 class _Run(CampaignTable):
-    """The table [run], which can be called: that runs the campaign."""
+    """The table [run]; calling it runs the campaign."""
 
     __slots__ = ("_campaign",)
 
@@ -240,18 +240,18 @@ class _Run(CampaignTable):
     ) -> Results:
         """Runs the campaign, and returns its results.
 
-        Ctrl-C stops it after the runs under way, which are kept; where blocks stay, at once, after
-        writing checkpoints. `resume=True` continues.
+        Ctrl-C stops after the runs in progress, which are kept; with persistent blocks it stops at once,
+        after writing checkpoints. `resume=True` continues.
 
         Args:
             output: results file; a shard has ".2of4" before its extension.
-            threads: 0: one for each core; changes no bit of the results.
+            threads: number of threads, 0: one for each core; results do not depend on it.
             resume: continue an interrupted campaign.
-            replace: results that the file holds.
-            checkpoint_interval: seconds between checkpoints of a realisation of blocks that stay,
+            replace: replace existing results.
+            checkpoint_interval: seconds between checkpoints of a realisation of persistent blocks,
                 from which `resume=True` continues after a crash; 0: only on Ctrl-C.
-            shard: (i, n): every n-th run only, from the i-th on; `merge_results` joins them.
-            progress: called now and then with a dict: done, total, before, what.
+            shard: (i, n): simulate only every n-th run, from the i-th; `merge_results` joins shards.
+            progress: called repeatedly with a dict: done, total, before, what.
         """
         text, place = self._campaign._source()
         options = dict(
@@ -278,7 +278,7 @@ class Campaign:
 
     Args:
         file: a campaign file; without, an empty campaign.
-        tables: that take the place of those of the file, as dicts.
+        tables: tables that replace those of the file, as dicts.
     """
 
     def __init__(self, file: PathLike | None = None, **tables: Any) -> None:
@@ -337,7 +337,7 @@ class Campaign:
 
     @property
     def text(self) -> str:
-        """The campaign as TOML: the file's own text where nothing was changed."""
+        """The campaign as TOML: the text of the file if nothing was changed."""
         made = _text(self._tables)
         if self._original is not None and made == self._original[1]:
             return self._original[0]
@@ -352,18 +352,18 @@ class Campaign:
         return text, f"{self.file} (changed)" if changed else str(self.file)
 
     def write(self, output: PathLike, *, replace: bool = False) -> None:
-        """Writes the campaign as a file; its paths start from the folder of that file then."""
+        """Writes the campaign to a file; its paths then start from the folder of that file."""
         _core.campaign_write(output, self.text, replace)
 
     def check(self) -> list[str]:
-        """Everything that would be refused, in words; empty: the campaign would run."""
+        """All errors, in sentences; empty if the campaign can be run."""
         return _core.campaign_check(*self._source())[0]
 
     def plan(self) -> dict[str, Any]:
-        """What would run, as `clast check --json` says it.
+        """The planned runs, as in `clast check --json`.
 
         Raises:
-            InputError: the campaign would be refused; the message lists why.
+            InputError: the campaign has errors; the message lists them.
         """
         findings, plan = _core.campaign_check(*self._source())
         if findings:
@@ -378,11 +378,11 @@ class Campaign:
         shard: tuple[int, int] | None = None,
         margin: float | None = None,
     ) -> dict[str, Any]:
-        """The plan, and how long it would take, as `clast simulate --dry-run --json` says it.
+        """The planned runs and the estimated time, as in `clast simulate --dry-run --json`.
 
         Args:
-            map: draws it there (svg).
-            margin: difference in runout that matters, m: says how many runs find it.
+            map: file for a map (svg).
+            margin: difference in runout that matters, m: estimates the number of runs to detect it.
         """
         options = dict(map=map, threads=threads, shard=shard, margin=margin)
         return _core.campaign_dry_run(*self._source(), options)
@@ -399,11 +399,11 @@ class Campaign:
 
         Args:
             to: "rockable" or "exadem".
-            runs: numbers of runs, or of realisations of a mass; without: all.
-            replace: scenes that the folder holds.
+            runs: numbers of runs, or of realisations of a mass; default: all.
+            replace: replace existing scenes in the folder.
 
         Returns:
-            The folders, one for each scene, and what the other engine can't say.
+            The folders, one for each scene, and the features that the other engine cannot express.
         """
         options = dict(to=to, runs=None if runs is None else list(runs), replace=replace)
         return _core.campaign_export(*self._source(), folder, options)
@@ -429,10 +429,10 @@ def new_campaign(
     *,
     replace: bool = False,
 ) -> tuple[Campaign, list[str]]:
-    """Write a commented campaign that runs, from a library and a terrain.
+    """Write a complete, commented campaign from a library and a terrain.
 
     Returns:
-        The campaign, and what its user must know, in words.
+        The campaign, and notes on its assumptions, in sentences.
     """
     doubts = _core.new_campaign(library, terrain, output, replace)
     return Campaign(output), doubts

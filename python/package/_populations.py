@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Population:
-    """What `classify` found: tables, sentences, and a report."""
+    """Result of `classify`: tables, sentences and a report."""
 
     def __init__(self, data: Any) -> None:
         self._data = data
@@ -28,7 +28,7 @@ class Population:
 
     @property
     def shares(self) -> Table:
-        """A row per scheme and class: shares with their 95 % intervals."""
+        """A row per scheme and class: fractions with their 95 % intervals."""
         return made(self._data.table("shares"))
 
     @property
@@ -43,16 +43,16 @@ class Population:
 
     @property
     def words(self) -> str:
-        """What the program prints below the table of blocks."""
+        """The summary that the program prints below the table of blocks."""
         return self._data.words()
 
     @property
     def notes(self) -> list[str]:
-        """What was wrong with the inputs."""
+        """Notes on the inputs."""
         return self._data.notes()
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything, as `clast classify --json` prints it."""
+        """All results, as printed by `clast classify --json`."""
         return json.loads(self._data.json())
 
     def report(self, output: PathLike, *, replace: bool = False) -> str:
@@ -81,22 +81,22 @@ def classify(
     size: str = "I",
     seed: int = 1,
 ) -> Population:
-    """Give blocks their shape classes, from libraries or tables of L, I, S.
+    """Determine the shape classes of blocks, from libraries or tables of L, I, S.
 
     Args:
-        inputs: libraries, or text tables of tape-measured axes; several are one population.
+        inputs: libraries, or text tables of tape-measured axes; several inputs form one population.
         against: a second population to compare with.
-        scheme: names out of `clast.schemes`; without, all.
-        box: whose sides are L, I, S: "smallest", "inertia", "feret", "pca".
-        axis_error: of the axes, m.
-        thirds: limits 1/3 and 2/3 of Sneed & Folk, not 0.33 and 0.67.
-        erdogan_limit: ratio from which an axis counts as longer.
-        roundness: edge of triangles, m: also Wadell's roundness, see `to_dict`.
-        columns: of a table, "L=..,I=..,S=..", by name or number from 1; also mass=.. and name=..
-        units: of a table.
-        against_columns, against_units: of the second population's tables; without, the same.
+        scheme: names from `clast.schemes`; default: all.
+        box: box whose sides are L, I, S: "smallest", "inertia", "feret", "pca".
+        axis_error: error of the axes, m.
+        thirds: use the limits 1/3 and 2/3 of Sneed & Folk instead of 0.33 and 0.67.
+        erdogan_limit: ratio at which two axes count as different (scheme erdogan).
+        roundness: edge length of the triangles, m: also computes Wadell's roundness, see `to_dict`.
+        columns: columns of a table, "L=..,I=..,S=..", by name or number from 1; also mass=.. and name=..
+        units: length unit of a table.
+        against_columns, against_units: the same for the second population; default: as for the first.
         size: "I", the sieve axis, or "mean", (L I S)^(1/3).
-        seed: of the random samples behind p-values.
+        seed: seed of the random samples for p-values.
     """
     return Population(
         _core.classify(

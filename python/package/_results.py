@@ -69,17 +69,17 @@ class _Tables:
 
     @property
     def effects(self) -> Table:
-        """A row per outcome and factor, its share of the variance: effects.csv."""
+        """A row per outcome and factor with its fraction of the variance: effects.csv."""
         return self.table("effects")
 
     @property
     def responses(self) -> Table:
-        """A row per outcome and form, its mean and scatter: responses.csv."""
+        """A row per outcome and form with mean and standard deviation: responses.csv."""
         return self.table("responses")
 
     @property
     def trends(self) -> Table:
-        """A row per outcome and property of the blocks, what rises and falls with it: trends.csv."""
+        """A row per outcome and property of the blocks with its trend: trends.csv."""
         return self.table("trends")
 
     @property
@@ -89,12 +89,12 @@ class _Tables:
 
     @property
     def stays(self) -> Table:
-        """A row per run whose block stayed: stays.csv."""
+        """A row per run with persistent blocks: stays.csv."""
         return self.table("stays")
 
     @property
     def realisations(self) -> Table:
-        """A row per realisation of blocks that stay: realisations.csv."""
+        """A row per realisation of persistent blocks: realisations.csv."""
         return self.table("realisations")
 
     @property
@@ -109,22 +109,22 @@ class _Tables:
 
     @property
     def passages(self) -> Table:
-        """A row per barrier and realisation of blocks that stay: passages.csv."""
+        """A row per barrier and realisation of persistent blocks: passages.csv."""
         return self.table("passages")
 
     @property
     def passage_curves(self) -> Table:
-        """A row per passage of a block of a realisation, with all before it: passage_curves.csv."""
+        """A row per passage of a block, with cumulative sums over the realisation: passage_curves.csv."""
         return self.table("passage_curves")
 
     @property
     def energies(self) -> Table:
-        """Energies of blocks that stay against time, with what dissipated them: energies.csv."""
+        """Energies of persistent blocks against time, with dissipation by mechanism: energies.csv."""
         return self.table("energies")
 
     @property
     def mobility(self) -> Table:
-        """A row per file of blocks that stay and file of single runs of the same: mobility.csv."""
+        """A row per pair of a file with persistent blocks and a file with single runs: mobility.csv."""
         return self.table("mobility")
 
     @property
@@ -149,7 +149,7 @@ class Results(_Tables):
 
     @property
     def path(self) -> str:
-        """Of the file."""
+        """Path of the file."""
         return self._data.file
 
     def __fspath__(self) -> str:
@@ -167,36 +167,36 @@ class Results(_Tables):
 
     @property
     def program_version(self) -> str:
-        """Of the clast that ran it."""
+        """Version of clast that computed the runs."""
         return self._data.program_version
 
     @property
     def engine(self) -> str:
-        """That computed the runs: "clast", or "rockable" of imported ones, which report nothing of
-        contacts."""
+        """Engine that computed the runs: "clast", or "rockable" for imported results, which have no
+        contact data."""
         return self._data.engine or "clast"
 
     @property
     def zone_names(self) -> list[str]:
-        """Of the ground."""
+        """Names of the ground zones."""
         return self._data.zone_names
 
     @property
     def warnings(self) -> list[str]:
-        """What the campaign's user must know."""
+        """Warnings about the results."""
         return self._data.warnings
 
     @property
     def planned_runs(self) -> int:
-        """Of the whole campaign."""
+        """Number of planned runs of the whole campaign."""
         return self._data.planned_runs
 
     def summary(self) -> dict[str, Any]:
-        """Stop reasons, crossings and errors of energy, as `clast simulate --json` has them."""
+        """Stop reasons, crossings and energy errors, as in `clast simulate --json`."""
         return self._data.summary()
 
     def trajectory(self, run: int) -> dict[str, Any]:
-        """States of a run over time: time_s (n,), position_m (n, 3) on the map, orientation (n, 4),
+        """States of a run against time: time_s (n,), position_m (n, 3) on the map, orientation (n, 4),
         w x y z, world from principal frame, velocity_m_s and angular_velocity_rad_s (n, 3)."""
         return self._data.trajectory(run)
 
@@ -205,7 +205,7 @@ class Results(_Tables):
 
 
 class Comparison(_Tables):
-    """Campaigns side by side, by block, by shape class, and by what was asked for."""
+    """Comparison of campaigns by block, by shape class and by requested columns."""
 
     def __init__(self, data: Any) -> None:
         self._data = data
@@ -215,17 +215,17 @@ class Comparison(_Tables):
 
     @property
     def warnings(self) -> list[str]:
-        """What a reader of the tables must know."""
+        """Warnings about the comparison."""
         return self._data.warnings
 
     @property
     def answer(self) -> list[str]:
-        """What the comparison says, in sentences."""
+        """Main results of the comparison, in sentences."""
         return self._data.sentences()
 
     def effects_in_words(self) -> list[str]:
-        """What share of the variance is due to form, mass, orientation and release point, and what
-        rises and falls with the shape of the blocks."""
+        """Fractions of the variance that are due to form, mass, orientation and release point, and trends
+        with the shape of the blocks, in sentences."""
         return self._data.effects()
 
     def summary(self) -> list[str]:
@@ -243,9 +243,9 @@ class Comparison(_Tables):
         """Writes tables, map layers and report.html to a folder, and returns the page.
 
         Args:
-            replace: an existing comparison in the folder.
-            animate: runs of animation/animation.pvd, for ParaView.
-            pdf: report.pdf too, by Chromium or Chrome.
+            replace: replace an existing comparison in the folder.
+            animate: number of runs in animation/animation.pvd, for ParaView.
+            pdf: also write report.pdf, with Chromium or Chrome.
         """
         return self._data.write(output, dict(replace=replace, animate=animate, pdf=pdf))[-1]
 
@@ -260,10 +260,10 @@ def compare(
     """Compare shapes and classes in the results of one or more campaigns.
 
     Args:
-        results: of campaigns, or their files.
-        by: columns of runs.csv by whose values runs are grouped too.
+        results: Results of campaigns, or their files.
+        by: columns of runs.csv; runs are also grouped by their values.
         measured: table of stops observed in the field.
-        margin: differences in runout up to this do not matter, m.
+        margin: largest negligible difference in runout, m.
     """
     several = [results] if isinstance(results, (Results, str, os.PathLike)) else list(results)
     opened = [one if isinstance(one, Results) else Results(one) for one in several]
@@ -280,16 +280,16 @@ def import_results(
     replace: bool = False,
     progress: Progress | None = None,
 ) -> Results:
-    """Read what another engine computed of the scenes that `Campaign.export` wrote.
+    """Read the results of another engine for scenes written by `Campaign.export`.
 
-    What the results can't report is in their `warnings`.
+    Quantities that are missing in the results are listed in their `warnings`.
 
     Args:
         engine: "rockable".
         scenes: folder of the scenes, with the conf files of each run in its folder.
-        campaign: the campaign file, where it is no longer in its folder.
-        replace: results that the file holds.
-        progress: called now and then with a dict: done, total, before, what.
+        campaign: the campaign file, if it is no longer in its folder.
+        replace: replace existing results.
+        progress: called repeatedly with a dict: done, total, before, what.
     """
     options = dict(campaign=campaign, replace=replace)
     _core.import_results(engine, os.path.abspath(scenes), output, options, progress)

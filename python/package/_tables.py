@@ -16,7 +16,7 @@ _MOST_ROWS = 20  # of a table that a notebook shows
 class Table(dict):
     """A table: NumPy arrays of one length by the names of their columns, as in the program's CSV.
 
-    `pandas.DataFrame(table)` takes it as it is. `units` and `meanings` say what the columns hold.
+    `pandas.DataFrame(table)` accepts it directly. `units` and `meanings` describe the columns.
     """
 
     units: dict[str, str]
@@ -34,7 +34,7 @@ class Table(dict):
 
     @property
     def rows(self) -> int:
-        """How many rows it has."""
+        """Number of rows."""
         return len(next(iter(self.values()), ()))
 
     def __repr__(self) -> str:
@@ -56,5 +56,5 @@ class Table(dict):
 
 
 def made(parts: tuple[dict, dict, dict]) -> Table:
-    """A table from what the extension returns."""
+    """Makes a table from the values that the extension returns."""
     return Table(*parts)

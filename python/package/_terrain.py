@@ -1,4 +1,4 @@
-"""Ground: surveyors' files to a checked surface."""
+"""Terrain: survey files to a checked surface."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Terrain:
-    """A checked ground surface with zones and its place on the map.
+    """A checked ground surface with zones and its position on the map.
 
     `vertices` and `triangles` are in a local frame: map = local + `origin`.
     """
@@ -35,22 +35,22 @@ class Terrain:
 
     @property
     def zones(self) -> np.ndarray:
-        """Of each triangle, as an index into `zone_names`; uint16 (m,), a view."""
+        """Zone of each triangle, as an index into `zone_names`; uint16 (m,), a view."""
         return self._data.zones
 
     @property
     def zone_names(self) -> list[str]:
-        """Of the ground zones."""
+        """Names of the ground zones."""
         return self._data.zone_names
 
     @property
     def origin(self) -> np.ndarray:
-        """Of the local frame on the map, m; float64 (3,)."""
+        """Origin of the local frame on the map, m; float64 (3,)."""
         return self._data.origin
 
     @property
     def crs(self) -> str:
-        """Coordinate system of the map, "EPSG:2154" or WKT; empty where the input names none."""
+        """Coordinate system of the map, "EPSG:2154" or WKT; empty if the input names none."""
         return self._data.crs
 
     @property
@@ -64,7 +64,7 @@ class Terrain:
         return self._data.report()
 
     def height(self, x: Any, y: Any) -> np.ndarray:
-        """Heights of the topmost ground at places on the map, m; nan off the ground."""
+        """Heights of the uppermost ground at positions on the map, m; nan outside the ground."""
         return self._data.heights(x, y)
 
     def check_fit(
@@ -75,11 +75,11 @@ class Terrain:
         block_size: float | None = None,
         up: str = "z",
     ) -> list[str]:
-        """Warnings about places that blocks start from and about the size of blocks.
+        """Warnings about release points and about the size of the blocks.
 
         Args:
-            release: points (n, 3) on the map, or a file of them; refused when off the ground.
-            border_distance: warn of points nearer than this to the border, m.
+            release: release points (n, 3) on the map, or a file; points off the ground are refused.
+            border_distance: warn if a release point is nearer than this to the border, m.
             block_size: diameter of the blocks, m.
             up: axis of a file that points up.
         """
@@ -138,16 +138,16 @@ def terrain(
         zones: a name for each mesh; a raster of class numbers, "zones.asc:1=blue,2=gray"; a file of
             polygons; or rules, "rock=slope>60,soil=else".
         up: axis that points up: "y", "z" or "auto".
-        columns: of clouds in text: names or numbers from 1 of the columns x, y and z.
+        columns: names or numbers from 1 of the columns x, y and z of clouds in text.
         resolution: cell size for clouds and resampled rasters, m.
-        percentile: of the points of a cloud's cell; without, their mean.
+        percentile: percentile of the heights in a cell of a cloud; default: their mean.
         outliers: points of a cloud farther than this from the ground are left out, m.
         fill: holes up to this width are filled, m.
         breaklines: files of lines that become edges.
         crack: cracks between tiles up to this width are closed, m; 0: none.
         spikes: vertices that protrude by more than this many times the distance to their neighbours
             are levelled; 0: none.
-        smoothing: rounds.
+        smoothing: number of smoothing passes.
         tolerance: vertices are removed as long as the surface stays within this height, m.
         cut_zones: the borders of zone polygons are cut into the triangles.
     """

@@ -1,4 +1,4 @@
-"""Experiments of one's own: blocks that move step by step."""
+"""Custom simulations: blocks that move step by step."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ if TYPE_CHECKING:
 class World:
     """Blocks on a terrain, or in empty space, that hit the ground and each other.
 
-    Stiffness and time step are chosen at the first step from all blocks that are known then: of
-    those, more may be added at any time.
+    Stiffness and time step are chosen at the first step from all blocks that are known then. Blocks
+    that are equal to known ones may be added at any time.
 
     Args:
-        terrain: the ground; without, there is none.
+        terrain: the ground; default: none.
         ground: parameters of each of its zones, as [ground.NAME] of a campaign:
             {"scree": {"energy_restitution": 0.01, "friction": 0.7, "rolling_friction": 0.2}}.
-        between_blocks: the same of two blocks, as [contact.blocks].
+        between_blocks: the same for contacts between blocks, as [contact.blocks].
         law, weights, stiffness_n_m, tangential_stiffness_n_m, rolling_stiffness_n_m_rad,
-            time_step_s: as [contact] of a campaign.
-        gravity_m_s2, rest_energy_j_kg, rest_duration_s: as [run].
+            time_step_s: as in [contact] of a campaign.
+        gravity_m_s2, rest_energy_j_kg, rest_duration_s: as in [run].
         radius_m: raises the surface of the ground.
-        fastest_m_s: speed that no block exceeds, for the stiffness; without, from starts and fall.
-        threads: 0: one per core; changes no bit of the result.
+        fastest_m_s: upper bound of the speeds, for the stiffness; default: from starts and height of fall.
+        threads: number of threads, 0: one per core; the result does not depend on it.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class World:
         self._experiment = _core.Experiment(None if terrain is None else terrain._data, settings)
 
     def know(self, block: Block) -> None:
-        """Makes a block known that is added after the first step."""
+        """Declares a block that will be added after the first step."""
         self._experiment.know(block)
 
     def add(
@@ -83,10 +83,10 @@ class World:
         """Adds a block, and returns its number.
 
         Args:
-            position: of the centre of mass, m, on the map of the terrain; (3,).
-            orientation: turns the block as its scan holds it: (4,), w x y z, or a matrix (3, 3).
+            position: position of the centre of mass, m, on the map of the terrain; (3,).
+            orientation: rotation of the block from its pose in the scan: (4,), w x y z, or a matrix (3, 3).
             velocity_m_s, angular_velocity_rad_s: (3,), along the axes of the map.
-            fixed: nothing moves it.
+            fixed: the block does not move.
         """
         start = dict(
             orientation=orientation, velocity_m_s=velocity_m_s,
@@ -95,41 +95,41 @@ class World:
         return self._experiment.add(block, position, start)
 
     def remove(self, number: int) -> None:
-        """Takes a block away; it keeps its number and its last state."""
+        """Removes a block; it keeps its number and its last state."""
         self._experiment.remove(number)
 
     def step(self, count: int = 1) -> None:
-        """Moves on by so many time steps."""
+        """Advances the world by this number of time steps."""
         self._experiment.step(count)
 
     def run(self, duration_s: float, progress: Progress | None = None) -> str:
-        """Moves on for so long, or until all blocks rest or are gone.
+        """Advances the world for this time, or until all blocks are at rest or have left the terrain.
 
         Returns:
-            "rest", "left_terrain" (all are gone) or "max_time".
+            "rest", "left_terrain" (all blocks have left) or "max_time".
         """
         return self._experiment.run(duration_s, progress)
 
     @property
     def time_s(self) -> float:
-        """Since the start."""
+        """Time since the start."""
         return self._experiment.time
 
     def __len__(self) -> int:
         return len(self._experiment)
 
     def states(self) -> dict[str, np.ndarray]:
-        """Of all blocks by number: position_m (n, 3) of the centre on the map, orientation (n, 4),
+        """States of all blocks by number: position_m (n, 3) of the centre on the map, orientation (n, 4),
         w x y z, world from the frame of the scan, velocity_m_s and angular_velocity_rad_s (n, 3),
-        and whether each is resting, asleep, gone (n,)."""
+        and whether each block is resting, asleep or gone (n,)."""
         return self._experiment.states()
 
     def contacts(self, number: int) -> dict[str, Any]:
-        """Of a block: points, overlap_m, force_n (3,), and the numbers of the blocks it touches."""
+        """Contacts of a block: points, overlap_m, force_n (3,), and the numbers of the touching blocks."""
         return self._experiment.contacts(number)
 
     def energy(self) -> dict[str, float]:
-        """The balance, J, by the names of the columns of runs.csv."""
+        """The energy balance, J, by the names of the columns of runs.csv."""
         return self._experiment.energy()
 
     def contact(self) -> dict[str, Any]:

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighb
   return inliers;
 }
 
-std::vector<Vec3> decimated(std::span<const Vec3> points, double cell) {
+std::vector<Vec3> decimate_points(std::span<const Vec3> points, double cell) {
   const Vec3 origin = middle(points);
   pcl::VoxelGrid<pcl::PointXYZ> filter;
   filter.setInputCloud(cloud_about(points, origin));

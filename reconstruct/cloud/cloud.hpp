@@ -17,7 +17,7 @@ std::vector<std::uint32_t> find_inliers(std::span<const Vec3> points, int neighb
                                         double deviations);
 
 /// Decimates points: replaces the points in each cube of side `cell` (m) by their mean.
-std::vector<Vec3> decimated(std::span<const Vec3> points, double cell);
+std::vector<Vec3> decimate_points(std::span<const Vec3> points, double cell);
 
 /// Finds clusters of points connected by steps of at most `max_gap`, the largest first. Clusters
 /// with fewer than `min_points` points are omitted.

@@ -178,8 +178,9 @@ Missed missed_points(const TriangleMesh& surface, std::span<const Vec3> points) 
 /// Fraction of the surface's area that the points do not explain.
 double unseen_share(const Body& body) {
   double area = 0.0;
-  for (std::size_t t = 0; t < body.observed.observed.size(); ++t) {
-    if (!body.observed.observed[t]) area += triangle_area(body.surface, body.surface.triangles[t]);
+  for (std::size_t t = 0; t < body.observed.is_observed.size(); ++t) {
+    if (!body.observed.is_observed[t])
+      area += triangle_area(body.surface, body.surface.triangles[t]);
   }
   return area / surface_area(body.surface);
 }
@@ -252,12 +253,12 @@ TriangleMesh seen_part(const Body& body) {
   // Parted while it is closed: an edge of which both sheets lose a side would join the wrong ones.
   TriangleMesh closed = body.surface;
   const std::vector<std::uint32_t> source =
-      reconstruct_detail::split_non_manifold_edges(closed).source;
+      reconstruct_detail::split_non_manifold_edges(closed).original_triangle;
   std::vector<bool> observed;
-  for (const std::uint32_t t : source) observed.push_back(body.observed.observed[t]);
+  for (const std::uint32_t t : source) observed.push_back(body.observed.is_observed[t]);
   TriangleMesh open = extract_triangles(closed, observed);
   reconstruct_detail::split_non_manifold_vertices(open);
-  std::vector<reconstruct_detail::Component> components =
+  std::vector<reconstruct_detail::SurfaceComponent> components =
       reconstruct_detail::connected_components(open);
   return components.empty() ? TriangleMesh() : std::move(components.front().mesh);
 }
@@ -287,14 +288,14 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   const double cell = options.averaging_cell * box.diagonal();
   const bool dense = cell > kCellSpacings * reconstruct_detail::mean_spacing(points);
   const Body body = body_through(
-      dense ? reconstruct_detail::decimated(points, cell)
+      dense ? reconstruct_detail::decimate_points(points, cell)
             : std::vector<Vec3>(points.begin(), points.end()),
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
       options.hole_ball_radius);
   const reconstruct_detail::ObservedSurface& observed = body.observed;
   TriangleMesh open = seen_part(body);
   if (open.triangles.empty()) {
-    throw GeometryError("the surface found does not follow the " + std::to_string(points.size()) +
+    throw GeometryError("the surface does not follow the " + std::to_string(points.size()) +
                         " points; check that all lie on the surface of one block, and clean the "
                         "cloud in CloudCompare");
   }

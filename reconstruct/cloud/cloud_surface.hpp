@@ -12,7 +12,7 @@ struct CloudSurfaceOptions {
   /// Side of the cubes in which points are averaged, as a fraction of the diagonal. Points are
   /// averaged only if they are closer together than half of this side.
   double averaging_cell = 0.008;
-  /// Radius of the empty balls at the border of a hole, in local point spacings.
+  /// Radius of empty balls above which triangles belong to a hole, in local point spacings.
   double hole_ball_radius = 1.5;
   std::size_t min_points = 500;  ///< minimum number of points of a block
 
@@ -30,10 +30,11 @@ struct CloudSurface {
   Vec3 gap_position = Vec3::Zero();  ///< position in the largest gap, m
 };
 
-/// Reconstructs a surface. Normals are oriented by propagation [hoppe1992], the indicator function
-/// is solved [kazhdan2006], and noise is removed by moving least squares [levin2004]. The surface
-/// consists of the Delaunay triangles between inside and outside [amenta1999], so each vertex is a
-/// point. Parts farther from the points than their spacing explains are unobserved and left open.
+/// Reconstructs the surface of a block from points. Normals are oriented by propagation
+/// [hoppe1992], the indicator function is solved [kazhdan2006], and noise is removed by moving
+/// least squares [levin2004]. The surface consists of the Delaunay triangles between inside and
+/// outside [amenta1999], so each vertex is a point. Parts farther from the points than their
+/// spacing explains are unobserved and left open.
 /// @param points  points of one block, in any length unit
 /// @throws InputError  if there are too few points
 /// @throws GeometryError  if the points are coplanar or collinear, or no surface was found

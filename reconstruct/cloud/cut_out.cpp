@@ -48,8 +48,9 @@ std::vector<Vec3> sample_surface_points(const TriangleMesh& mesh) {
   return points;
 }
 
-std::vector<Component> extract_nearest_components(const TriangleMesh& sheet, const PointTree& tree,
-                                                  std::span<const std::uint32_t> block) {
+std::vector<SurfaceComponent> extract_nearest_components(const TriangleMesh& sheet,
+                                                         const PointTree& tree,
+                                                         std::span<const std::uint32_t> block) {
   std::vector<bool> on_block;
   for (const std::uint32_t i : block) {
     if (i >= on_block.size()) on_block.resize(i + 1, false);

@@ -18,7 +18,8 @@ std::vector<Vec3> sample_surface_points(const TriangleMesh& mesh);
 /// Triangles attached by a single edge are removed.
 /// @param tree  tree of the points sampled on `sheet`
 /// @param block  indices of the points on the block
-std::vector<Component> extract_nearest_components(const TriangleMesh& sheet, const PointTree& tree,
-                                                  std::span<const std::uint32_t> block);
+std::vector<SurfaceComponent> extract_nearest_components(const TriangleMesh& sheet,
+                                                         const PointTree& tree,
+                                                         std::span<const std::uint32_t> block);
 
 }  // namespace clast::reconstruct_detail

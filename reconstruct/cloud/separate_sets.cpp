@@ -26,12 +26,12 @@ bool meet(const Bounds& a, const Bounds& b) {
 
 SeparatedPoints separate_far_points(std::span<const Vec3> points) {
   SeparatedPoints result;
-  result.near.assign(points.begin(), points.end());
+  result.near_points.assign(points.begin(), points.end());
   Bounds box;
   for (const Vec3& p : points) box.include(p);
   const double cell = kSetDecimationCell * box.diagonal();
   if (points.empty() || !(cell > 0.0)) return result;
-  const std::vector<Vec3> sparse = decimated(points, cell);
+  const std::vector<Vec3> sparse = decimate_points(points, cell);
   if (sparse.size() < 8) return result;
   std::vector<double> spacings = compute_local_spacings(sparse);
   const auto sparsest = spacings.begin() + static_cast<std::ptrdiff_t>(
@@ -60,13 +60,13 @@ SeparatedPoints separate_far_points(std::span<const Vec3> points) {
     result.far_position = sparse[sets[s].front()];
   }
   if (!any) return result;
-  result.near.clear();
+  result.near_points.clear();
   const PointTree tree(sparse);
   for (const Vec3& p : points) {
     if (is_far[tree.nearest_neighbours(p, 1).front().point]) {
-      ++result.far;
+      ++result.far_count;
     } else {
-      result.near.push_back(p);
+      result.near_points.push_back(p);
     }
   }
   return result;

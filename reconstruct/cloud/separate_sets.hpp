@@ -10,8 +10,8 @@ namespace clast::reconstruct_detail {
 
 /// Points of the largest cluster and of clusters near it, separated from far points.
 struct SeparatedPoints {
-  std::vector<Vec3> near;  ///< near points, in the given order
-  std::size_t far = 0;     ///< number of excluded points
+  std::vector<Vec3> near_points;  ///< near points, in the given order
+  std::size_t far_count = 0;      ///< number of excluded points
   double far_area_ratio =
       0.0;  ///< approximate area of the largest far cluster relative to that of the largest cluster
   Vec3 far_position = Vec3::Zero();  ///< a point of the largest far cluster

@@ -6,10 +6,10 @@
 
 namespace clast {
 
-/// Bounds due to point spacing and noise.
+/// Bounds of the true surface and volume, due to point spacing and noise.
 struct SurfaceUncertainty {
-  std::vector<Vec3> inner;  ///< points whose hull is inside that of the block, m
-  std::vector<Vec3> outer;  ///< points whose hull contains the block, m
+  std::vector<Vec3> inner_points;  ///< points whose hull is inside that of the block, m
+  std::vector<Vec3> outer_points;  ///< points whose hull contains the block, m
   double extent_error =
       0.0;  ///< possible error at both ends of each side of the box due to noise, m
   /// Possible decrease and increase of the volume, m^3.

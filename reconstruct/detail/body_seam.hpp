@@ -7,7 +7,7 @@
 
 namespace clast::reconstruct_detail {
 
-/// Plane section that divides a body into two, m.
+/// Plane section at which two touching bodies may be joined. Lengths are in metres.
 struct BodySeam {
   Vec3 position = Vec3::Zero();   ///< centroid of the section
   double width = 0.0;             ///< square root of the section area

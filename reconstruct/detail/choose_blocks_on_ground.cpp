@@ -27,7 +27,7 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
   const BlocksOnGround standing = find_blocks_on_ground(points, ground);
   const std::size_t count = standing.blocks.size();
   if (count == 0) {
-    throw_bare_ground(
+    throw_only_ground_error(
         name, static_cast<double>(standing.ground.size()) / static_cast<double>(points.size()));
   }
   ChosenBlocks chosen;
@@ -43,11 +43,11 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
         std::to_string(count) +
         " blocks stand on the ground; the one near the middle was used, `split` uses all of them");
   }
-  chosen.blocks.push_back(with_ground(standing.blocks[standing.central], points, ground));
+  chosen.blocks.push_back(with_ground(standing.blocks[standing.central_block], points, ground));
   return chosen;
 }
 
-void throw_bare_ground(const std::string& name, double fraction) {
+void throw_only_ground_error(const std::string& name, double fraction) {
   throw GeometryError(name + ": the largest component is the ground (" +
                       format_significant(100.0 * fraction, 3) +
                       " % of the scan) and no object on it is a block; scan a block and "

@@ -16,13 +16,13 @@ struct ChosenBlock {
   Plane ground;                ///< tangent plane of the ground below it
 };
 
-/// Selected blocks.
+/// Blocks selected from a scan, with notes.
 struct ChosenBlocks {
   std::vector<ChosenBlock> blocks;
   std::vector<std::string> notes;
 };
 
-/// Selects all blocks if `split`, otherwise the block near the centre of the scan.
+/// Selects all blocks above the ground if `split`, otherwise the block near the centre of the scan.
 /// @param name  name of the scan, for messages
 /// @throws GeometryError  if no part above the ground is a block
 ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Ground& ground,
@@ -30,6 +30,6 @@ ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Grou
 
 /// Throws the error for a scan that contains only ground.
 /// @param fraction  fraction of the scan that is ground
-[[noreturn]] void throw_bare_ground(const std::string& name, double fraction);
+[[noreturn]] void throw_only_ground_error(const std::string& name, double fraction);
 
 }  // namespace clast::reconstruct_detail

@@ -51,15 +51,15 @@ bool hardly_open(const FieldBlock& block) {
   const RepairReport& report = block.scan.report;
   return report.filled_fraction < kHardlyOpen &&
          std::any_of(report.holes.begin(), report.holes.end(),
-                     [](const FilledHole& hole) { return hole.border_edges > kFanEdges; });
+                     [](const FilledHole& hole) { return hole.border_edges > kMaxFanEdges; });
 }
 
 /// Adds a note if hardly any surface was missing.
 FieldBlock with_doubt(FieldBlock block) {
   if (hardly_open(block)) {
     block.scan.notes.push_back(
-        "little surface was missing, so the bounds are narrow; the file does not show "
-        "whether the scanning software had already closed an unseen side, such as the bottom: "
+        "little surface was missing, so the bounds are narrow; the file does not show whether the "
+        "scanning software had already closed an unscanned side, such as the bottom: "
         "check the volume by weighing (`mass` with `density`)");
   }
   return block;
@@ -67,9 +67,10 @@ FieldBlock with_doubt(FieldBlock block) {
 
 /// True if repair changed a part of the surface. False for wraps, which change all of it.
 bool was_changed(const RepairReport& report) {
-  return !report.wrap_bias && (report.filled_fraction > 0.0 || !report.duplicates.empty() ||
-                               report.find_defect(DefectKind::kSpike) != nullptr ||
-                               report.find_defect(DefectKind::kSelfIntersection) != nullptr);
+  return !report.relative_wrap_excess &&
+         (report.filled_fraction > 0.0 || !report.duplicates.empty() ||
+          report.find_defect(DefectKind::kSpike) != nullptr ||
+          report.find_defect(DefectKind::kSelfIntersection) != nullptr);
 }
 
 /// Flips a mesh that faces inwards, judging by the volume with its largest hole filled flat.
@@ -106,7 +107,7 @@ void flip_orientation(RepairReport& report) {
 /// Closes all holes but the unobserved side. Holes of clouds lack points, so only those with few
 /// edges are closed.
 std::vector<FilledHole> close_small_holes(OpenBlock& open, const std::string& name) {
-  if (open.uncertainty != nullptr) return fill_with_fans(open.surface, kFanEdges);
+  if (open.uncertainty != nullptr) return fill_holes_with_fans(open.surface, kMaxFanEdges);
   return with_error_context(name, [&] { return fill_holes(open.surface, false); });
 }
 
@@ -123,7 +124,7 @@ std::optional<Underside> close_unseen_side(const OpenBlock& open, const ScannedS
                                            const std::string& name, const FreeSpaceGrid* free_space,
                                            double unit) {
   UndersideOptions closing{
-      .ground = open.ground, .smallest_share = kMinHoleArea, .free_space = free_space};
+      .ground = open.ground, .min_hole_fraction = kMinHoleArea, .free_space = free_space};
   if (scanned)
     closing.is_observed = [&](const Vec3& position) { return scanned->contains(position); };
   closing.uncertainty = open.uncertainty;
@@ -174,7 +175,8 @@ std::string format_file_place(const Vec3& point, const FieldBlock& block,
 
 /// States the bounds of a block without an unseen side, if they are worth it.
 void add_bounds(FieldBlock& block, const ClosedScan& closed) {
-  const std::optional<NotedBounds> bounds = compute_closed_scan_bracket(closed, block.scan.report);
+  const std::optional<VolumeBracketWithNotes> bounds =
+      compute_closed_scan_bracket(closed, block.scan.report);
   if (!bounds) return;
   block.bounds = *bounds;
   block.scan.notes.insert(block.scan.notes.end(), bounds->notes.begin(), bounds->notes.end());
@@ -190,7 +192,7 @@ void leave_out_neighbour(FieldBlock& block, const Plane& seam, double fraction) 
   if (!block.bounds) {
     const double volume = signed_volume(block.scan.mesh);
     const Vec3 sides = smallest_box(whole).lengths;
-    block.bounds = VolumeBracket{volume, volume, volume, SideBounds{sides, sides}};
+    block.bounds = VolumeBracket{volume, volume, volume, BoxSideBounds{sides, sides}};
   }
   block.bounds->lower_volume *= 1.0 - fraction;
   if (!block.bounds->sides) return;
@@ -226,9 +228,9 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
                           "middle, crop the ground off the scan and give `find_ground = false`");
     }
     leave_out_neighbour(block, *anomaly.seam, anomaly.fraction);
-    block.scan.notes.push_back("a smaller body with " + percent + " touches this one" + seam +
-                               "; the lower bounds are those without it: crop it off the scan to "
-                               "narrow the bounds");
+    block.scan.notes.push_back(
+        "a smaller body with " + percent + " touches this one" + seam +
+        "; the lower bounds exclude it; crop it from the scan to narrow the bounds");
   }
 }
 

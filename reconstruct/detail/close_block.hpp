@@ -9,7 +9,7 @@
 namespace clast::reconstruct_detail {
 
 /// Maximum area of debris as a fraction of the area of the largest component.
-inline constexpr double kFragmentArea = 0.1;
+inline constexpr double kMaxDebrisAreaFraction = 0.1;
 
 /// Surface of one block as extracted from a scan, in units and axes of the file.
 struct OpenBlock {
@@ -23,8 +23,8 @@ struct OpenBlock {
   std::vector<std::string> notes = {};  ///< previous notes
 };
 
-/// Fills small holes, closes the unobserved side, repairs the surface and computes its bounds.
-/// Transforms the block to metres with z up.
+/// Closes and repairs the surface of a block: fills small holes, closes the unobserved side, and
+/// computes bounds of the volume. Transforms the block to metres with z up.
 /// @param name  name of the scan, for messages
 /// @throws GeometryError  if `clean_scan` or `close_underside` throws
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& options);
@@ -34,7 +34,7 @@ FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanO
 FieldBlock clean_block(const TriangleMesh& raw, const std::string& name,
                        const FieldScanOptions& options);
 
-/// Returns `report` with added hole fillings.
+/// Returns a repair report to which hole fillings are added.
 /// @param fillings  in the file's units
 /// @param area  area of the surface with the fillings, in the file's units
 /// @param unit  metres per unit of the file

@@ -46,7 +46,7 @@ std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::st
 
 /// A ground would join what stands on it: without one, far sets are not of one block.
 void refuse_separate_sets(const SeparatedPoints& found, const std::string& name) {
-  if (found.far_area_ratio <= kFragmentArea) return;
+  if (found.far_area_ratio <= kMaxDebrisAreaFraction) return;
   throw GeometryError(
       name + ": separate sets of points, the second with about " +
       std::to_string(std::lround(100.0 * found.far_area_ratio)) +
@@ -76,12 +76,12 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
 /// A block scanned without the ground around it.
 FieldBlock block_alone(SeparatedPoints sets, std::vector<std::string> notes,
                        const std::string& name, const FieldScanOptions& options) {
-  if (sets.far > 0) {
-    notes.push_back(std::to_string(sets.far) +
+  if (sets.far_count > 0) {
+    notes.push_back(std::to_string(sets.far_count) +
                     " points far from the block were left out, some near " +
                     format_point(sets.far_position));
   }
-  CloudSurface surface = surface_of(sets.near, name, options.surface, notes);
+  CloudSurface surface = surface_of(sets.near_points, name, options.surface, notes);
   return close_block({.surface = std::move(surface.mesh),
                       .uncertainty = &surface.uncertainty,
                       .notes = std::move(notes)},

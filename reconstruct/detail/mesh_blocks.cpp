@@ -48,27 +48,27 @@ std::optional<OpenSheet> open_sheet(const TriangleMesh& raw, const ScanOptions& 
   note(DefectKind::kNearVertices, weld_vertices(raw, 0.0).vertices.size() - mesh.vertices.size(),
        0.0, {}, tolerance * options.unit);
   note(DefectKind::kDegenerate, raw.triangles.size() - mesh.triangles.size());
-  const SoupRepairResult repair = repair_soup(mesh, kFinArea);
+  const SoupRepairResult repair = repair_soup(mesh, kMaxFinAreaFraction);
   if (mesh.triangles.empty() || !repair.orientation.orientable) return std::nullopt;
-  note_change(DefectKind::kFoldedPair, repair.folded);
-  note_change(DefectKind::kFin, repair.fins);
-  note_change(DefectKind::kNonManifoldEdge, repair.touching);
+  note_change(DefectKind::kFoldedPair, repair.removed_pairs);
+  note_change(DefectKind::kFin, repair.removed_fins);
+  note_change(DefectKind::kNonManifoldEdge, repair.split_edges);
   const std::size_t turned = repair.orientation.flipped + orient_vertex_attached_fragments(mesh);
   if (turned > 0) {
     note(DefectKind::kInconsistentOrientation, turned, 0.0,
-         mesh.vertices[repair.orientation.first]);
+         mesh.vertices[repair.orientation.first_flipped_vertex]);
   }
   const std::vector<FilledHole> ragged = retriangulate_missing_faces(mesh);
   if (inspect_mesh(mesh).is_closed()) return std::nullopt;
   note_change(DefectKind::kNonManifoldVertex, split_non_manifold_vertices(mesh));
   const SpikeSummary spikes = flatten_spikes(mesh);
-  note(DefectKind::kSpike, spikes.count, 0.0, spikes.position, spikes.highest * options.unit);
+  note(DefectKind::kSpike, spikes.count, 0.0, spikes.position, spikes.max_height * options.unit);
   report = report_with_fillings(std::move(report), ragged, surface_area(mesh), options.unit);
   return OpenSheet{std::move(mesh), std::move(report)};
 }
 
 /// Notes a copy of the surface that is dropped.
-void note_copy(RepairReport& report, DuplicateSurface doubled, const Component& component,
+void note_copy(RepairReport& report, DuplicateSurface doubled, const SurfaceComponent& component,
                double first_area, double unit) {
   doubled.offset *= unit;
   doubled.distance *= unit;
@@ -83,15 +83,15 @@ void note_copy(RepairReport& report, DuplicateSurface doubled, const Component& 
 
 /// Drops copies of the first component, once that is the best of them, and notes them.
 /// @returns true if the first is closed and the others are copies or debris, which repair removes
-bool drop_copies(std::vector<Component>& components, RepairReport& report, double unit) {
+bool drop_copies(std::vector<SurfaceComponent>& components, RepairReport& report, double unit) {
   move_best_copy_first(components);
   const TriangleMesh& first = components[0].mesh;
   const double diagonal = bounds(first).diagonal();
   const TriangleTree tree(first);
   bool others = false;
-  std::vector<Component> kept;
+  std::vector<SurfaceComponent> kept;
   for (std::size_t i = 1; i < components.size(); ++i) {
-    const bool scrap = components[i].area < kFragmentArea * components[0].area;
+    const bool scrap = components[i].area < kMaxDebrisAreaFraction * components[0].area;
     const auto copy = scrap ? std::nullopt : match_surface_copy(components[i].mesh, tree, diagonal);
     others |= !scrap && !copy;
     if (copy) {
@@ -102,7 +102,7 @@ bool drop_copies(std::vector<Component>& components, RepairReport& report, doubl
     }
   }
   components.resize(1);
-  for (Component& component : kept) components.push_back(std::move(component));
+  for (SurfaceComponent& component : kept) components.push_back(std::move(component));
   return !others && inspect_mesh(components[0].mesh).is_closed();
 }
 
@@ -118,9 +118,10 @@ bool has_only_small_holes(const TriangleMesh& sheet) {
 }
 
 /// Returns a note if the second component is too large for debris. The first is the block.
-std::string left_out(const std::vector<Component>& components) {
-  if (components.size() < 2 || components[1].area <= kFragmentArea * components[0].area) return "";
-  return "another component of the scan that stands close to this block, with " +
+std::string left_out(const std::vector<SurfaceComponent>& components) {
+  if (components.size() < 2 || components[1].area <= kMaxDebrisAreaFraction * components[0].area)
+    return "";
+  return "another component of the scan close to this block, with " +
          format_significant(100.0 * components[1].area / components[0].area, 3) +
          " % of its area, near " + format_point(components[1].mesh.vertices[0]) +
          ", was left out; to make both, save each to a separate file";
@@ -133,9 +134,9 @@ std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleM
   const PointTree tree(points);
   std::vector<FieldBlock> blocks;
   for (const ChosenBlock& block : chosen.blocks) {
-    std::vector<Component> components =
+    std::vector<SurfaceComponent> components =
         extract_nearest_components(sheet.mesh, tree, block.point_indices);
-    if (components.empty()) throw_bare_ground(name, 1.0);
+    if (components.empty()) throw_only_ground_error(name, 1.0);
     const std::string others = left_out(components);
     TriangleMesh rock = std::move(components.front().mesh);
     split_non_manifold_vertices(rock);
@@ -157,13 +158,13 @@ std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::
                                             const FieldScanOptions& options) {
   std::optional<OpenSheet> sheet = open_sheet(raw, options.scan);
   if (!sheet) return {clean_block(raw, name, options)};
-  std::vector<Component> components = connected_components(sheet->mesh);
+  std::vector<SurfaceComponent> components = connected_components(sheet->mesh);
   if (drop_copies(components, sheet->repaired, options.scan.unit)) {
     return {clean_block(raw, name, options)};
   }
   if (!sheet->repaired.duplicates.empty()) {
     sheet->mesh = {};
-    for (const Component& component : components)
+    for (const SurfaceComponent& component : components)
       sheet->mesh = merged(std::move(sheet->mesh), component.mesh);
   }
   if (options.find_ground && !has_only_small_holes(sheet->mesh)) {
@@ -174,7 +175,7 @@ std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::
   }
   double scraps = 0.0;
   for (std::size_t i = 1; i < components.size(); ++i) {
-    if (components[i].area > kFragmentArea * components[0].area) {
+    if (components[i].area > kMaxDebrisAreaFraction * components[0].area) {
       return {clean_block(raw, name, options)};  // says what is wrong
     }
     scraps += components[i].area / surface_area(sheet->mesh);

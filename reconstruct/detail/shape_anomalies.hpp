@@ -28,7 +28,7 @@ struct ShapeAnomaly {
       {};  ///< plane of the seam for kSeam, with its normal towards the smaller body
 };
 
-/// Finds anomalies of a closed body, at most one of each kind.
+/// Finds signs that a closed body is not a single rock, at most one of each kind.
 /// @param closed  outward, in metres
 std::vector<ShapeAnomaly> find_shape_anomalies(const TriangleMesh& closed);
 

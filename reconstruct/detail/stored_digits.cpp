@@ -73,7 +73,7 @@ std::string check_coordinate_digits(const TriangleMesh& mesh, const std::filesys
   if (!(fraction > kDigitsLost)) return "";
   const std::string text =
       "precision was lost in the file itself: its coordinates reach " +
-      format_significant(found->largest, 9) + " and are stored in steps of " +
+      format_significant(found->max_coordinate, 9) + " and are stored in steps of " +
       format_significant(found->step * unit, 3) + " m, " + format_significant(100.0 * fraction, 3) +
       " % of the scan's diagonal of " + format_significant(diagonal * unit, 3) + " m";
   const std::string advice =

@@ -9,15 +9,16 @@
 namespace clast::reconstruct_detail {
 
 struct CoordinateResolution {
-  double step = 0.0;     ///< coarsest resolution of the three axes
-  double largest = 0.0;  ///< largest coordinate of that axis
+  double step = 0.0;            ///< coarsest resolution of the three axes
+  double max_coordinate = 0.0;  ///< largest coordinate of that axis
 };
 
 /// Finds the resolution of coordinates that were stored as 32-bit floats or with seven digits.
 /// Empty if all axes have more digits.
 std::optional<CoordinateResolution> find_coordinate_resolution(const TriangleMesh& mesh);
 
-/// Returns a note if the file stores too few digits; otherwise empty.
+/// Checks the resolution of the coordinates in a file. Returns a note if the file stores too few
+/// digits; otherwise empty.
 /// @param mesh  mesh as read from `path`, in the units of the file
 /// @param unit  metres per unit
 /// @throws InputError  if the resolution is too coarse for the shape of the block

@@ -74,7 +74,7 @@ class Standing {
 
   BlocksOnGround run() {
     heights_.reserve(points_.size());
-    for (const Vec3& p : points_) heights_.push_back(ground_.height(p));
+    for (const Vec3& p : points_) heights_.push_back(ground_.height_above_ground(p));
     find_components();
     BlocksOnGround result;
     if (components_.empty()) {
@@ -82,7 +82,7 @@ class Standing {
       return result;
     }
     share_out(result);
-    result.central = central_component();
+    result.central_block = central_component();
     return result;
   }
 
@@ -93,7 +93,7 @@ class Standing {
       if (heights_[i] > clear_) above.push_back(points_[i]);
     }
     if (above.empty()) return;
-    const std::vector<Vec3> sparse = reconstruct_detail::decimated(above, cell_);
+    const std::vector<Vec3> sparse = reconstruct_detail::decimate_points(above, cell_);
     for (const std::vector<std::uint32_t>& set :
          reconstruct_detail::find_clusters(sparse, kComponentReach * cell_, 10)) {
       if (!components_.empty() &&
@@ -105,14 +105,14 @@ class Standing {
       Bounds box, plan;
       for (const std::uint32_t i : set) {
         component.points.push_back(sparse[i]);
-        component.height = std::max(component.height, ground_.height(sparse[i]));
+        component.height = std::max(component.height, ground_.height_above_ground(sparse[i]));
         box.include(sparse[i]);
         const Vec3 flat = turn_ * sparse[i];
         plan.include({flat.x(), flat.y(), 0.0});
       }
       component.centre = 0.5 * (box.low + box.high);
       component.plan_diagonal = plan.diagonal();
-      const bool rises = component.height > options_.least_rise * box_.diagonal() &&
+      const bool rises = component.height > options_.min_block_height * box_.diagonal() &&
                          component.height > 2.0 * clear_ &&
                          component.height > kSlenderest * component.plan_diagonal;
       if (rises) components_.push_back(std::move(component));

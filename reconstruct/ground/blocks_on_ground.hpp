@@ -17,7 +17,7 @@ struct BlockOnGround {
 /// Blocks and ground points of a scan.
 struct BlocksOnGround {
   std::vector<BlockOnGround> blocks;  ///< ordered by x, then y of their centres
-  std::size_t central = 0;            ///< index of a high block near the centre of the scan
+  std::size_t central_block = 0;      ///< index of a high block near the centre of the scan
   std::vector<std::uint32_t> ground;  ///< indices of the ground points
 };
 

@@ -188,7 +188,7 @@ Ground::Ground(Ground&&) noexcept = default;
 Ground& Ground::operator=(Ground&&) noexcept = default;
 Ground::~Ground() = default;
 
-double Ground::height(const Vec3& point) const {
+double Ground::height_above_ground(const Vec3& point) const {
   return surface_->flat(point).z() - surface_->at(point);
 }
 
@@ -211,8 +211,8 @@ void GroundDetectionOptions::check() const {
     throw InputError("tolerance = " + format_significant(tolerance, 4) +
                      ": must be a fraction of the diagonal, above 0 and at most 0.1");
   }
-  if (!(least_rise > 0.0 && least_rise < 1.0)) {
-    throw InputError("least_rise = " + format_significant(least_rise, 4) +
+  if (!(min_block_height > 0.0 && min_block_height < 1.0)) {
+    throw InputError("least_rise = " + format_significant(min_block_height, 4) +
                      ": must be a fraction of the diagonal, between 0 and 1");
   }
 }
@@ -249,7 +249,7 @@ std::optional<Ground> find_ground(std::span<const Vec3> points,
   for (const Vec3& p : points) box.include(p);
   const double diagonal = points.empty() ? 0.0 : box.diagonal();
   const std::vector<Vec3> sparse =
-      reconstruct_detail::decimated(points, kGroundDecimationCell * diagonal);
+      reconstruct_detail::decimate_points(points, kGroundDecimationCell * diagonal);
   if (sparse.size() < 50) return std::nullopt;
   const double tolerance = options.tolerance * diagonal;
   const Plane plane = consensus_plane(sparse, tolerance, options);

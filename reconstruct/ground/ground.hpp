@@ -12,10 +12,10 @@ namespace clast {
 
 /// Options of ground detection; lengths are fractions of the scan's diagonal.
 struct GroundDetectionOptions {
-  std::uint64_t seed = 1;    ///< seed of the random planes
-  int trials = 1000;         ///< number of random planes
-  double tolerance = 0.01;   ///< maximum distance of points from the initial plane
-  double least_rise = 0.03;  ///< minimum height of blocks above the ground
+  std::uint64_t seed = 1;          ///< seed of the random planes
+  int trials = 1000;               ///< number of random planes
+  double tolerance = 0.01;         ///< maximum distance of points from the initial plane
+  double min_block_height = 0.03;  ///< minimum height of blocks above the ground
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -33,7 +33,7 @@ class Ground {
   const Plane& plane() const { return plane_; }    ///< reference plane; its normal points up
   double roughness() const { return roughness_; }  ///< standard deviation about the surface, m
   /// Returns the height above the local ground surface along the plane's normal, m.
-  double height(const Vec3& point) const;
+  double height_above_ground(const Vec3& point) const;
   /// Returns the tangent plane of the ground below `point`, averaged over the length `size` (m).
   Plane tangent_plane_below(const Vec3& point, double size) const;
 

@@ -8,9 +8,9 @@ namespace clast {
 
 CameraRing compute_camera_ring(const PhotoScan& scan, const Pose& block_from_model) {
   CameraRing ring;
-  ring.middle = block_from_model * scan.cloud.region.centre;
+  ring.block_centre = block_from_model * scan.cloud.region.centre;
   for (const Photo& photo : scan.model.photos) {
-    const Vec3 out = block_from_model * photo.centre() - ring.middle;
+    const Vec3 out = block_from_model * photo.centre() - ring.block_centre;
     ring.cameras.push_back({photo.name, std::atan2(out.y(), out.x()),
                             std::atan2(out.z(), out.head<2>().norm()), out.norm(), 0, false});
   }

@@ -24,18 +24,19 @@ struct AzimuthGap {
   double width = 0.0;                 ///< rad
 };
 
-/// Width above which gaps are reported, rad. Photos should be 10 to 15 degrees apart.
+/// Width above which azimuth gaps between cameras are reported, rad. Photos should be 10 to 15
+/// degrees apart.
 inline constexpr double kWideAzimuthGap = 20.0 * kRadiansPerDegree;
 
 struct CameraRing {
-  Vec3 middle = Vec3::Zero();           ///< centre of the block, in its frame
+  Vec3 block_centre = Vec3::Zero();     ///< centre of the block, in its frame
   std::vector<CameraPosition> cameras;  ///< one entry per photo, in their order
   std::vector<AzimuthGap> gaps;         ///< wider than `kWideAzimuthGap`, in order of azimuth
   double largest_gap = 0.0;             ///< width of the largest gap, rad; 2 pi without cameras
   double gap_azimuth = 0.0;             ///< azimuth of the centre of the largest gap, rad
 };
 
-/// Computes the camera positions.
+/// Computes the positions of the cameras around a block, and the gaps between them.
 /// @param block_from_model  transform from the camera model to the frame of the block, z up
 CameraRing compute_camera_ring(const PhotoScan& scan, const Pose& block_from_model);
 

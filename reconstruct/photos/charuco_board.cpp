@@ -33,13 +33,13 @@ void CharucoBoard::check() const {
                      " markers, but the dictionary " + dictionary + " has " + std::to_string(size));
   }
   if (rows % 2 == 0 && !photos_detail::supports_pattern(older_pattern)) {
-    throw InputError("ChArUco board: with an even number of rows (" + std::to_string(rows) +
-                     ") boards of OpenCV before 4.6 and of later versions differ, and clast was "
-                     "built with OpenCV " +
-                     photos_detail::opencv_version() + ", which supports only the " +
-                     (older_pattern ? "later" : "older") +
-                     " ones; use a board with an odd number of rows, or give older_pattern = " +
-                     (older_pattern ? "false" : "true") + " if that is what it is");
+    throw InputError(
+        "ChArUco board: boards with an even number of rows (" + std::to_string(rows) +
+        ") differ between OpenCV before 4.6 and later versions, and clast was built with OpenCV " +
+        photos_detail::opencv_version() + ", which supports only the " +
+        (older_pattern ? "later" : "older") +
+        " ones; use a board with an odd number of rows, or give older_pattern = " +
+        (older_pattern ? "false" : "true") + " if this is correct");
   }
 }
 
@@ -68,8 +68,8 @@ std::vector<BoardCorner> find_board_corners(const PhotoModel& model, const Charu
   std::vector<BoardCorner> found;
   for (std::size_t index = 0; index < observations.size(); ++index) {
     const auto corner =
-        photos_detail::triangulate(model, observations[index], options.largest_error);
-    if (!corner || corner->inlier_count < options.fewest_photos) continue;
+        photos_detail::triangulate(model, observations[index], options.max_reprojection_error);
+    if (!corner || corner->inlier_count < options.min_photos) continue;
     found.push_back({static_cast<int>(index), corner->position, corner->inlier_count,
                      std::sqrt(corner->squared_error / static_cast<double>(corner->inlier_count))});
   }

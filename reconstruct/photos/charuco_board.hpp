@@ -19,7 +19,7 @@ struct CharucoBoard {
   /// by OpenCV before version 4.6. Later versions draw a black one (opencv issue 23152).
   bool older_pattern = false;
 
-  /// Checks the board.
+  /// Checks the dimensions and pattern of the board.
   /// @throws InputError  if a value is out of range, or the OpenCV in use does not support the
   ///                     pattern; names field and value
   void check() const;

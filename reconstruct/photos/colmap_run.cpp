@@ -94,7 +94,7 @@ class ColmapJob {
                                       "--SiftExtraction.max_num_features",
                                       std::to_string(options_.features),
                                       "--SiftExtraction.max_image_size",
-                                      std::to_string(options_.most_pixels)};
+                                      std::to_string(options_.max_image_side)};
     if (!options_.masks.empty()) {
       words.insert(words.end(), {"--ImageReader.mask_path", plain_masks(files).string()});
     }
@@ -204,8 +204,8 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
   const std::string all = std::to_string(count) + " photos";
   if (groups.empty()) {
     throw InputError("0 of " + all +
-                     " could be placed: no two share enough matching points. They are probably "
-                     "too far apart, blurred, or of a block without texture: " +
+                     " could be placed: no two photos share enough matching points. The photos are "
+                     "probably too far apart, blurred, or of a block without texture: " +
                      kAdvice + ", all round the block");
   }
   const std::size_t placed = groups.front().photos.size();
@@ -217,7 +217,7 @@ void judge(const std::vector<PhotoModel>& groups, std::size_t count, const Colma
     ++large;
     sizes += (sizes.empty() ? "" : " and ") + std::to_string(group.photos.size());
   }
-  if (fraction >= options.least_share) return;
+  if (fraction >= options.min_posed_fraction) return;
   if (large > 1) {
     throw InputError("the " + all + " fall into " + std::to_string(large) + " separate groups (" +
                      sizes +
@@ -252,8 +252,8 @@ void ColmapOptions::check() const {
   };
   require(time_limit > 0.0 && time_limit <= 1e6, "seconds", time_limit);
   require(features >= 100 && features <= 100000, "features", features);
-  require(most_pixels >= 200 && most_pixels <= 20000, "most_pixels", most_pixels);
-  require(least_share > 0.0 && least_share <= 1.0, "least_share", least_share);
+  require(max_image_side >= 200 && max_image_side <= 20000, "most_pixels", max_image_side);
+  require(min_posed_fraction > 0.0 && min_posed_fraction <= 1.0, "least_share", min_posed_fraction);
 }
 
 fs::path default_photo_cache() {
@@ -284,7 +284,7 @@ PhotoModel run_colmap(const fs::path& folder, const ColmapOptions& options,
   const std::string masks = options.masks.empty() ? "" : compute_photo_digest(options.masks);
   const std::string key =
       compute_photo_digest(folder) + masks + " " + std::to_string(options.features) + " " +
-      std::to_string(options.most_pixels) + " " + std::to_string(options.exhaustive_up_to);
+      std::to_string(options.max_image_side) + " " + std::to_string(options.max_exhaustive_photos);
   const fs::path cache = options.cache.empty() ? default_photo_cache() : options.cache;
   const fs::path kept = cache / sha256(key).substr(0, 32);
   const auto finished = [&](PhotoModel model) {
@@ -304,7 +304,7 @@ PhotoModel run_colmap(const fs::path& folder, const ColmapOptions& options,
   }
   ColmapJob job(program, fs::absolute(folder), kept, options, stage);
   job.find_features(files);
-  const bool all_pairs = files.size() <= options.exhaustive_up_to;
+  const bool all_pairs = files.size() <= options.max_exhaustive_photos;
   job.match(all_pairs, files.size());
   std::vector<PhotoModel> groups = job.solve_poses(files.size());
   judge(groups, files.size(), options);

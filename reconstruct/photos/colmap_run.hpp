@@ -17,27 +17,29 @@ struct ColmapOptions {
   std::filesystem::path masks = {};
   double time_limit = 3600.0;  ///< time limit of each step, s
   int features = 4000;         ///< maximum number of features per photo
-  int most_pixels = 2000;  ///< maximum length of the longer side, px; larger photos are scaled down
-  std::size_t exhaustive_up_to = 60;  ///< maximum number of photos for which all pairs are matched;
-                                      ///< otherwise, neighbours in order are matched first
+  int max_image_side =
+      2000;  ///< maximum length of the longer side, px; larger photos are scaled down
+  std::size_t max_exhaustive_photos =
+      60;  ///< maximum number of photos for which all pairs are matched;
+           ///< otherwise, neighbours in order are matched first
   /// Minimum fraction of photos with a camera. Otherwise, a side of the block is missing.
-  double least_share = 0.6;
+  double min_posed_fraction = 0.6;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 template <class Visit>
 void visit_fields(const ColmapOptions& options, Visit&& visit) {
-  const auto& [program, cache, masks, time_limit, features, most_pixels, exhaustive_up_to,
-               least_share] = options;
+  const auto& [program, cache, masks, time_limit, features, max_image_side, max_exhaustive_photos,
+               min_posed_fraction] = options;
   visit("program", program);
   visit("cache", ExcludedField{cache});
   visit("masks", masks);
   visit("seconds", ExcludedField{time_limit});
   visit("features", features);
-  visit("most_pixels", most_pixels);
-  visit("exhaustive_up_to", exhaustive_up_to);
-  visit("least_share", least_share);
+  visit("most_pixels", max_image_side);
+  visit("exhaustive_up_to", max_exhaustive_photos);
+  visit("least_share", min_posed_fraction);
 }
 
 /// Returns the folder clast/photos in the user's cache folder (XDG_CACHE_HOME or ~/.cache). Without

@@ -157,7 +157,7 @@ void DenseOptions::check() const {
     throw InputError(std::string(name) + " = " + format_significant(value, 5) + "; must be " +
                      range);
   };
-  require(most_pixels >= 100 && most_pixels <= 10000, "most_pixels", most_pixels,
+  require(max_image_side >= 100 && max_image_side <= 10000, "most_pixels", max_image_side,
           "from 100 to 10000");
   require(min_agreeing_pairs >= 1 && min_agreeing_pairs <= 20, "agreeing",
           static_cast<double>(min_agreeing_pairs), "from 1 to 20");
@@ -173,7 +173,7 @@ DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& opti
   cloud.region = find_photo_region(model);
   const std::vector<std::filesystem::path> masks = chosen_masks(model, options.masks);
   if (options.skip_blurred) skip_blurred(model, options, cloud);
-  cloud.pairs = stereo_pairs(model, cloud.region, cloud.blurred, options.pairs);
+  cloud.pairs = choose_stereo_pairs(model, cloud.region, cloud.blurred, options.pairs);
 
   const std::size_t count = cloud.pairs.size();
   std::vector<DisparityMap> depths(count);
@@ -181,7 +181,7 @@ DenseCloud compute_dense_cloud(const PhotoModel& model, const DenseOptions& opti
   std::size_t done = 0;
   parallel_for(count, options.threads, [&](std::size_t i) {
     depths[i] = photos_detail::match_stereo_pair(model, cloud.pairs[i], cloud.region,
-                                                 options.most_pixels, masks);
+                                                 options.max_image_side, masks);
     const std::lock_guard lock(mutex);
     if (progress) progress(++done, count + count / 4);
   });

@@ -15,11 +15,11 @@ namespace clast {
 
 struct DenseOptions {
   StereoPairOptions pairs = {};
-  int most_pixels =
+  int max_image_side =
       1100;  ///< maximum side of the compared image regions, px; larger ones are scaled down
   std::size_t min_agreeing_pairs = 3;  ///< minimum number of pairs with consistent depths per point
   double tolerance = 1.0;              ///< maximum disparity difference of consistent depths, px
-  double cell = 1.7;  ///< spacing of the points, in pixels of the compared photos at the block
+  double cell = 1.7;  ///< point spacing at the block, in pixels of the compared photos
   bool skip_blurred = true;
   /// Folder of masks (`find_masks`), or empty.
   std::filesystem::path masks = {};
@@ -30,10 +30,10 @@ struct DenseOptions {
 
 template <class Visit>
 void visit_fields(const DenseOptions& options, Visit&& visit) {
-  const auto& [pairs, most_pixels, min_agreeing_pairs, tolerance, cell, skip_blurred, masks,
+  const auto& [pairs, max_image_side, min_agreeing_pairs, tolerance, cell, skip_blurred, masks,
                threads] = options;
   visit("pairs", pairs);
-  visit("most_pixels", most_pixels);
+  visit("most_pixels", max_image_side);
   visit("agreeing", min_agreeing_pairs);
   visit("tolerance", tolerance);
   visit("cell", cell);
@@ -45,7 +45,7 @@ void visit_fields(const DenseOptions& options, Visit&& visit) {
 struct DenseCloud {
   std::vector<Vec3> points;                          ///< in the frame and units of the model
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue
-  FreeSpaceGrid free_space;                          ///< observed free space of the region
+  FreeSpaceGrid free_space;                          ///< free space in the region
   PhotoRegion region;
   std::vector<StereoPair> pairs;
   std::vector<std::size_t> blurred;  ///< indices of skipped photos
@@ -53,9 +53,9 @@ struct DenseCloud {
   std::vector<std::string> notes;
 };
 
-/// Computes points by stereo matching of neighbouring photos. A point is kept if several pairs
-/// agree on its depth, and if no more pairs see farther along the same line of sight. It is
-/// averaged over the agreeing pairs (docs/theory.md).
+/// Computes a dense point cloud by stereo matching of neighbouring photos. A point is kept if
+/// several pairs agree on its depth, and if no more pairs see farther along the same line of sight.
+/// It is averaged over the agreeing pairs (docs/theory.md).
 /// @param model  camera model whose photo files are located
 /// @param progress  called with the finished and total number of steps, from one thread at a time
 /// @throws InputError  if `stereo_pairs` throws, masks are missing, or the photos do not agree

@@ -20,7 +20,7 @@ struct Distorted {
 
 Distorted distorted(const CameraIntrinsics& lens, const Vec2& p) {
   const auto& k = lens.radial;
-  const auto& d = lens.divisor;
+  const auto& d = lens.radial_divisor;
   const double a = p.x(), b = p.y(), r2 = p.squaredNorm();
   const double above = 1.0 + r2 * (k[0] + r2 * (k[1] + r2 * (k[2] + r2 * k[3])));
   const double below = 1.0 + r2 * (d[0] + r2 * (d[1] + r2 * d[2]));
@@ -53,8 +53,8 @@ void CameraIntrinsics::check() const {
   if (!(std::abs(cx - 0.5 * width) < size)) refuse("principal point x", cx);
   if (!(std::abs(cy - 0.5 * height) < size)) refuse("principal point y", cy);
   if (!(std::abs(skew) < fx)) refuse("skew", skew);
-  for (const double value :
-       {radial[0], radial[1], radial[2], radial[3], divisor[0], divisor[1], divisor[2], p1, p2}) {
+  for (const double value : {radial[0], radial[1], radial[2], radial[3], radial_divisor[0],
+                             radial_divisor[1], radial_divisor[2], p1, p2}) {
     if (!(std::abs(value) < 1e6)) refuse("distortion", value);
   }
 }
@@ -96,7 +96,7 @@ std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel) {
   return Vec3(p.x(), p.y(), 1.0);
 }
 
-CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int height) {
+CameraIntrinsics resized_intrinsics(const CameraIntrinsics& lens, int width, int height) {
   if (width == lens.width && height == lens.height) return lens;
   const double factor = static_cast<double>(width) / lens.width;
   if (std::abs(factor * lens.height - height) > 1.0 + factor) {

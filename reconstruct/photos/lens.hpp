@@ -23,15 +23,15 @@ namespace clast {
 struct CameraIntrinsics {
   int width = 0;  ///< px
   int height = 0;
-  double fx = 0.0, fy = 0.0;        ///< focal length, px
-  double cx = 0.0, cy = 0.0;        ///< principal point, px
-  double skew = 0.0;                ///< px
-  std::array<double, 4> radial{};   ///< k1 to k4
-  std::array<double, 3> divisor{};  ///< d1 to d3
-  double p1 = 0.0, p2 = 0.0;        ///< tangential distortion
+  double fx = 0.0, fy = 0.0;               ///< focal length, px
+  double cx = 0.0, cy = 0.0;               ///< principal point, px
+  double skew = 0.0;                       ///< px
+  std::array<double, 4> radial{};          ///< k1 to k4
+  std::array<double, 3> radial_divisor{};  ///< d1 to d3
+  double p1 = 0.0, p2 = 0.0;               ///< tangential distortion
   bool fisheye = false;
 
-  /// Checks all values.
+  /// Checks all values of the intrinsics.
   /// @throws InputError  if a value is impossible; names the value
   void check() const;
 };
@@ -44,8 +44,8 @@ std::optional<Vec2> project(const CameraIntrinsics& lens, const Vec3& in_camera)
 /// cannot be inverted at the pixel.
 std::optional<Vec3> unproject(const CameraIntrinsics& lens, const Vec2& pixel);
 
-/// Returns the intrinsics of resized photos.
+/// Returns the camera intrinsics of photos resized to `width` x `height`.
 /// @throws InputError  if width and height are not scaled by a common factor, within a pixel
-CameraIntrinsics resize_image(const CameraIntrinsics& lens, int width, int height);
+CameraIntrinsics resized_intrinsics(const CameraIntrinsics& lens, int width, int height);
 
 }  // namespace clast

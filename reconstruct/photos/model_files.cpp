@@ -66,7 +66,7 @@ PhotoModel read_photo_model(const fs::path& path) {
   }
   if (!fs::is_directory(found, code)) check_input_file(found);
   try {
-    PhotoModel model = photos_detail::sorted_by_name(read_at(found));
+    PhotoModel model = photos_detail::photos_sorted_by_name(read_at(found));
     model.check();
     return model;
   } catch (const InputError& error) {
@@ -79,7 +79,7 @@ PhotoModel read_photo_model(const fs::path& path) {
 
 namespace photos_detail {
 
-PhotoModel sorted_by_name(PhotoModel model) {
+PhotoModel photos_sorted_by_name(PhotoModel model) {
   std::vector<std::uint32_t> order(model.photos.size()), new_index(model.photos.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -27,7 +27,7 @@ using photos_detail::DetectedMarker;
 CameraIntrinsics lens_for(const PhotoModel& model, std::size_t photo, const cv::Mat& image) {
   const Photo& p = model.photos[photo];
   return with_error_context("photo " + p.name, [&] {
-    return resize_image(model.lenses[p.lens], image.cols, image.rows);
+    return resized_intrinsics(model.lenses[p.lens], image.cols, image.rows);
   });
 }
 
@@ -70,8 +70,9 @@ std::optional<LocatedMarker> placed(const PhotoModel& model,
         if (one.id == id) observations.push_back({i, one.corners[k]});
       }
     }
-    const auto corner = photos_detail::triangulate(model, observations, options.largest_error);
-    if (!corner || corner->inlier_count < options.fewest_photos) return std::nullopt;
+    const auto corner =
+        photos_detail::triangulate(model, observations, options.max_reprojection_error);
+    if (!corner || corner->inlier_count < options.min_photos) return std::nullopt;
     marker.corners[k] = corner->position;
     marker.photos = std::min(marker.photos, corner->inlier_count);
     squares += corner->squared_error;
@@ -85,9 +86,9 @@ std::optional<LocatedMarker> placed(const PhotoModel& model,
 
 void MarkerOptions::check() const {
   if (dictionary != "auto" && dictionary != "none") photos_detail::opencv_dictionary(dictionary);
-  if (fewest_photos < 2) throw InputError("fewest_photos must be at least 2");
-  if (!(largest_error > 0.0 && largest_error < 100.0)) {
-    throw InputError("largest_error = " + format_significant(largest_error, 4) +
+  if (min_photos < 2) throw InputError("fewest_photos must be at least 2");
+  if (!(max_reprojection_error > 0.0 && max_reprojection_error < 100.0)) {
+    throw InputError("largest_error = " + format_significant(max_reprojection_error, 4) +
                      " px is out of range");
   }
 }
@@ -138,7 +139,7 @@ MarkerSearchResult search_markers(const PhotoModel& model, const MarkerOptions& 
     if (std::optional<LocatedMarker> marker = placed(model, detected, id, options)) {
       search.markers.push_back(*marker);
     } else {
-      search.missed.push_back({id, photos});
+      search.unlocated.push_back({id, photos});
     }
   }
   return search;

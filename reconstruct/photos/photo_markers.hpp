@@ -13,8 +13,8 @@ struct MarkerOptions {
   /// Name of the dictionary, such as "4x4_50" or "apriltag_36h11". If "auto", common ones are tried
   /// on some photos. If "none", markers are not searched.
   std::string dictionary = "auto";
-  std::size_t fewest_photos = 3;  ///< minimum number of photos per marker
-  double largest_error = 2.0;     ///< maximum reprojection error of inliers, px
+  std::size_t min_photos = 3;           ///< minimum number of photos per marker
+  double max_reprojection_error = 2.0;  ///< maximum reprojection error of inliers, px
   unsigned threads = 1;  ///< number of threads; 0: one per core; does not affect the result
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -22,10 +22,10 @@ struct MarkerOptions {
 
 template <class Visit>
 void visit_fields(const MarkerOptions& options, Visit&& visit) {
-  const auto& [dictionary, fewest_photos, largest_error, threads] = options;
+  const auto& [dictionary, min_photos, max_reprojection_error, threads] = options;
   visit("dictionary", dictionary);
-  visit("fewest_photos", fewest_photos);
-  visit("largest_error", largest_error);
+  visit("fewest_photos", min_photos);
+  visit("largest_error", max_reprojection_error);
   visit("threads", ExcludedField{threads});
 }
 
@@ -48,8 +48,8 @@ struct UnlocatedMarker {
 
 struct MarkerSearchResult {
   std::string dictionary;  ///< dictionary that was used; empty if no markers were searched or found
-  std::vector<LocatedMarker> markers;   ///< ordered by id
-  std::vector<UnlocatedMarker> missed;  ///< ordered by id
+  std::vector<LocatedMarker> markers;      ///< ordered by id
+  std::vector<UnlocatedMarker> unlocated;  ///< ordered by id
 };
 
 /// Returns the names of all dictionaries, without "auto" and "none".

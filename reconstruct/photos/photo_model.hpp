@@ -26,7 +26,7 @@ struct SparsePoint {
   std::vector<std::uint32_t> photos;  ///< indices of the photos that show it
 };
 
-/// Cameras and sparse points in one frame.
+/// Camera model: cameras and sparse points in one frame.
 struct PhotoModel {
   std::vector<CameraIntrinsics> lenses;
   std::vector<Photo> photos;            ///< photos with a camera pose, ordered by name
@@ -40,7 +40,8 @@ struct PhotoModel {
   void check() const;
 };
 
-/// Projects a point in the frame of the model into a photo. Empty if `project` is.
+/// Projects a point in the frame of the model into a photo. Empty if the point is behind the camera
+/// or beyond the range of its lens distortion.
 std::optional<Vec2> project_into_photo(const PhotoModel& model, std::size_t photo,
                                        const Vec3& point);
 

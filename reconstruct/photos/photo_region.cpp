@@ -77,7 +77,7 @@ std::optional<PhotoRegion> standing_region(const PhotoModel& model, const Vec3& 
   if (!ground) return std::nullopt;
   const BlocksOnGround standing = find_blocks_on_ground(points, *ground);
   if (standing.blocks.empty()) return std::nullopt;
-  const BlockOnGround& block = standing.blocks[standing.central];
+  const BlockOnGround& block = standing.blocks[standing.central_block];
   Bounds box;
   for (const std::uint32_t i : block.points) box.include(points[i]);
   const Vec3 centre = 0.5 * (box.low + box.high);

@@ -31,7 +31,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-double mean_factor(const std::vector<ScaleMeasure>& measures, std::size_t without) {
+double mean_factor(const std::vector<ComparedLength>& measures, std::size_t without) {
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < measures.size(); ++i) {
     if (!measures[i].used || i == without) continue;
@@ -52,9 +52,9 @@ BoardLengths known_distances(const std::vector<LocatedMarker>& markers, const Sc
                              const std::vector<BoardCorner>& corners) {
   BoardLengths known;
   if (options.board && options.board->charuco) {
-    known = measure_charuco_lengths(*options.board->charuco, corners, options.largest_disagreement);
+    known = measure_charuco_lengths(*options.board->charuco, corners, options.max_disagreement);
   } else if (options.board) {
-    known = measure_marker_lengths(*options.board, markers, options.largest_disagreement);
+    known = measure_marker_distances(*options.board, markers, options.max_disagreement);
   }
   for (const ScaleBar& bar : options.bars) {
     const LocatedMarker &a = marker_of(markers, bar.first), &b = marker_of(markers, bar.second);
@@ -84,18 +84,18 @@ BoardLengths known_distances(const std::vector<LocatedMarker>& markers, const Sc
 
 /// Excludes measures that differ from the median by more than the fraction `most`.
 /// @returns how many are
-std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double most) {
+std::size_t leave_out_disagreeing(std::vector<ComparedLength>& measures, double most) {
   std::vector<double> factors;
-  for (const ScaleMeasure& measure : measures) factors.push_back(measure.factor);
+  for (const ComparedLength& measure : measures) factors.push_back(measure.factor);
   const double middle = median(factors);
   std::size_t used = 0;
-  for (ScaleMeasure& measure : measures) {
+  for (ComparedLength& measure : measures) {
     measure.used = std::abs(measure.factor / middle - 1.0) <= most;
     used += measure.used ? 1 : 0;
   }
   if (2 * used > measures.size() || measures.size() == 1) return used;
   std::string values;
-  for (const ScaleMeasure& measure : measures) {
+  for (const ComparedLength& measure : measures) {
     values += (values.empty() ? "" : ", ") + measure.name + ": " +
               format_significant(measure.factor, 6) + " m per unit";
   }
@@ -107,7 +107,7 @@ std::size_t leave_out_disagreeing(std::vector<ScaleMeasure>& measures, double mo
 void compare_measures(PhotoScale& scale, std::size_t used, double most) {
   double squares = 0.0;
   for (std::size_t i = 0; i < scale.measures.size(); ++i) {
-    ScaleMeasure& measure = scale.measures[i];
+    ComparedLength& measure = scale.measures[i];
     const double others = mean_factor(scale.measures, i);
     if (others > 0.0) measure.leave_one_out_error = others / measure.factor - 1.0;
     if (measure.used) {
@@ -121,7 +121,7 @@ void compare_measures(PhotoScale& scale, std::size_t used, double most) {
   }
   if (used > 1) scale.spread = std::sqrt(squares / static_cast<double>(used - 1));
   if (used == 1) {
-    scale.notes.push_back("the scale rests on " + scale.measures.front().name +
+    scale.notes.push_back("the scale is based on " + scale.measures.front().name +
                           " alone, without a check");
   }
 }
@@ -131,13 +131,13 @@ void check_sides(PhotoScale& scale, const std::vector<LocatedMarker>& markers, d
                  double most) {
   double sides = 0.0;
   for (const LocatedMarker& marker : markers) sides += marker.side();
-  scale.side_check =
+  scale.marker_side_ratio =
       scale.metres_per_unit * sides / static_cast<double>(markers.size()) / side - 1.0;
-  if (std::abs(*scale.side_check) <= most) return;
-  scale.notes.push_back("according to the distances between markers, their sides are " +
-                        in_percent(std::abs(*scale.side_check)) +
-                        (*scale.side_check > 0.0 ? " longer" : " shorter") +
-                        " than given: check both");
+  if (std::abs(*scale.marker_side_ratio) <= most) return;
+  scale.notes.push_back(
+      "according to the distances between markers, the sides of the markers are " +
+      in_percent(std::abs(*scale.marker_side_ratio)) +
+      (*scale.marker_side_ratio > 0.0 ? " longer" : " shorter") + " than given: check both");
 }
 
 }  // namespace
@@ -158,8 +158,8 @@ void ScaleOptions::check() const {
     throw InputError("marker_side = " + format_significant(*marker_side, 6) +
                      " m can't be the side of a marker; it must be above 0 and below 100 m");
   }
-  if (!(largest_disagreement > 0.0 && largest_disagreement < 1.0)) {
-    throw InputError("largest_disagreement = " + format_significant(largest_disagreement, 6) +
+  if (!(max_disagreement > 0.0 && max_disagreement < 1.0)) {
+    throw InputError("largest_disagreement = " + format_significant(max_disagreement, 6) +
                      " must be between 0 and 1");
   }
 }
@@ -184,11 +184,11 @@ PhotoScale estimate_scale_from_markers(const std::vector<LocatedMarker>& markers
     scale.measures.push_back(
         {known.name, known.metres, known.metres / known.units, 0.0, true, known.markers});
   }
-  const std::size_t used = leave_out_disagreeing(scale.measures, options.largest_disagreement);
+  const std::size_t used = leave_out_disagreeing(scale.measures, options.max_disagreement);
   scale.metres_per_unit = mean_factor(scale.measures, scale.measures.size());
-  compare_measures(scale, used, options.largest_disagreement);
+  compare_measures(scale, used, options.max_disagreement);
   if (scale.from_bars && side && !markers.empty()) {
-    check_sides(scale, markers, *side, options.largest_disagreement);
+    check_sides(scale, markers, *side, options.max_disagreement);
   }
   return scale;
 }

@@ -23,28 +23,29 @@ void visit_fields(const ScaleBar& options, Visit&& visit) {
   visit("length", length);
 }
 
-/// Known lengths. Marker distances have priority over marker sides, because they are longer.
+/// Known lengths from which the scale is estimated. Marker distances have priority over marker
+/// sides, because they are longer.
 struct ScaleOptions {
   std::vector<ScaleBar> bars = {};
   std::optional<ScaleBoard> board = {};
   std::optional<double> marker_side = {};  ///< side length of the black square of all markers, m
   /// Maximum relative deviation of a length from the others. Larger ones are excluded and reported.
-  double largest_disagreement = 0.005;
+  double max_disagreement = 0.005;
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 template <class Visit>
 void visit_fields(const ScaleOptions& options, Visit&& visit) {
-  const auto& [bars, board, marker_side, largest_disagreement] = options;
+  const auto& [bars, board, marker_side, max_disagreement] = options;
   visit("bars", bars);
   visit("board", board);
   visit("marker_side", marker_side);
-  visit("largest_disagreement", largest_disagreement);
+  visit("largest_disagreement", max_disagreement);
 }
 
-/// Known length compared with the model.
-struct ScaleMeasure {
+/// Known length compared with its length in the model.
+struct ComparedLength {
   std::string name;     ///< such as "marker 2", "markers 0 and 3" or "row 2 of the board, ..."
   double length = 0.0;  ///< as given, m
   double factor = 0.0;  ///< scale from this length alone, m per model unit
@@ -56,18 +57,18 @@ struct ScaleMeasure {
 
 struct PhotoScale {
   double metres_per_unit = 1.0;
-  double spread = 0.0;                 ///< relative standard deviation of the used factors
-  bool from_bars = false;              ///< true if estimated from distances (bars or a board)
-  std::vector<ScaleMeasure> measures;  ///< lengths that determined the scale: distances or sides
+  double spread = 0.0;                   ///< relative standard deviation of the used factors
+  bool from_bars = false;                ///< true if estimated from distances (bars or a board)
+  std::vector<ComparedLength> measures;  ///< lengths that determined the scale: distances or sides
   /// Mean marker side, scaled by the distances, relative to the given side. Set if both are known.
-  std::optional<double> side_check;
+  std::optional<double> marker_side_ratio;
   std::vector<int> misplaced;  ///< ids of board markers that are not at the stated positions
   std::vector<std::string> notes;
 };
 
-/// Estimates the scale as the mean of the factors of consistent lengths. Bars and board distances
-/// have priority over marker sides. If there are three or more lengths, those whose factor deviates
-/// too much from the median are excluded and reported.
+/// Estimates the scale of a camera model as the mean of the factors of consistent lengths. Bars and
+/// board distances have priority over marker sides. If there are three or more lengths, those whose
+/// factor deviates too much from the median are excluded and reported.
 /// @param corners  corners of the ChArUco board, if there is one
 /// @throws InputError  if no distance or side is given, a bar names a marker that was not found, or
 ///                     lengths contradict each other

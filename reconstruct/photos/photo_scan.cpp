@@ -50,7 +50,7 @@ std::vector<std::string> names_without_camera(const PhotoModel& model, const fs:
 /// "scale by board: 6 of 6 lengths agree, to 0.0033 %".
 std::string scale_words(const PhotoScale& scale, const std::string& source) {
   const auto used = std::count_if(scale.measures.begin(), scale.measures.end(),
-                                  [](const ScaleMeasure& one) { return one.used; });
+                                  [](const ComparedLength& one) { return one.used; });
   std::string text = "scale by " + source + ": " + std::to_string(used) + " of " +
                      std::to_string(scale.measures.size()) + " lengths agree";
   if (used > 1) text += ", to " + format_significant(100.0 * scale.spread, 2) + " %";
@@ -143,7 +143,7 @@ PhotoScan reconstruct_from_photos(const fs::path& folder, const PhotoScanOptions
   };
   PhotoScan scan;
   scan.model = find_cameras(folder, folder_of_photos(folder), options, stage);
-  scan.without_camera = names_without_camera(scan.model, folder_of_photos(folder));
+  scan.photos_without_camera = names_without_camera(scan.model, folder_of_photos(folder));
   const std::size_t all = scan.model.photos.size() + scan.model.photos_without_pose;
   scan.notes.push_back("cameras of " + std::to_string(scan.model.photos.size()) + " of " +
                        std::to_string(all) + " photos, by " + scan.model.source);

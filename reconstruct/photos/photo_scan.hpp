@@ -40,13 +40,13 @@ void visit_fields(const PhotoScanOptions& options, Visit&& visit) {
   visit("dense", dense);
 }
 
-/// Photo scan: model, markers, scale and points.
+/// Result of a photo scan: camera model, markers, scale and dense points.
 struct PhotoScan {
-  PhotoModel model;                         ///< in metres if `metric`
-  MarkerSearchResult markers;               ///< positions in the frame of `model`
-  std::vector<BoardCorner> corners;         ///< corners of a ChArUco board, in the frame of `model`
-  std::optional<PhotoScale> scale;          ///< scale from markers or a board
-  std::vector<std::string> without_camera;  ///< names of photos without camera, sorted
+  PhotoModel model;                  ///< in metres if `metric`
+  MarkerSearchResult markers;        ///< positions in the frame of `model`
+  std::vector<BoardCorner> corners;  ///< corners of a ChArUco board, in the frame of `model`
+  std::optional<PhotoScale> scale;   ///< scale from markers or a board
+  std::vector<std::string> photos_without_camera;  ///< names of photos without camera, sorted
   bool metric = false;
   DenseCloud cloud;          ///< in the frame of `model`
   std::string scale_source;  ///< source of the scale, such as "markers' distances" or "none"

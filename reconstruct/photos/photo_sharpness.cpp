@@ -74,7 +74,7 @@ std::vector<Sharpness> measure_sharpness(const PhotoModel& model, const PhotoReg
   std::vector<Sharpness> result;
   for (const double value : kept) {
     const double relative = middle > 0.0 ? value / middle : 1.0;
-    result.push_back({relative, relative < kBlurred});
+    result.push_back({relative, relative < kBlurredSharpness});
   }
   return result;
 }

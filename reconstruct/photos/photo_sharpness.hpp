@@ -12,7 +12,7 @@ struct Sharpness {
 };
 
 /// Relative sharpness below which a photo is classified as blurred.
-inline constexpr double kBlurred = 0.25;
+inline constexpr double kBlurredSharpness = 0.25;
 
 /// Measures the sharpness of each photo in the region of the block. It is the energy of fine detail
 /// relative to that of the slightly smoothed photo, in the direction where this ratio is smallest.

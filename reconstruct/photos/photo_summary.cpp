@@ -14,13 +14,14 @@ std::string unused_reason(const PhotoScan& scan, int id) {
     return "left out: its position differs from that on the board";
   }
   bool measured = false;
-  for (const ScaleMeasure& measure : scan.scale->measures) {
+  for (const ComparedLength& measure : scan.scale->measures) {
     const bool its =
         std::find(measure.markers.begin(), measure.markers.end(), id) != measure.markers.end();
     if (its && measure.used) return "";
     measured = measured || its;
   }
-  return measured ? "left out: its size disagrees with the others" : "no distance to it is known";
+  return measured ? "left out: its size disagrees with the others"
+                  : "no distance to this marker is known";
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ PhotoSummary summarise_photos(const PhotoScan& scan, const FieldBlock& block,
     evidence.markers.push_back(
         {marker.id, marker.photos, marker.error, marker.side(), reason.empty(), reason});
   }
-  for (const UnlocatedMarker& marker : scan.markers.missed) {
+  for (const UnlocatedMarker& marker : scan.markers.unlocated) {
     evidence.markers.push_back(
         {marker.id, marker.photos, 0.0, 0.0, false,
          "too few photos show it completely and sharply, or they contradict each other"});

@@ -36,7 +36,7 @@ struct PhotoSummary {
   std::vector<MarkerUsage> markers;  ///< ordered by id
 };
 
-/// Summarises the photos.
+/// Summarises cameras, surface coverage and markers of a photo scan.
 /// @param up  value of `ScanOptions::up` used for the block
 PhotoSummary summarise_photos(const PhotoScan& scan, const FieldBlock& block,
                               const std::string& up);

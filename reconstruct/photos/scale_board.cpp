@@ -135,9 +135,9 @@ void ScaleBoard::check() const {
   }
 }
 
-BoardLengths measure_marker_lengths(const ScaleBoard& board,
-                                    const std::vector<LocatedMarker>& markers,
-                                    double largest_disagreement) {
+BoardLengths measure_marker_distances(const ScaleBoard& board,
+                                      const std::vector<LocatedMarker>& markers,
+                                      double max_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   std::string missing;
@@ -155,7 +155,7 @@ BoardLengths measure_marker_lengths(const ScaleBoard& board,
     result.notes.push_back("no three photos show marker " + missing +
                            " of the board completely and sharply");
   }
-  const AlikePoints kept = alike(std::move(points), largest_disagreement);
+  const AlikePoints kept = alike(std::move(points), max_disagreement);
   result.notes.insert(result.notes.end(), kept.notes.begin(), kept.notes.end());
   result.misplaced = kept.misplaced;
   for (std::size_t i = 0; i < kept.points.size(); ++i) {
@@ -172,7 +172,7 @@ BoardLengths measure_marker_lengths(const ScaleBoard& board,
 
 BoardLengths measure_charuco_lengths(const CharucoBoard& board,
                                      const std::vector<BoardCorner>& corners,
-                                     double largest_disagreement) {
+                                     double max_disagreement) {
   BoardLengths result;
   std::vector<BoardPoint> points;
   const int wide = board.columns - 1;
@@ -181,7 +181,7 @@ BoardLengths measure_charuco_lengths(const CharucoBoard& board,
     points.push_back({corner.index, "corner " + std::to_string(corner.index),
                       board.square * position, corner.position});
   }
-  const AlikePoints kept = alike(std::move(points), largest_disagreement);
+  const AlikePoints kept = alike(std::move(points), max_disagreement);
   result.notes.insert(result.notes.end(), kept.notes.begin(), kept.notes.end());
   result.misplaced = kept.misplaced;
   const auto add = [&](const std::string& name, int axis, int index) {

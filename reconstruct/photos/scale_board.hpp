@@ -23,9 +23,9 @@ void visit_fields(const BoardMarker& options, Visit&& visit) {
 }
 
 /// Allowed side length of a marker or board square.
-inline constexpr NumberRange kMarkerSide{1e-4, 100.0, "m"};
+inline constexpr NumberRange kMarkerSideRange{1e-4, 100.0, "m"};
 /// Allowed distance of two markers.
-inline constexpr NumberRange kBarLength{1e-4, 1e4, "m"};
+inline constexpr NumberRange kBarLengthRange{1e-4, 1e4, "m"};
 
 /// Board of markers with known centres, or ChArUco board.
 struct ScaleBoard {
@@ -54,6 +54,7 @@ struct KnownLength {
   std::vector<int> markers = {};  ///< ids of the markers that define it
 };
 
+/// Distances measured on a scale board, with excluded markers or corners.
 struct BoardLengths {
   std::vector<KnownLength> lengths;
   std::vector<std::string> notes;  ///< notes on missing and excluded markers or corners
@@ -61,19 +62,19 @@ struct BoardLengths {
 };
 
 /// Measures the distances between all located markers of a board. While board and model differ by
-/// more than `largest_disagreement` of the longest distance, the marker whose removal improves the
+/// more than `max_disagreement` of the longest distance, the marker whose removal improves the
 /// agreement most is excluded. At least three markers, and more than half, must remain.
 /// @throws InputError  if the remaining markers still disagree; among three, the wrong one cannot
 ///                     be identified
-BoardLengths measure_marker_lengths(const ScaleBoard& board,
-                                    const std::vector<LocatedMarker>& markers,
-                                    double largest_disagreement);
+BoardLengths measure_marker_distances(const ScaleBoard& board,
+                                      const std::vector<LocatedMarker>& markers,
+                                      double max_disagreement);
 
 /// Measures the rows and columns of a ChArUco board. Each length is that between the outermost
 /// corners that were found. Corners are excluded in the same way as markers.
 /// @throws InputError  if the remaining corners disagree, or no row or column has two corners
 BoardLengths measure_charuco_lengths(const CharucoBoard& board,
                                      const std::vector<BoardCorner>& corners,
-                                     double largest_disagreement);
+                                     double max_disagreement);
 
 }  // namespace clast

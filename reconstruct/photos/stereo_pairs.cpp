@@ -49,15 +49,15 @@ Candidates candidates(const PhotoModel& model, const PhotoRegion& region,
   for (const std::size_t j : usable) {
     if (j == photo) continue;
     const double angle = viewing_angle(model, region, photo, j);
-    if (angle >= options.least_angle) result.smallest = std::min(result.smallest, angle);
-    if (angle < options.least_angle || angle > options.largest_angle) continue;
+    if (angle >= options.min_angle) result.smallest = std::min(result.smallest, angle);
+    if (angle < options.min_angle || angle > options.max_angle) continue;
     result.partners.push_back(
         {j, angle, (model.photos[j].centre() - model.photos[photo].centre()).normalized()});
   }
   std::sort(result.partners.begin(), result.partners.end(),
             [&](const Partner& a, const Partner& b) {
-              const double off_a = std::abs(std::log(a.angle / options.best_angle));
-              const double off_b = std::abs(std::log(b.angle / options.best_angle));
+              const double off_a = std::abs(std::log(a.angle / options.preferred_angle));
+              const double off_b = std::abs(std::log(b.angle / options.preferred_angle));
               return off_a < off_b || (off_a == off_b && a.photo < b.photo);
             });
   return result;
@@ -100,8 +100,8 @@ std::vector<std::size_t> choose_partners(const std::vector<Partner>& partners, s
 }  // namespace
 
 void StereoPairOptions::check() const {
-  if (!(least_angle > 0.0 && least_angle <= best_angle && best_angle <= largest_angle &&
-        largest_angle < 0.5 * kPi)) {
+  if (!(min_angle > 0.0 && min_angle <= preferred_angle && preferred_angle <= max_angle &&
+        max_angle < 0.5 * kPi)) {
     throw InputError("angles between photos must be 0 < least <= best <= largest < 90 degrees");
   }
   if (partners < 1) {
@@ -109,9 +109,9 @@ void StereoPairOptions::check() const {
   }
 }
 
-std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
-                                     const std::vector<std::size_t>& excluded,
-                                     const StereoPairOptions& options) {
+std::vector<StereoPair> choose_stereo_pairs(const PhotoModel& model, const PhotoRegion& region,
+                                            const std::vector<std::size_t>& excluded,
+                                            const StereoPairOptions& options) {
   options.check();
   const std::vector<std::size_t> usable = usable_photos(model, region, excluded);
   std::set<std::pair<std::size_t, std::size_t>> chosen;
@@ -123,7 +123,7 @@ std::vector<StereoPair> stereo_pairs(const PhotoModel& model, const PhotoRegion&
       chosen.insert(std::minmax(i, j));
     }
   }
-  if (chosen.size() < options.fewest_pairs) {
+  if (chosen.size() < options.min_pairs) {
     refuse_few_pairs(chosen.size(), usable.size(), nearest);
   }
   std::vector<StereoPair> pairs;

@@ -15,14 +15,14 @@ constexpr double kTouching = 1e-6;
 
 }  // namespace
 
-std::vector<Component> connected_components(const TriangleMesh& mesh) {
+std::vector<SurfaceComponent> connected_components(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> number_of = triangle_components(mesh);
   std::vector<std::vector<TriangleMesh::Triangle>> groups;
   for (std::size_t t = 0; t < number_of.size(); ++t) {
     if (number_of[t] >= groups.size()) groups.resize(number_of[t] + 1);
     groups[number_of[t]].push_back(mesh.triangles[t]);
   }
-  std::vector<Component> components;
+  std::vector<SurfaceComponent> components;
   if (groups.size() == 1) {
     components.push_back({mesh, surface_area(mesh)});
     return components;
@@ -31,7 +31,7 @@ std::vector<Component> connected_components(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> new_index(mesh.vertices.size());
   std::vector<std::size_t> stamp(mesh.vertices.size(), groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    Component component;
+    SurfaceComponent component;
     std::vector<std::uint32_t> used;
     for (const TriangleMesh::Triangle& t : groups[g]) {
       for (const std::uint32_t v : t) {
@@ -51,8 +51,9 @@ std::vector<Component> connected_components(const TriangleMesh& mesh) {
     component.area = surface_area(component.mesh);
     components.push_back(std::move(component));
   }
-  std::stable_sort(components.begin(), components.end(),
-                   [](const Component& a, const Component& b) { return a.area > b.area; });
+  std::stable_sort(
+      components.begin(), components.end(),
+      [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.area > b.area; });
   return components;
 }
 

@@ -7,13 +7,13 @@
 
 namespace clast::reconstruct_detail {
 
-struct Component {
+struct SurfaceComponent {
   TriangleMesh mesh;
   double area = 0.0;
 };
 
 /// Returns the edge-connected components without unused vertices, that of largest area first.
-std::vector<Component> connected_components(const TriangleMesh& mesh);
+std::vector<SurfaceComponent> connected_components(const TriangleMesh& mesh);
 
 /// True if the closed surface encloses `point`, as given by the winding number. The surface may
 /// have either orientation. The point must not lie on it.

@@ -32,10 +32,10 @@ class CrossingRepair {
   CrossingRepair(TriangleMesh mesh, const Vec3& origin)
       : mesh_(std::move(mesh)), origin_(origin), volume_(std::abs(signed_volume(mesh_))) {}
 
-  std::optional<CrossingFreeSurface> free_surface() {
-    if (auto free = by_parting()) return CrossingFreeSurface{std::move(*free), {}};
-    if (auto free = by_smoothing()) return CrossingFreeSurface{std::move(*free), {}};
-    if (auto free = by_cutting()) return CrossingFreeSurface{std::move(*free), {}};
+  std::optional<IntersectionFreeSurface> free_surface() {
+    if (auto free = by_parting()) return IntersectionFreeSurface{std::move(*free), {}};
+    if (auto free = by_smoothing()) return IntersectionFreeSurface{std::move(*free), {}};
+    if (auto free = by_cutting()) return IntersectionFreeSurface{std::move(*free), {}};
     return by_wrapping();
   }
 
@@ -62,13 +62,13 @@ class CrossingRepair {
     if (inward) flip_orientation(mesh_);
     separate_touching_vertices(mesh_, kPartedBy * bounds(mesh_).diagonal());
     if (inward) flip_orientation(mesh_);
-    return if_sound(mesh_, kCrossingVolume);
+    return if_sound(mesh_, kMaxIntersectionVolumeChange);
   }
 
   std::optional<TriangleMesh> by_smoothing() const {
     TriangleMesh trial = mesh_;
-    if (!remove_crossings(trial)) return std::nullopt;
-    return if_sound(std::move(trial), kCrossingVolume);
+    if (!replace_intersecting_triangles(trial)) return std::nullopt;
+    return if_sound(std::move(trial), kMaxIntersectionVolumeChange);
   }
 
   /// Cuts the crossing triangles out with more and more rings around them, and fills anew.
@@ -95,15 +95,15 @@ class CrossingRepair {
       if (trial.triangles.empty()) return std::nullopt;
       trial = std::move(connected_components(trial).front().mesh);
       split_non_manifold_vertices(trial);
-      fill_with_fans(trial, kFanEdges);
+      fill_holes_with_fans(trial, kMaxFanEdges);
       if (inspect_mesh(trial).boundary_edges > 0) fill_holes(trial);
       if (!inspect_mesh(trial).is_closed()) return std::nullopt;
-      if (auto sound = if_sound(trial, kCrossingVolume)) return sound;
+      if (auto sound = if_sound(trial, kMaxIntersectionVolumeChange)) return sound;
     }
     return std::nullopt;
   }
 
-  std::optional<CrossingFreeSurface> by_wrapping() const {
+  std::optional<IntersectionFreeSurface> by_wrapping() const {
     const TriangleMesh coarse = wrap_surface(mesh_, kCoarseWrap);
     const double coarse_ratio = std::abs(signed_volume(coarse)) / volume_;
     if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
@@ -113,9 +113,9 @@ class CrossingRepair {
     const Bounds box = bounds(*sound);
     const Vec3 middle = 0.5 * (box.low + box.high);
     for (Vec3& v : sound->vertices) v = middle + (v - middle) / std::cbrt(ratio);
-    sound = if_sound(std::move(*sound), kCrossingVolume);
+    sound = if_sound(std::move(*sound), kMaxIntersectionVolumeChange);
     if (!sound) return std::nullopt;
-    return CrossingFreeSurface{std::move(*sound), ratio - 1.0};
+    return IntersectionFreeSurface{std::move(*sound), ratio - 1.0};
   }
 
   TriangleMesh mesh_;
@@ -133,7 +133,8 @@ TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin) {
   return mesh;
 }
 
-std::optional<CrossingFreeSurface> repair_crossings(const TriangleMesh& mesh, const Vec3& origin) {
+std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh,
+                                                                 const Vec3& origin) {
   return CrossingRepair(mesh, origin).free_surface();
 }
 

@@ -8,17 +8,17 @@
 namespace clast::reconstruct_detail {
 
 /// Maximum relative volume change of a self-intersection repair.
-inline constexpr double kCrossingVolume = 0.02;
+inline constexpr double kMaxIntersectionVolumeChange = 0.02;
 
 /// Rounds vertices relative to a local `origin` such that `origin` can be added without rounding
 /// errors. Later rounding could cause new intersections.
 TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin);
 
-/// Surface without self-intersections.
-struct CrossingFreeSurface {
+/// Repaired surface without self-intersections.
+struct IntersectionFreeSurface {
   TriangleMesh mesh;
   /// Relative excess volume of a wrap before it was scaled. Set if wrapping was necessary.
-  std::optional<double> wrap_bias;
+  std::optional<double> relative_wrap_excess;
 };
 
 /// Repairs self-intersections. Touching sheets are separated by a small distance. If intersections
@@ -27,7 +27,8 @@ struct CrossingFreeSurface {
 /// @param mesh  closed, oriented 2-manifold of one component, already `snapped_to_grid`
 /// @param origin  origin of the vertex coordinates; the result is snapped to the same grid
 /// @return closed, oriented surface of one component without self-intersections; empty if no method
-/// succeeds within `kCrossingVolume`
-std::optional<CrossingFreeSurface> repair_crossings(const TriangleMesh& mesh, const Vec3& origin);
+/// succeeds within `kMaxIntersectionVolumeChange`
+std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh,
+                                                                 const Vec3& origin);
 
 }  // namespace clast::reconstruct_detail

@@ -213,7 +213,7 @@ FilledHole measure_hole(const std::vector<Vec3>& border) {
   return hole;
 }
 
-std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges) {
+std::vector<FilledHole> fill_holes_with_fans(TriangleMesh& mesh, std::size_t max_edges) {
   std::vector<FilledHole> filled;
   std::vector<std::vector<std::uint32_t>> loops = boundary_loops(mesh);
   std::erase_if(loops,
@@ -228,7 +228,7 @@ std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges
       bool crosses = false;
       for (std::size_t k = 2; k + 1 < loop.size(); ++k) {
         const std::uint32_t other = loop[(apex + k) % loop.size()];
-        crosses |= edges.contains(edge_key(loop[apex], other));
+        crosses |= edges.contains(make_edge_key(loop[apex], other));
       }
       std::vector<Triangle> candidate = fan(loop, apex);
       const double area = area_of(mesh, candidate);
@@ -238,7 +238,7 @@ std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges
     }
     if (best.empty()) continue;
     for (const Triangle& t : best) {
-      for (std::size_t k = 0; k < 3; ++k) edges.insert(edge_key(t[k], t[(k + 1) % 3]));
+      for (std::size_t k = 0; k < 3; ++k) edges.insert(make_edge_key(t[k], t[(k + 1) % 3]));
     }
     mesh.triangles.insert(mesh.triangles.end(), best.begin(), best.end());
     std::vector<Vec3> border;
@@ -252,7 +252,7 @@ std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges
 
 std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool fill_unobserved_sides) {
   const double area = surface_area(mesh);
-  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal_mesh(mesh);
   std::vector<Halfedge> starts;
   Processing::extract_boundary_cycles(work, std::back_inserter(starts));
   std::vector<FilledHole> filled;
@@ -273,7 +273,7 @@ std::vector<FilledHole> fill_holes(TriangleMesh& mesh, bool fill_unobserved_side
     }
     if (hole.area > 0.0) filled.push_back(hole);
   }
-  mesh = mesh_detail::from_cgal(work);
+  mesh = mesh_detail::from_cgal_mesh(work);
   return filled;
 }
 

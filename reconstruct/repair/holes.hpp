@@ -9,7 +9,7 @@
 namespace clast::reconstruct_detail {
 
 /// Maximum number of edges of holes that are closed by a fan. A fan is exact for planar holes.
-inline constexpr std::size_t kFanEdges = 4;
+inline constexpr std::size_t kMaxFanEdges = 4;
 
 FilledHole measure_hole(const std::vector<Vec3>& border);
 
@@ -22,7 +22,7 @@ bool is_unobserved_side(const std::vector<Vec3>& border, double seen_area);
 
 /// Closes holes of at most `max_edges` border edges by a fan without new vertices. It is the fan of
 /// minimum area that duplicates no edge. The area fractions of the result are 0.
-std::vector<FilledHole> fill_with_fans(TriangleMesh& mesh, std::size_t max_edges);
+std::vector<FilledHole> fill_holes_with_fans(TriangleMesh& mesh, std::size_t max_edges);
 
 /// Fills all holes by a triangulation of minimum bending and area. It is refined to the surrounding
 /// density, and faired to continue smoothly at the border. If there is no triangulation, a star

@@ -61,7 +61,7 @@ std::vector<FilledHole> retriangulate_missing_faces(TriangleMesh& mesh) {
     std::vector<Vec3> border, normals;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       border.push_back(mesh.vertices[loop[i]]);
-      normals.push_back(beyond.at(edge_key(loop[i], loop[(i + 1) % loop.size()])));
+      normals.push_back(beyond.at(make_edge_key(loop[i], loop[(i + 1) % loop.size()])));
     }
     const std::optional<LoopFilling> filling = triangulate_loop(mesh, loop, normals, edges);
     if (!filling) continue;
@@ -70,7 +70,7 @@ std::vector<FilledHole> retriangulate_missing_faces(TriangleMesh& mesh) {
     const double side = hole.perimeter / static_cast<double>(loop.size());
     if (width > kMaxMissingFaceWidth * side) continue;
     for (const TriangleMesh::Triangle& t : filling->triangles) {
-      for (std::size_t k = 0; k < 3; ++k) edges.insert(edge_key(t[k], t[(k + 1) % 3]));
+      for (std::size_t k = 0; k < 3; ++k) edges.insert(make_edge_key(t[k], t[(k + 1) % 3]));
       mesh.triangles.push_back(t);
     }
     hole.area = filling->area;

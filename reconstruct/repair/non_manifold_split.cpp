@@ -23,7 +23,7 @@ constexpr int kCutRounds =
 /// Pairs up the half-edges of an edge: adjacent ones with rock between them, then the rest.
 std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
                                                    std::span<const HalfEdge> sides) {
-  const std::vector<Vec3> wing = triangle_directions(mesh, sides);
+  const std::vector<Vec3> wing = triangle_directions_at_edge(mesh, sides);
   const Vec3 axis = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).normalized();
   std::vector<std::pair<double, std::size_t>> around;
   for (std::size_t i = 0; i < wing.size(); ++i) {
@@ -40,13 +40,13 @@ std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
   };
   for (std::size_t k = 0; k < around.size(); ++k) {
     const std::size_t i = around[k].second, j = around[(k + 1) % around.size()].second;
-    if (!paired[i] && !paired[j] && !sides[i].forward && sides[j].forward) join(i, j);
+    if (!paired[i] && !paired[j] && !sides[i].is_forward && sides[j].is_forward) join(i, j);
   }
   for (const bool alike : {false, true}) {  // what is left, better those that agree
     for (std::size_t i = 0; i < sides.size(); ++i) {
       for (std::size_t j = i + 1; j < sides.size(); ++j) {
         if (paired[i] || paired[j]) continue;
-        if ((sides[i].forward == sides[j].forward) == alike) join(i, j);
+        if ((sides[i].is_forward == sides[j].is_forward) == alike) join(i, j);
       }
     }
   }
@@ -54,7 +54,7 @@ std::vector<std::array<std::size_t, 2>> rock_pairs(const TriangleMesh& mesh,
 }
 
 /// Triangles that lie on one another meet anew at every edge that is cut: they are dropped.
-void drop_touching(TriangleMesh& mesh, SplitEdges& touching) {
+void drop_touching(TriangleMesh& mesh, EdgeSplitResult& touching) {
   std::vector<bool> drop(mesh.triangles.size(), false);
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (sides.size() < 3) return;
@@ -62,9 +62,9 @@ void drop_touching(TriangleMesh& mesh, SplitEdges& touching) {
   });
   std::vector<std::uint32_t> source;
   for (std::size_t t = 0; t < drop.size(); ++t) {
-    if (!drop[t]) source.push_back(touching.source[t]);
+    if (!drop[t]) source.push_back(touching.original_triangle[t]);
   }
-  touching.source = std::move(source);
+  touching.original_triangle = std::move(source);
   touching.split.area = remove_triangles(mesh, drop).area;
 }
 
@@ -114,7 +114,7 @@ bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source
     std::vector<std::size_t> partner(sides.size());
     std::iota(partner.begin(), partner.end(), std::size_t{0});
     for (const auto& [i, j] : rock_pairs(mesh, sides)) {
-      if (sides[i].forward != sides[j].forward) partner[std::max(i, j)] = std::min(i, j);
+      if (sides[i].is_forward != sides[j].is_forward) partner[std::max(i, j)] = std::min(i, j);
     }
     const Vec3 position = 0.5 * (mesh.vertices[sides[0].low] + mesh.vertices[sides[0].high]);
     std::vector<std::uint32_t> middle(sides.size());
@@ -135,7 +135,8 @@ bool halve_touching_edges(TriangleMesh& mesh, std::vector<std::uint32_t>& source
 
 }  // namespace
 
-std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const HalfEdge> sides) {
+std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh,
+                                              std::span<const HalfEdge> sides) {
   const Vec3 start = mesh.vertices[sides[0].low];
   const Vec3 along = (mesh.vertices[sides[0].high] - start).normalized();
   std::vector<Vec3> result;
@@ -147,10 +148,10 @@ std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const 
   return result;
 }
 
-SplitEdges split_non_manifold_edges(TriangleMesh& mesh) {
-  SplitEdges result;
-  result.source.resize(mesh.triangles.size());
-  std::iota(result.source.begin(), result.source.end(), 0u);
+EdgeSplitResult split_non_manifold_edges(TriangleMesh& mesh) {
+  EdgeSplitResult result;
+  result.original_triangle.resize(mesh.triangles.size());
+  std::iota(result.original_triangle.begin(), result.original_triangle.end(), 0u);
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   DisjointSets corners(3 * mesh.triangles.size());
   const auto join = [&](const HalfEdge& a, const HalfEdge& b) {
@@ -168,7 +169,7 @@ SplitEdges split_non_manifold_edges(TriangleMesh& mesh) {
   for (std::uint32_t c = 0; c < group.size(); ++c) group[c] = corners.find(c);
   split_by_groups(mesh, group);
   for (int round = 0; round < kCutRounds; ++round) {
-    if (!halve_touching_edges(mesh, result.source)) return result;
+    if (!halve_touching_edges(mesh, result.original_triangle)) return result;
   }
   drop_touching(mesh, result);
   return result;

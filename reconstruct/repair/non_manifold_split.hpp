@@ -11,13 +11,14 @@ namespace clast::reconstruct_detail {
 
 /// Returns the directions from an edge into its triangles, perpendicular to the edge.
 /// @param sides  half-edges of one edge, not empty
-std::vector<Vec3> triangle_directions(const TriangleMesh& mesh, std::span<const HalfEdge> sides);
+std::vector<Vec3> triangle_directions_at_edge(const TriangleMesh& mesh,
+                                              std::span<const HalfEdge> sides);
 
 /// Result of splitting non-manifold edges.
-struct SplitEdges {
+struct EdgeSplitResult {
   RepairChange split;  ///< number of split edges
-  /// Index of the original triangle, one per triangle.
-  std::vector<std::uint32_t> source;
+  /// Index of the triangle before splitting, one per triangle.
+  std::vector<std::uint32_t> original_triangle;
 };
 
 /// Splits non-manifold edges into manifold edges without moving vertices. Touching sheets are
@@ -25,7 +26,7 @@ struct SplitEdges {
 /// both ends of an edge, each pair gets a vertex at its midpoint, which keeps closed surfaces
 /// closed. Overlapping triangles cannot be separated and are removed.
 /// @pre the mesh is oriented as far as possible
-SplitEdges split_non_manifold_edges(TriangleMesh& mesh);
+EdgeSplitResult split_non_manifold_edges(TriangleMesh& mesh);
 
 /// Splits non-manifold vertices into one per fan of triangles. Returns the number of splits.
 RepairChange split_non_manifold_vertices(TriangleMesh& mesh);

@@ -26,10 +26,10 @@ namespace clast {
 
 namespace {
 
-using reconstruct_detail::Component;
 using reconstruct_detail::RepairChange;
 using reconstruct_detail::RepairLog;
 using reconstruct_detail::SpikeSummary;
+using reconstruct_detail::SurfaceComponent;
 
 /// Welds tried on an open surface, as multiples of the tolerance, while each halves its borders.
 constexpr double kWelds[] = {1.0, 10.0, 100.0};
@@ -89,16 +89,16 @@ TriangleMesh weld_as_needed(const TriangleMesh& raw, double weld_tolerance, Repa
 void repair_soup(TriangleMesh& mesh, bool fill_missing, RepairLog& log) {
   reconstruct_detail::SoupRepairResult repair;
   if (fill_missing) {
-    repair = reconstruct_detail::repair_soup(mesh, reconstruct_detail::kFinArea);
+    repair = reconstruct_detail::repair_soup(mesh, reconstruct_detail::kMaxFinAreaFraction);
   } else {
-    repair.folded = reconstruct_detail::remove_opposite_pairs(mesh);
+    repair.removed_pairs = reconstruct_detail::remove_opposite_pairs(mesh);
     repair.orientation = reconstruct_detail::orient_consistently(mesh);
   }
   reconstruct_detail::check_not_empty(mesh);
   reconstruct_detail::check_orientable(mesh, repair.orientation, log);
-  log.add_defect(DefectKind::kFoldedPair, repair.folded);
-  log.add_defect(DefectKind::kFin, repair.fins);
-  log.add_defect(DefectKind::kNonManifoldEdge, repair.touching);
+  log.add_defect(DefectKind::kFoldedPair, repair.removed_pairs);
+  log.add_defect(DefectKind::kFin, repair.removed_fins);
+  log.add_defect(DefectKind::kNonManifoldEdge, repair.split_edges);
   std::size_t turned = repair.orientation.flipped;
   if (fill_missing) {
     turned += reconstruct_detail::orient_vertex_attached_fragments(mesh);
@@ -106,7 +106,7 @@ void repair_soup(TriangleMesh& mesh, bool fill_missing, RepairLog& log) {
   }
   if (turned > 0) {
     log.add_defect(DefectKind::kInconsistentOrientation, turned, 0.0,
-                   mesh.vertices[repair.orientation.first]);
+                   mesh.vertices[repair.orientation.first_flipped_vertex]);
   }
 }
 
@@ -114,7 +114,7 @@ void fill_remaining_holes(TriangleMesh& mesh, const TriangleMesh& welded_mesh,
                           const RepairOptions& options, RepairLog& log) {
   std::vector<FilledHole>& holes = log.report.holes;
   for (const FilledHole& hole :
-       reconstruct_detail::fill_with_fans(mesh, reconstruct_detail::kFanEdges)) {
+       reconstruct_detail::fill_holes_with_fans(mesh, reconstruct_detail::kMaxFanEdges)) {
     holes.push_back(hole);
   }
   if (options.fill_missing && inspect_mesh(mesh).boundary_edges > 0) {
@@ -126,7 +126,7 @@ void fill_remaining_holes(TriangleMesh& mesh, const TriangleMesh& welded_mesh,
     log.report.filled_fraction += hole.area_fraction;
     log.report.volume_below += hole.volume_below;
     log.report.volume_above += hole.volume_above;
-    reconstruct_detail::check_hole(hole, options.largest_hole, welded_mesh, log);
+    reconstruct_detail::check_hole_size(hole, options.max_hole_fraction, welded_mesh, log);
   }
   std::stable_sort(holes.begin(), holes.end(),
                    [](const FilledHole& a, const FilledHole& b) { return a.area > b.area; });
@@ -139,18 +139,19 @@ void replace_crossings(TriangleMesh& mesh, const Vec3& origin, RepairLog& log) {
   const auto crossings = find_self_intersections(mesh);
   if (crossings.empty()) return;
   const Vec3 where = mesh.vertices[mesh.triangles[crossings[0][0]][0]];
-  std::optional<reconstruct_detail::CrossingFreeSurface> freed =
-      reconstruct_detail::repair_crossings(mesh, origin);
+  std::optional<reconstruct_detail::IntersectionFreeSurface> freed =
+      reconstruct_detail::repair_self_intersections(mesh, origin);
   if (!freed) {
-    throw GeometryError("the surface passes through itself at " + std::to_string(crossings.size()) +
-                        " pairs of triangles, the first near " + log.format_position(where) +
-                        ", and these can't be removed without changing its volume by more than " +
-                        format_significant(100.0 * reconstruct_detail::kCrossingVolume, 2) + " %" +
-                        reconstruct_detail::kRepairAdvice);
+    throw GeometryError(
+        "the surface passes through itself at " + std::to_string(crossings.size()) +
+        " pairs of triangles, the first near " + log.format_position(where) +
+        ", and these can't be removed without changing its volume by more than " +
+        format_significant(100.0 * reconstruct_detail::kMaxIntersectionVolumeChange, 2) + " %" +
+        reconstruct_detail::kRepairAdvice);
   }
   log.report.crossing_volume_change =
       std::abs(signed_volume(freed->mesh)) / std::abs(signed_volume(mesh)) - 1.0;
-  log.report.wrap_bias = freed->wrap_bias;
+  log.report.relative_wrap_excess = freed->relative_wrap_excess;
   log.add_defect(DefectKind::kSelfIntersection, crossings.size(), 0.0, where);
   mesh = std::move(freed->mesh);
 }
@@ -166,9 +167,9 @@ void repair_block(TriangleMesh& mesh, const TriangleMesh& welded_mesh, const Vec
   const SpikeSummary second =
       options.fill_missing ? reconstruct_detail::flatten_spikes(mesh) : SpikeSummary{};
   log.add_defect(DefectKind::kNonManifoldVertex, split);
-  const SpikeSummary& highest = first.highest > second.highest ? first : second;
+  const SpikeSummary& highest = first.max_height > second.max_height ? first : second;
   log.add_defect(DefectKind::kSpike, first.count + second.count, 0.0, highest.position,
-                 highest.highest);
+                 highest.max_height);
   reconstruct_detail::check_volume(mesh);
   if (options.fill_missing) replace_crossings(mesh, origin, log);
 }
@@ -193,8 +194,8 @@ void RepairOptions::check() const {
     throw InputError("weld_tolerance = " + format_significant(weld_tolerance, 6) +
                      ": must be a fraction of the diagonal, between 0 and 0.01");
   }
-  if (!(largest_hole > 0.0 && largest_hole < 1.0)) {
-    throw InputError("largest_hole = " + format_significant(largest_hole, 6) +
+  if (!(max_hole_fraction > 0.0 && max_hole_fraction < 1.0)) {
+    throw InputError("largest_hole = " + format_significant(max_hole_fraction, 6) +
                      ": must be a fraction of the surface, between 0 and 1");
   }
 }
@@ -205,11 +206,11 @@ RepairedMesh repair_mesh(const TriangleMesh& dirty, const RepairOptions& options
   const Vec3 origin = local_origin(bounds(dirty));
   TriangleMesh local = dirty;
   for (Vec3& v : local.vertices) v -= origin;
-  RepairLog log(origin, options.reported_place);
+  RepairLog log(origin, options.to_reported_position);
   const TriangleMesh welded_mesh = weld_as_needed(local, options.weld_tolerance, log);
   TriangleMesh mesh = welded_mesh;
   repair_soup(mesh, options.fill_missing, log);
-  std::vector<Component> components = reconstruct_detail::connected_components(mesh);
+  std::vector<SurfaceComponent> components = reconstruct_detail::connected_components(mesh);
   reconstruct_detail::move_best_copy_first(components);
   mesh = std::move(components.front().mesh);
   reconstruct_detail::check_extent(mesh);

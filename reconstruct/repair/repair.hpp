@@ -16,23 +16,24 @@ struct RepairOptions {
   /// Fills missing surface. If false, holes of more than four edges and non-manifold edges are
   /// errors, and spikes and self-intersections are kept, as for cores with exact vertices.
   bool fill_missing = true;
-  double largest_hole = 0.4;  ///< maximum area of a filling as a fraction of the repaired surface
+  double max_hole_fraction =
+      0.4;  ///< maximum area of a filling as a fraction of the repaired surface
   /// Converts positions for messages and report, for example to file coordinates. If empty,
   /// positions are unchanged.
-  std::function<Vec3(const Vec3&)> reported_place = {};
+  std::function<Vec3(const Vec3&)> to_reported_position = {};
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
 template <class Visit>
 void visit_fields(const RepairOptions& options, Visit&& visit) {
-  const auto& [weld_tolerance, keep_inner_shells, fill_missing, largest_hole, reported_place] =
-      options;
+  const auto& [weld_tolerance, keep_inner_shells, fill_missing, max_hole_fraction,
+               to_reported_position] = options;
   visit("weld_tolerance", weld_tolerance);
   visit("keep_inner_shells", keep_inner_shells);
   visit("invent", fill_missing);
-  visit("largest_hole", largest_hole);
-  visit("reported_place", ExcludedField{reported_place});
+  visit("largest_hole", max_hole_fraction);
+  visit("reported_place", ExcludedField{to_reported_position});
 }
 
 /// Maximum coordinate, m. Larger values are regarded as damaged data.

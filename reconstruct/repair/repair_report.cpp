@@ -35,12 +35,13 @@ class Sentences {
       }
     }
     for (const DuplicateSurface& copy : report_.duplicates) notes.push_back(of(copy));
-    if (report_.wrap_bias) {
+    if (report_.relative_wrap_excess) {
       notes.push_back(
           "the self-intersections of the surface could not be removed, so it was wrapped anew: "
           "hollows narrower "
           "than a sixtieth of its diagonal are bridged, and the " +
-          in_percent(*report_.wrap_bias) + " of volume that this added is removed by scaling");
+          in_percent(*report_.relative_wrap_excess) +
+          " of volume that this added is removed by scaling");
     }
     return notes;
   }
@@ -71,13 +72,13 @@ class Sentences {
       case RetentionReason::kClosed:
         text += "The kept copy is closed";
         break;
-      case RetentionReason::kWhole:
+      case RetentionReason::kMoreComplete:
         text += "The kept copy covers the whole block";
         break;
       case RetentionReason::kFiner:
         text += "The kept copy has more triangles";
         break;
-      case RetentionReason::kSize:
+      case RetentionReason::kLarger:
         text += "Neither copy is more complete or finer, so the larger one was kept";
         break;
     }
@@ -98,13 +99,13 @@ class Sentences {
                format_significant(d.size, 4) + " m";
       case DefectKind::kDegenerate:
         return format_count(d.count, "triangle", "triangles") +
-               " without area or stored twice removed";
+               " without area or stored twice, removed";
       case DefectKind::kFoldedPair:
         return format_count(d.count, "triangle", "triangles") +
-               " back to back with another removed" + worth_of(d);
+               " back to back with another, removed" + worth_of(d);
       case DefectKind::kFin:
         return format_count(d.count, "triangle that stands", "triangles that stand") +
-               " on the surface or double it removed" + worth_of(d) + ", the first" + near(d);
+               " on the surface or duplicate it, removed" + worth_of(d) + ", the first" + near(d);
       case DefectKind::kNonManifoldEdge:
         return format_count(d.count, "edge", "edges") +
                " shared by more than two triangles separated, the first" + near(d);
@@ -125,7 +126,7 @@ class Sentences {
                (report_.inner_shells_retained ? "kept as cavities" : "dropped");
       case DefectKind::kSpike:
         return format_count(d.count, "spike", "spikes") + " of up to " + metres(d.size) +
-               " put back into the surface, the highest" + near(d);
+               " moved back to the surface, the highest" + near(d);
       case DefectKind::kSelfIntersection:
         return format_count(d.count, "pair", "pairs") +
                " of triangles that touched or passed through each other separated or replaced" +
@@ -135,7 +136,7 @@ class Sentences {
       case DefectKind::kTunnel:
         return format_count(d.count, "tunnel passes through the block and remains",
                             "tunnels pass through the block and remain") +
-               " open; if the rock has no tunnel, fill it in the scan";
+               " open; if the rock has no tunnel, close it in the scan";
       case DefectKind::kHole:
       case DefectKind::kDuplicateShell:
         break;
@@ -162,8 +163,8 @@ class Sentences {
       notes.push_back(
           format_count(fans, "hole", "holes") + " with " +
           format_count(fan_edges, "border edge", "border edges") + " in all closed by " +
-          (largest_fan <= reconstruct_detail::kFanEdges ? "a fan"
-                                                        : "triangles between their corners"));
+          (largest_fan <= reconstruct_detail::kMaxFanEdges ? "a fan"
+                                                           : "triangles between their corners"));
     }
     if (largest != nullptr) {
       notes.push_back(format_count(fillings, "hole", "holes") + " filled; the largest has " +
@@ -180,10 +181,10 @@ class Sentences {
       }
       notes.push_back(
           format_significant(100.0 * report_.filled_fraction, 2) + " %" +
-          " of the surface is filling without data: no scan shows the surface at the holes" + open);
+          " of the surface was filled without data: no scan shows the surface at the holes" + open);
     }
     for (const FilledHole& hole : report_.holes) {
-      if (hole.area_fraction <= kLargeHole) continue;
+      if (hole.area_fraction <= kLargeHoleFraction) continue;
       notes.push_back(
           "the filling at " + format_point(hole.centre) + " is " + in_percent(hole.area_fraction) +
           " of the surface; it is an assumption on which volume and axes depend: scan that side, "
@@ -243,7 +244,7 @@ const char* name_of(DefectKind kind) {
     case DefectKind::kFoldedPair:
       return "triangles back to back with another, removed";
     case DefectKind::kFin:
-      return "triangles that stand on the surface or double it, removed";
+      return "triangles attached to the surface or duplicating it, removed";
     case DefectKind::kNonManifoldEdge:
       return "edges of more than two triangles, separated";
     case DefectKind::kInconsistentOrientation:
@@ -259,7 +260,7 @@ const char* name_of(DefectKind kind) {
     case DefectKind::kInnerShell:
       return "closed shells inside (bubbles)";
     case DefectKind::kSpike:
-      return "spikes, put back into the surface";
+      return "spikes, moved back to the surface";
     case DefectKind::kHole:
       return "holes, filled";
     case DefectKind::kSelfIntersection:

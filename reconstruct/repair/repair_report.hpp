@@ -30,7 +30,7 @@ enum class DefectKind {
 };
 
 /// Defects of one kind. Lengths are in metres. Positions are converted by
-/// `RepairOptions::reported_place`.
+/// `RepairOptions::to_reported_position`.
 struct Defect {
   DefectKind kind;
   std::size_t count = 0;       ///< number of vertices, edges, triangles, components or holes
@@ -51,12 +51,12 @@ struct FilledHole {
   double volume_below = 0.0, volume_above = 0.0;
 };
 
-/// Reason why this one of two copies was kept.
+/// Reason why one of two copies of a surface was kept.
 enum class RetentionReason {
-  kSize,    ///< it is larger; neither is more complete or finer
-  kFiner,   ///< it has more triangles
-  kWhole,   ///< the other copy covers only a part of the block
-  kClosed,  ///< the other copy is open
+  kLarger,        ///< it is larger; neither is more complete or finer
+  kFiner,         ///< it has more triangles
+  kMoreComplete,  ///< the other copy covers only a part of the block
+  kClosed,        ///< the other copy is open
 };
 
 /// Removed copy of (part of) the surface, of a block scanned or stored twice.
@@ -69,11 +69,11 @@ struct DuplicateSurface {
   double volume_change = 0.0;  ///< change of the block's volume if this copy were kept instead, m^3
   double retained_volume =
       0.0;  ///< volume of the block with the retained copy, m^3; 0 if that is open
-  RetentionReason retention_reason = RetentionReason::kSize;
+  RetentionReason retention_reason = RetentionReason::kLarger;
 };
 
-/// Fraction of the repaired surface above which a hole is reported separately, as uncertain.
-constexpr double kLargeHole = 0.1;
+/// Area fraction of the repaired surface above which a hole is reported separately.
+constexpr double kLargeHoleFraction = 0.1;
 
 struct RepairReport {
   MeshReport as_read;                        ///< surface after welding, before other repairs
@@ -89,7 +89,7 @@ struct RepairReport {
   /// Relative volume change due to the repair of self-intersections.
   double crossing_volume_change = 0.0;
   /// Relative excess volume of a wrap before it was scaled. Set if wrapping was necessary.
-  std::optional<double> wrap_bias;
+  std::optional<double> relative_wrap_excess;
 
   const Defect* find_defect(DefectKind kind) const;  ///< null if there is none of that kind
 };

@@ -45,7 +45,7 @@ RepairChange drop_disagreeing(TriangleMesh& mesh) {
   std::vector<bool> drop(mesh.triangles.size(), false);
   RepairChange result;
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
-    if (sides.size() != 2 || sides[0].forward != sides[1].forward) return;
+    if (sides.size() != 2 || sides[0].is_forward != sides[1].is_forward) return;
     if (result.count++ == 0) result.position = mesh.vertices[sides[0].low];
     for (const HalfEdge& side : sides) drop[side.triangle] = true;
   });
@@ -63,7 +63,7 @@ struct FinVotes {
 };
 
 /// Votes out all but the smoothest pair at each non-manifold edge.
-FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
+FinVotes fin_votes(const TriangleMesh& mesh, double max_fin_fraction) {
   const std::vector<HalfEdge> sorted = sorted_half_edges(mesh);
   FinVotes votes{manifold_components(triangle_neighbours(mesh, sorted)), {}, {}};
   const std::vector<std::uint32_t>& patch = votes.patch;
@@ -77,7 +77,8 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
     if (sides.size() < 3) return;
     const double length = (mesh.vertices[sides[0].high] - mesh.vertices[sides[0].low]).norm();
-    const std::array<std::size_t, 2> stay = smoothest_pair(triangle_directions(mesh, sides));
+    const std::array<std::size_t, 2> stay =
+        smoothest_pair(triangle_directions_at_edge(mesh, sides));
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const std::uint32_t here = patch[sides[i].triangle];
       bordered[here] += length;
@@ -87,7 +88,7 @@ FinVotes fin_votes(const TriangleMesh& mesh, double largest_share) {
     }
   });
   for (const auto& [here, stay] : votes.kept_by) {
-    if (2.0 * voted[here] >= bordered[here] && area[here] < largest_share * whole) {
+    if (2.0 * voted[here] >= bordered[here] && area[here] < max_fin_fraction * whole) {
       votes.candidates.push_back(here);
     }
   }
@@ -136,9 +137,9 @@ RepairChange remove_opposite_pairs(TriangleMesh& mesh) {
   std::vector<DuplicateTriangle> pairs;
   for (const DuplicateTriangle& copy :
        find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
-    if (second[copy.before]) continue;  // is in a pair already
+    if (second[copy.first]) continue;  // is in a pair already
     pairs.push_back(copy);
-    second[copy.again] = true;
+    second[copy.duplicate] = true;
   }
   if (pairs.empty()) return {};
   // Sides of a triangle over which the surface goes on to just one other, pairs counted once.
@@ -157,10 +158,10 @@ RepairChange remove_opposite_pairs(TriangleMesh& mesh) {
   return remove_triangles(mesh, drop);
 }
 
-RepairChange remove_fins(TriangleMesh& mesh, double largest_share) {
+RepairChange remove_fins(TriangleMesh& mesh, double max_fin_fraction) {
   RepairChange result;
   for (int round = 0; round < kFinRounds; ++round) {
-    const RepairChange now = drop_voted_out(mesh, fin_votes(mesh, largest_share));
+    const RepairChange now = drop_voted_out(mesh, fin_votes(mesh, max_fin_fraction));
     if (now.count == 0) break;
     if (result.count == 0) result.position = now.position;
     result.count += now.count;
@@ -191,7 +192,7 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
   const ConsistentOrientation facing = find_consistent_orientation(mesh, triangle_neighbours(mesh));
   OrientationResult result;
   result.orientable = !facing.conflict_vertex;
-  result.conflict = facing.conflict_vertex.value_or(0);
+  result.conflict_vertex = facing.conflict_vertex.value_or(0);
   for (const std::vector<std::uint32_t>& component : facing.components) {
     const auto against = std::count_if(component.begin(), component.end(),
                                        [&](std::uint32_t t) { return facing.is_flipped[t]; });
@@ -199,7 +200,7 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
     for (const std::uint32_t t : component) {
       if (facing.is_flipped[t] == most) continue;
       std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-      if (result.flipped++ == 0) result.first = mesh.triangles[t][0];
+      if (result.flipped++ == 0) result.first_flipped_vertex = mesh.triangles[t][0];
     }
   }
   return result;
@@ -207,31 +208,32 @@ OrientationResult orient_consistently(TriangleMesh& mesh) {
 
 SoupRepairResult repair_soup(TriangleMesh& mesh, double max_fin_fraction) {
   SoupRepairResult repair;
-  repair.folded = remove_opposite_pairs(mesh);
+  repair.removed_pairs = remove_opposite_pairs(mesh);
   if (mesh.triangles.empty()) return repair;
-  if (inspect_mesh(mesh).non_manifold_edges > 0) repair.fins = remove_fins(mesh, max_fin_fraction);
-  if (repair.fins.count > 0) {
+  if (inspect_mesh(mesh).non_manifold_edges > 0)
+    repair.removed_fins = remove_fins(mesh, max_fin_fraction);
+  if (repair.removed_fins.count > 0) {
     const RepairChange more = remove_border_fins(mesh);
-    repair.fins.count += more.count;
-    repair.fins.area += more.area;
+    repair.removed_fins.count += more.count;
+    repair.removed_fins.area += more.area;
   }
   const TriangleMesh as_faced = mesh;
   repair.orientation = orient_consistently(mesh);
   if (!repair.orientation.orientable) {
     // Two sheets that touched may leave two triangles that were never adjacent.
     mesh = as_faced;
-    repair.touching = drop_disagreeing(mesh);
+    repair.split_edges = drop_disagreeing(mesh);
     repair.orientation = orient_consistently(mesh);
   }
   if (!repair.orientation.orientable || inspect_mesh(mesh).non_manifold_edges == 0) return repair;
   const RepairChange cut = split_non_manifold_edges(mesh).split;
-  if (repair.touching.count == 0) repair.touching.position = cut.position;
-  repair.touching.count += cut.count;
-  repair.touching.area += cut.area;
+  if (repair.split_edges.count == 0) repair.split_edges.position = cut.position;
+  repair.split_edges.count += cut.count;
+  repair.split_edges.area += cut.area;
   const OrientationResult again = orient_consistently(mesh);
   repair.orientation.flipped += again.flipped;
   repair.orientation.orientable = again.orientable;
-  repair.orientation.conflict = again.conflict;
+  repair.orientation.conflict_vertex = again.conflict_vertex;
   return repair;
 }
 

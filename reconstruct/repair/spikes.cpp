@@ -203,8 +203,8 @@ SpikeSummary flatten_spikes(TriangleMesh& mesh) {
     for (const auto& [depth, v] : found) {
       const std::optional<SpikeFoot> foot = around.foot_of(v);
       if (!foot) continue;
-      if (foot->height > result.highest) {
-        result.highest = foot->height;
+      if (foot->height > result.max_height) {
+        result.max_height = foot->height;
         result.position = mesh.vertices[v];
       }
       mesh.vertices[v] = foot->position;

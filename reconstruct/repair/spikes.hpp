@@ -8,7 +8,7 @@ namespace clast::reconstruct_detail {
 
 struct SpikeSummary {
   std::size_t count = 0;
-  double highest = 0.0;  ///< largest height of a spike
+  double max_height = 0.0;  ///< largest height of a spike
   Vec3 position = Vec3::Zero();
 };
 

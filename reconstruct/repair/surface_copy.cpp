@@ -167,8 +167,8 @@ std::optional<SurfaceCopy> match_surface_copy(const TriangleMesh& component,
   return copy;
 }
 
-void move_best_copy_first(std::vector<Component>& components) {
-  const auto better = [](const Component& a, const Component& b) {
+void move_best_copy_first(std::vector<SurfaceComponent>& components) {
+  const auto better = [](const SurfaceComponent& a, const SurfaceComponent& b) {
     const bool a_closed = inspect_mesh(a.mesh).is_closed(),
                b_closed = inspect_mesh(b.mesh).is_closed();
     if (a_closed != b_closed) return a_closed;
@@ -187,7 +187,7 @@ void move_best_copy_first(std::vector<Component>& components) {
               components.begin() + static_cast<std::ptrdiff_t>(best) + 1);
 }
 
-DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped,
+DuplicateSurface describe_copy(const SurfaceCopy& copy, const SurfaceComponent& dropped,
                                const TriangleMesh& kept, const TriangleTree& tree) {
   DuplicateSurface doubled;
   doubled.closed = inspect_mesh(dropped.mesh).is_closed();
@@ -199,7 +199,7 @@ DuplicateSurface describe_copy(const SurfaceCopy& copy, const Component& dropped
   if (inspect_mesh(kept).is_closed() && !doubled.closed) {
     doubled.retention_reason = RetentionReason::kClosed;
   } else if (doubled.area_fraction < kCompleteCopy) {
-    doubled.retention_reason = RetentionReason::kWhole;
+    doubled.retention_reason = RetentionReason::kMoreComplete;
   } else if (static_cast<double>(of_kept) > kFiner * static_cast<double>(of_copy)) {
     doubled.retention_reason = RetentionReason::kFiner;
   }

@@ -78,14 +78,15 @@ bool ScannedSurface::contains(const Vec3& position) const {
   return tree_ && tree_->closest_point(position).squared_distance <= reach_ * reach_;
 }
 
-std::optional<NotedBounds> compute_closed_scan_bracket(const ClosedScan& scan,
-                                                       const RepairReport& report) {
+std::optional<VolumeBracketWithNotes> compute_closed_scan_bracket(const ClosedScan& scan,
+                                                                  const RepairReport& report) {
   const std::vector<bool> closure = mark_closures(scan);
   const bool exact = std::find(closure.begin(), closure.end(), true) == closure.end();
   if (exact && scan.uncertainty == nullptr && report.duplicates.empty()) return std::nullopt;
-  const UnobservedBounds found =
+  const UnobservedPartBounds found =
       bound_unobserved_parts(scan.surface, {closure, {}, false, scan.uncertainty});
-  NotedBounds bounds{scaled(found, scan.unit), describe_hollows(found.hollows, scan.unit)};
+  VolumeBracketWithNotes bounds{scaled(found, scan.unit),
+                                describe_hollows(found.hollows, scan.unit)};
   bounds.lower_volume =
       std::max(std::min(bounds.lower_volume, bounds.estimated_volume - report.volume_below),
                kMinVolumeLeft * bounds.estimated_volume);

@@ -16,10 +16,10 @@ namespace clast::reconstruct_detail {
 /// Scanned part of a repaired surface.
 class ScannedSurface {
  public:
-  /// Stores a mesh.
+  /// Constructs the scanned part of a mesh.
   /// @param raw  mesh as read; may have defects
   explicit ScannedSurface(const TriangleMesh& raw);
-  /// Stores points.
+  /// Constructs the scanned part of a point cloud.
   /// @param points  more than six points of a cloud, on its surface
   explicit ScannedSurface(std::span<const Vec3> points);
 
@@ -44,17 +44,17 @@ struct ClosedScan {
 };
 
 /// Volume bracket with notes on possible cavities.
-struct NotedBounds : VolumeBracket {
+struct VolumeBracketWithNotes : VolumeBracket {
   std::vector<std::string> notes;
 };
 
-/// Brackets the volume of a closed scan.
+/// Computes bounds of the volume of a closed scan.
 /// @param report  report of the repair, in metres
 /// @returns bounds in m and m^3; empty if they are so narrow that they are insignificant
-std::optional<NotedBounds> compute_closed_scan_bracket(const ClosedScan& scan,
-                                                       const RepairReport& report);
+std::optional<VolumeBracketWithNotes> compute_closed_scan_bracket(const ClosedScan& scan,
+                                                                  const RepairReport& report);
 
-/// Brackets the volume of a block with a closed underside.
+/// Computes bounds of the volume of a block with a closed underside.
 /// @param side  closed scan, in metres
 /// @param report  report of the repair, in metres; copies of the surface widen the bounds
 VolumeBracket compute_underside_bracket(const Underside& side, const RepairReport& report);

@@ -116,7 +116,7 @@ class Closing {
     });
     const double seen_area = surface_area(result_.lower_mesh);
     const double flat = rims[0].area.norm();
-    if (flat < options_.smallest_share * (seen_area + flat)) return std::nullopt;
+    if (flat < options_.min_hole_fraction * (seen_area + flat)) return std::nullopt;
     refuse_sheet(rims[0], flat / (seen_area + flat));
 
     const auto bracketed = [&](const Rim& rim) {
@@ -138,7 +138,7 @@ class Closing {
 
  private:
   void refuse_sheet(const Rim& rim, double fraction) const {
-    if (fraction <= options_.largest_share) return;
+    if (fraction <= options_.max_filling_fraction) return;
     throw GeometryError(
         "the largest component is the ground, or one side of a block: a sheet whose "
         "border of " +
@@ -174,7 +174,7 @@ class Closing {
   }
 
   void bracket(const std::vector<Rim>& rims, const reconstruct_detail::BottomClosure& closure) {
-    const reconstruct_detail::LevelSections sections(result_.lower_mesh, -result_.down);
+    const reconstruct_detail::HorizontalSections sections(result_.lower_mesh, -result_.down);
     closure_volume_ = sections.volume_above(sections.min_height());
     if (!(closure_volume_ > 0.0)) {
       throw GeometryError("the surface faces inwards, or encloses nothing once it is closed (" +
@@ -221,7 +221,7 @@ class Closing {
                             format_significant(100.0 * std::max(0.0, depth), 2) +
                             " % of its height";
     }
-    const reconstruct_detail::UnobservedBounds bounds =
+    const reconstruct_detail::UnobservedPartBounds bounds =
         reconstruct_detail::bound_unobserved_parts(result_.lower_mesh, parts);
     result_.lower_volume = bounds.lower_volume;
     result_.upper_volume = bounds.upper_volume;
@@ -237,8 +237,9 @@ class Closing {
   }
 
   /// The shape that the sections make likeliest, no larger than the upper one.
-  void guess(const std::vector<double>& heights, const reconstruct_detail::LevelSections& sections,
-             double bottom, const reconstruct_detail::BottomClosure& closure) {
+  void guess(const std::vector<double>& heights,
+             const reconstruct_detail::HorizontalSections& sections, double bottom,
+             const reconstruct_detail::BottomClosure& closure) {
     const auto quantile = [&](double fraction) {
       return heights[static_cast<std::size_t>(fraction * static_cast<double>(heights.size() - 1))];
     };
@@ -293,7 +294,7 @@ class Closing {
     double largest_volume = 0.0, estimated_volume = 0.0;
   };
 
-  Continued continued(const reconstruct_detail::LevelSections& sections, double level,
+  Continued continued(const reconstruct_detail::HorizontalSections& sections, double level,
                       double bottom) const {
     const double height = sections.max_height() - level;
     // Just above the level, where a flat filling does not count any more.
@@ -347,16 +348,18 @@ class Closing {
   /// more pointed, then drawn back, until it does not.
   void choose_best_closure(const reconstruct_detail::BottomClosure& closure, double deepest) {
     const double added = result_.estimated_volume - closure_volume_;
-    reconstruct_detail::ClosureShape start = closure.shape_for_volume(added, kBestPower, deepest);
+    reconstruct_detail::ClosureDisplacement start =
+        closure.displacement_for_volume(added, kBestPower, deepest);
     if (faces_ground())
-      start = closure.shape_touching_ground(*options_.ground, start, added, kMaxPointedBest);
+      start = closure.displacement_touching_ground(*options_.ground, start, added, kMaxPointedBest);
     deepest = std::max(deepest, start.depth);
     const std::size_t crossings = find_self_intersections(result_.lower_mesh).size();
     const auto fits = [&] {
       return find_self_intersections(result_.best_estimate).size() <= crossings;
     };
     for (double power = start.power; power <= kMaxPointedBest; power *= 1.5) {
-      result_.best_estimate = closure.lower_mesh(closure.shape_for_volume(added, power, deepest));
+      result_.best_estimate =
+          closure.lowered_mesh(closure.displacement_for_volume(added, power, deepest));
       if (fits()) break;
     }
     double fraction = 1.0;
@@ -374,7 +377,7 @@ class Closing {
                               format_significant(100.0 * fraction, 3) +
                               " % of its depth, where it does not meet the walls");
     }
-    const reconstruct_detail::LevelSections sections(result_.best_estimate, -result_.down);
+    const reconstruct_detail::HorizontalSections sections(result_.best_estimate, -result_.down);
     result_.estimated_volume = sections.volume_above(sections.min_height());
     if (result_.upper_volume) {
       result_.estimated_volume = std::min(result_.estimated_volume, *result_.upper_volume);
@@ -399,9 +402,10 @@ void UndersideOptions::check() const {
     throw InputError("deepest = " + format_significant(max_depth_fraction, 3) +
                      ": the buried fraction of the observed height must be above 0, up to 10");
   }
-  if (!(smallest_share > 0.0 && smallest_share < largest_share && largest_share < 1.0)) {
-    throw InputError("smallest_share = " + format_significant(smallest_share, 3) +
-                     " and largest_share = " + format_significant(largest_share, 3) +
+  if (!(min_hole_fraction > 0.0 && min_hole_fraction < max_filling_fraction &&
+        max_filling_fraction < 1.0)) {
+    throw InputError("smallest_share = " + format_significant(min_hole_fraction, 3) +
+                     " and largest_share = " + format_significant(max_filling_fraction, 3) +
                      ": must be fractions between 0 and 1, the smaller first");
   }
 }

@@ -22,10 +22,10 @@ struct UndersideOptions {
   /// a quarter of the total height. It does not affect the bounds.
   double max_depth_fraction = 1.0 / 3.0;
   /// Minimum area of a hole, filled flat, as a fraction of the surface. Smaller ones are ignored.
-  double smallest_share = 0.001;
+  double min_hole_fraction = 0.001;
   /// Maximum area of the fillings, as a fraction of the surface. Above it, the scan is a sheet
   /// rather than a block. For a hemisphere, the fraction is a third.
-  double largest_share = 0.42;
+  double max_filling_fraction = 0.42;
   /// Free space in the frame of the scan. Only used if the ground is given.
   const FreeSpaceGrid* free_space = nullptr;
   /// Returns true if a position on the open surface was scanned, and false on the fillings of small
@@ -38,7 +38,8 @@ struct UndersideOptions {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Scan that is closed in two ways, with bounds. Both meshes have the same triangles, outward.
+/// Scan whose underside is closed in two ways, with volume bounds. Both meshes have the same
+/// triangles, outward.
 struct Underside : VolumeBracket {
   TriangleMesh lower_mesh;  ///< closed by membranes across the rims
   TriangleMesh best_estimate;
@@ -52,8 +53,8 @@ struct Underside : VolumeBracket {
   std::vector<std::string> notes;
 };
 
-/// Closes the largest hole as underside and the others by flat membranes, and brackets them
-/// together. Holes below 0.3 % of the surface are treated as observed.
+/// Closes the largest hole of a scan as underside and the others by flat membranes, and computes
+/// common bounds. Holes below 0.3 % of the surface are treated as observed.
 ///
 /// The upper volume fills the space between the closures and the flank planes (`fit_flank_planes`),
 /// down to a known ground and without free space. There is no upper volume if it would exceed the

@@ -8,7 +8,7 @@ function clastBytes(base64) {
 
 async function clastUnpacked(id) {
   if (typeof DecompressionStream === 'undefined') {
-    throw new Error('This browser can\'t unpack charts and 3-D views: it is of before 2023.');
+    throw new Error('This browser can\'t unpack charts and 3-D views: it is older than 2023.');
   }
   const packed = new Blob([clastBytes(document.getElementById(id).textContent)]);
   return new Response(packed.stream().pipeThrough(new DecompressionStream('deflate'))).text();

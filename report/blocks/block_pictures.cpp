@@ -16,12 +16,12 @@ std::string shaded_png(const Canvas& canvas) {
   std::vector<Rgb> palette = {kWhite};
   for (int shade = 0; shade < kShades; ++shade) {
     const double red = 255.0 * shade / (kShades - 1);
-    const double over = std::max(0.0, (red - kRock[0]) / (255.0 - kRock[0]));
-    const double light = std::min(1.0, red / kRock[0]);
+    const double over = std::max(0.0, (red - kBlockColour[0]) / (255.0 - kBlockColour[0]));
+    const double light = std::min(1.0, red / kBlockColour[0]);
     Rgb colour{};
     for (std::size_t k = 0; k < 3; ++k) {
       colour[k] = static_cast<std::uint8_t>(
-          std::lround((1.0 - over) * light * kRock[k] + over * kWhite[k]));
+          std::lround((1.0 - over) * light * kBlockColour[k] + over * kWhite[k]));
     }
     palette.push_back(colour);
   }
@@ -52,7 +52,7 @@ std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width,
   std::array<Camera, 1> camera = {make_camera(default_view_direction())};
   frame(camera, mesh.vertices, width, height);
   Canvas canvas(camera[0]);
-  canvas.draw(mesh, [](std::uint32_t, const Vec3&, bool) { return kRock; });
+  canvas.draw(mesh, [](std::uint32_t, const Vec3&, bool) { return kBlockColour; });
   return shaded_png(canvas);
 }
 

@@ -9,16 +9,16 @@
 
 namespace clast::report_detail {
 
-/// Default colour of blocks.
-inline constexpr Rgb kRock{214, 205, 190};
+/// Default colour of blocks in images.
+inline constexpr Rgb kBlockColour{214, 205, 190};
 
 /// Returns the direction from a block towards the viewer, who is in front of it (-y) and above.
 inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }
 
-/// Diverging colours of deviations from a scan (ColorBrewer RdBu), from blue (inside) to red.
+/// Colours of deviations of a block from its scan, from blue (inside) to red (ColorBrewer RdBu).
 inline constexpr std::array<Rgb, 5> kDeviationColours = {
     {{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
-/// Interpolates between `kDeviationColours`.
+/// Returns the colour of a deviation, interpolated between `kDeviationColours`.
 /// @param share  deviation divided by the largest deviation, clamped to [-1, 1]
 Rgb deviation_colour(double share);
 
@@ -26,7 +26,7 @@ Rgb deviation_colour(double share);
 std::string render_thumbnail_png(const TriangleMesh& mesh, std::uint32_t width,
                                  std::uint32_t height);
 
-/// Renders a thumbnail as an HTML <img> element.
+/// Renders a thumbnail of a surface as an HTML <img> element.
 std::string render_thumbnail(const TriangleMesh& mesh, const std::string& name,
                              std::uint32_t width = 120, std::uint32_t height = 96);
 

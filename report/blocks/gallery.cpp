@@ -80,7 +80,7 @@ std::string bar(std::span<const Block* const> blocks) {
          class_choices(blocks) + "</select></label>\n<label>by <select data-gallery=\"order\">\n" +
          orders +
          "</select></label>\n<button type=\"button\" data-gallery=\"turn\" "
-         "aria-label=\"turn the order round\">\xE2\x96\xB4</button>\n"
+         "aria-label=\"reverse the order\">\xE2\x96\xB4</button>\n"
          "<output data-gallery=\"count\"></output>\n</div>\n";
 }
 
@@ -91,7 +91,7 @@ std::string term(const std::string& name, const std::string& value) {
 /// Everything the library holds of a block, for the large view.
 std::string details(const Block& block) {
   const Block* const one = &block;
-  const TextTable table = block_table({&one, 1});
+  const TextTable table = make_block_table({&one, 1});
   std::string html = "<dl class=\"facts\">";
   for (std::size_t i = 1; i < table.headings.size(); ++i) {
     html += format_fact(table.headings[i], table.rows.front()[i]);
@@ -119,7 +119,7 @@ std::string card(const Block& block, const std::string& source) {
     classes += (classes.empty() ? "" : ", ") + name;
   }
   return "<article class=\"card\"" + attributes +
-         "><button type=\"button\" class=\"open\" title=\"turn it\">" +
+         "><button type=\"button\" class=\"open\" title=\"show in 3-D\">" +
          render_thumbnail(block.surface, block.id, kGalleryWidth, kGalleryHeight) +
          "</button>\n<h3>" + escape_html(block.id) + "</h3>\n<div class=\"file\">" +
          escape_html(block.source.file) + "</div>\n<dl>" + term("class", classes) +
@@ -134,7 +134,7 @@ std::string card(const Block& block, const std::string& source) {
 
 }  // namespace
 
-FolderKind gallery_folder_kind() {
+OutputFolderKind gallery_folder_kind() {
   return {"gallery of blocks", kPage, kMark,
           [](const std::filesystem::path& file) { return file == kPage; }};
 }
@@ -154,8 +154,8 @@ std::filesystem::path write_gallery(std::span<const Block* const> blocks, const 
   }
   std::string body = "<h1>" + escape_html(title) + "</h1>\n<p class=\"lead\">" +
                      format_count(blocks.size(), "block") +
-                     "; a click on a picture shows the block in 3-D, with all its numbers</p>\n";
-  if (const std::string note = describe_unscaled(blocks); !note.empty())
+                     "; click a picture to see the block in 3-D with all its properties</p>\n";
+  if (const std::string note = describe_unscaled_blocks(blocks); !note.empty())
     body += format_paragraph(note);
   body +=
       format_series_matrices(blocks) + bar(blocks) + "<div " + kMark + ">\n" + cards + "</div>\n";

@@ -9,10 +9,11 @@
 
 namespace clast {
 
-/// Returns the folder kind by which folders of `write_gallery` are recognised.
-FolderKind gallery_folder_kind();
+/// Returns the folder kind of galleries, which identifies folders written by `write_gallery`.
+OutputFolderKind gallery_folder_kind();
 
-/// Writes FOLDER/gallery.html, self-contained, with image, measures and interactive 3-D blocks.
+/// Writes the gallery of a block library as one page, with image, measures and 3-D view of each
+/// block.
 /// @param title  title of the page, such as the name of the library
 /// @return path of the page
 /// @throws InputError  if the folder cannot be created or written

@@ -28,7 +28,7 @@ std::array<float, 3> shaded(const Rgb& colour, double light) {
 
 }  // namespace
 
-Vec3 Camera::seen(const Vec3& point) const {
+Vec3 Camera::projected(const Vec3& point) const {
   const Vec3 offset = point - target;
   return {0.5 * width + right.dot(offset) / pixel, 0.5 * height - up.dot(offset) / pixel,
           toward.dot(offset)};
@@ -81,11 +81,11 @@ void Canvas::draw(const TriangleMesh& mesh, const Paint& paint, double ambient) 
   std::vector<Vec3> seen;
   seen.reserve(mesh.vertices.size());
   for (const Vec3& v : mesh.vertices) {
-    const Vec3 there = camera_.seen(v);
+    const Vec3 there = camera_.projected(v);
     seen.emplace_back(kSamples * there.x(), kSamples * there.y(), there.z());
   }
-  const auto clamped = [](double value, std::int64_t most) {
-    return static_cast<std::int64_t>(std::clamp(value, -1.0, static_cast<double>(most)));
+  const auto clamped = [](double value, std::int64_t maximum) {
+    return static_cast<std::int64_t>(std::clamp(value, -1.0, static_cast<double>(maximum)));
   };
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 &a = seen[mesh.triangles[t][0]], &b = seen[mesh.triangles[t][1]],
@@ -169,12 +169,12 @@ void Canvas::draw(std::span<const Vec3> points, const Rgb& colour) {
   constexpr double kPale = 1.5, kDark = 0.55;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec3& point : points) {
-    const double nearness = camera_.seen(point).z();
+    const double nearness = camera_.projected(point).z();
     low = std::min(low, nearness);
     high = std::max(high, nearness);
   }
   for (const Vec3& point : points) {
-    const Vec3 seen = camera_.seen(point);
+    const Vec3 seen = camera_.projected(point);
     const double share = high > low ? (seen.z() - low) / (high - low) : 1.0;
     dot(seen, 2 * kSamples, 0.0, shaded(colour, kPale + share * (kDark - kPale)));
   }
@@ -184,7 +184,7 @@ void Canvas::draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour)
   const double bias = kHidden * camera_.width * camera_.pixel;
   const double longest = 2.0 * (camera_.width + camera_.height);
   for (const auto& [from, to] : lines) {
-    const Vec3 a = camera_.seen(from), b = camera_.seen(to);
+    const Vec3 a = camera_.projected(from), b = camera_.projected(to);
     const double length = std::min((b - a).head<2>().norm(), longest);
     const int steps = 1 + static_cast<int>(length * kSamples);
     for (int i = 0; i <= steps; ++i) {
@@ -194,7 +194,7 @@ void Canvas::draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour)
 }
 
 bool Canvas::is_visible(const Vec3& point) const {
-  const Vec3 there = camera_.seen(point);
+  const Vec3 there = camera_.projected(point);
   if (!(there.x() >= 0.0 && there.x() < camera_.width && there.y() >= 0.0 &&
         there.y() < camera_.height)) {
     return false;

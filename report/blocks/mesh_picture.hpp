@@ -20,38 +20,39 @@ struct Camera {
   double pixel = 1.0;            ///< side length of a pixel, m
   std::uint32_t width = 0, height = 0;
 
-  /// Projects a point. The result is its position in pixels to the right and down from the top left
-  /// corner, and its depth towards the viewer, m.
-  Vec3 seen(const Vec3& point) const;
+  /// Projects a point to the image. Returns its position in pixels right of and below the top left
+  /// corner, and its distance from the target towards the viewer, m.
+  Vec3 projected(const Vec3& point) const;
 };
 
-/// Makes a camera that looks at its target from the direction `toward`, z as upright as possible.
+/// Makes a camera that looks at its target from the direction `toward`.
 Camera make_camera(const Vec3& toward);
 
-/// Centres the cameras on the points and sets a common scale. Without points, pixels are 1 m wide.
+/// Sets targets and common scale of several cameras so that all points are in their images.
 void frame(std::span<Camera> cameras, std::span<const Vec3> points, std::uint32_t width,
            std::uint32_t height);
 
-/// Image with depth buffer on a white background.
+/// Image with depth buffer and white background.
 class Canvas {
  public:
   explicit Canvas(const Camera& camera);
 
-  /// Returns the unshaded colour of a point on a triangle. `behind` is true for back faces.
+  /// Function that returns the unshaded colour of a point on a triangle. `behind` is true for back
+  /// faces.
   using Paint = std::function<Rgb(std::uint32_t triangle, const Vec3& place, bool behind)>;
-  /// Draws triangles, lit from the upper left. `paint` is called once per pixel and triangle.
+  /// Draws a mesh, lit from the upper left.
   /// @param ambient  fraction of ambient light, 0 to 1
   void draw(const TriangleMesh& mesh, const Paint& paint, double ambient = 0.42);
-  /// Draws dots of two pixels. Nearer dots are darker.
+  /// Draws points as dots of two pixels. Nearer dots are darker.
   void draw(std::span<const Vec3> points, const Rgb& colour);
   /// Draws the visible parts of lines, 1.5 pixels wide.
   void draw(std::span<const std::array<Vec3, 2>> lines, const Rgb& colour);
 
-  /// True if the point is visible. The depth tolerance is 0.5 % of the image width.
+  /// True if a point is not hidden by drawn triangles.
   bool is_visible(const Vec3& point) const;
 
   const Camera& camera() const { return camera_; }
-  std::vector<Rgb> picture() const;  ///< pixels, row-major from the top
+  std::vector<Rgb> picture() const;  ///< colours of the pixels, row-major from the top
 
  private:
   struct Sample {

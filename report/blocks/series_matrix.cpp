@@ -81,15 +81,15 @@ std::string form_table(const std::string& parent, const std::vector<Member>& mem
   const Ratio s_i = [](const BoxRatios& form) { return rounded_ratio(form.s_l / form.i_l); };
   std::set<double> columns, rows_s_l, rows_s_i;
   for (const Member& member : members) {
-    columns.insert(across(*member.record.form));
-    rows_s_l.insert(s_l(*member.record.form));
-    rows_s_i.insert(s_i(*member.record.form));
+    columns.insert(across(*member.record.target_ratios));
+    rows_s_l.insert(s_l(*member.record.target_ratios));
+    rows_s_i.insert(s_i(*member.record.target_ratios));
   }
   const bool by_s_i = rows_s_i.size() < rows_s_l.size();
   const std::set<double>& rows = by_s_i ? rows_s_i : rows_s_l;
   std::map<std::pair<double, double>, std::vector<const Member*>> at;
   for (const Member& member : members) {
-    const BoxRatios& form = *member.record.form;
+    const BoxRatios& form = *member.record.target_ratios;
     at[{(by_s_i ? s_i : s_l)(form), across(form)}].push_back(&member);
   }
   std::vector<std::string> heads;
@@ -105,11 +105,11 @@ std::string form_table(const std::string& parent, const std::vector<Member>& mem
 }
 
 std::string heading_of(const std::string& kind) {
-  if (kind == "convexity") return "Convexity: hollows filled";
+  if (kind == "convexity") return "Convexity, increased by filling hollows";
   if (kind == "roundness") return "Wadell's roundness, by the radius of edges and corners";
-  if (kind == "rounding") return "Radius of edges and corners, as a share of S";
-  if (kind == "vertices") return "Vertices of the core";
-  if (kind == "detail") return "Detail, multiplied";
+  if (kind == "rounding") return "Radius of edges and corners, as a fraction of S";
+  if (kind == "vertices") return "Number of vertices of the core";
+  if (kind == "detail") return "Factor on the surface detail";
   return "Reference bodies";
 }
 
@@ -120,8 +120,9 @@ std::string step_table(const std::string& kind, const std::vector<Member>& membe
   std::map<std::string, std::map<std::pair<double, std::string>, std::vector<const Member*>>> at;
   for (const Member& member : members) {
     const VariationRecord& record = member.record;
-    const std::pair<double, std::string> key = {record.step, record.reference};
-    columns[key] = record.reference.empty() ? format_significant(record.step, 4) : record.reference;
+    const std::pair<double, std::string> key = {record.target_value, record.reference};
+    columns[key] =
+        record.reference.empty() ? format_significant(record.target_value, 4) : record.reference;
     if (!at.contains(record.parent)) parents.push_back(record.parent);
     at[record.parent][key].push_back(&member);
   }
@@ -144,7 +145,7 @@ std::string format_series_matrices(std::span<const Block* const> blocks) {
     const std::optional<VariationRecord> record = parse_variation(*blocks[i]);
     if (!record || record->kind == "drawn") continue;
     const std::string kind = record->kind == "inertia" ? "reference" : record->kind;
-    if (kind == "stretch" && !record->form) continue;
+    if (kind == "stretch" && !record->target_ratios) continue;
     (kind == "stretch" ? forms[record->parent] : steps[kind]).push_back({i, blocks[i], *record});
   }
   std::string html;

@@ -31,12 +31,12 @@ constexpr double kMaxPieces = 200.0;  // of a side, in a byte
 constexpr double kSteps = 32767.0, kShareSteps = 127.0;
 
 /// The mesh, or one of at most so many triangles whose vertices are some of its own.
-TriangleMesh coarser(const TriangleMesh& mesh, std::size_t most) {
-  if (mesh.triangles.size() <= most) return mesh;
+TriangleMesh coarser(const TriangleMesh& mesh, std::size_t maximum) {
+  if (mesh.triangles.size() <= maximum) return mesh;
   constexpr double kFirst = 1.2, kGrowth = 1.15;
-  double distance = kFirst * std::sqrt(surface_area(mesh) / static_cast<double>(most));
+  double distance = kFirst * std::sqrt(surface_area(mesh) / static_cast<double>(maximum));
   TriangleMesh joined = weld_vertices(mesh, distance);
-  while (joined.triangles.size() > most) joined = weld_vertices(mesh, distance *= kGrowth);
+  while (joined.triangles.size() > maximum) joined = weld_vertices(mesh, distance *= kGrowth);
   return joined;
 }
 
@@ -52,8 +52,8 @@ Json turntable_mesh_json(const TriangleMesh& mesh, const Vec3& centre, double si
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     corners.insert(corners.end(), t.begin(), t.end());
   }
-  return {{"vertices", packed<std::int16_t>(vertices)},
-          {"triangles", packed<std::uint32_t>(corners)}};
+  return {{"vertices", encode_packed_array<std::int16_t>(vertices)},
+          {"triangles", encode_packed_array<std::uint32_t>(corners)}};
 }
 
 /// Distances of a block's surface from its scan, between the corners of its triangles too.
@@ -83,8 +83,8 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
   for (const Rgb& colour : kDeviationColours) colours.push_back(format_colour(colour));
   return {{"reach", reach},
           {"colours", colours},
-          {"pieces", packed<std::uint8_t>(pieces)},
-          {"shares", packed<std::int8_t>(shares)}};
+          {"pieces", encode_packed_array<std::uint8_t>(pieces)},
+          {"shares", encode_packed_array<std::int8_t>(shares)}};
 }
 
 Json turntable_vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -151,8 +151,8 @@ std::string format_turntable_section(const Block& block) {
   const std::string id = "block-data";
   return format_section(
              title,
-             format_paragraph("Drag to turn, use the wheel to come closer, drag with the right "
-                              "button to move.") +
+             format_paragraph(
+                 "Drag to rotate, use the wheel to zoom, drag with the right button to move.") +
                  format_turntable_view(id)) +
          format_packed_element(id, format_turntable_json(block)) + turntable_script();
 }

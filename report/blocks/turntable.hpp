@@ -7,16 +7,17 @@
 
 namespace clast::report_detail {
 
-/// Limits of the data in a page.
+/// Limits of the amount of data of a 3-D view.
 struct TurntableLimits {
-  std::size_t scan_triangles = 30'000;  ///< maximum number; finer scans are simplified
-  double deviation_cells = 48.0;        ///< number of samples of the deviation along L
+  /// Maximum number of scan triangles; finer scans are simplified.
+  std::size_t scan_triangles = 30'000;
+  double deviation_cells = 48.0;  ///< number of samples of the deviation along the longest side L
 
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Formats the JSON for turntable.js. Meshes are {vertices int16 [n][3], triangles uint32 [m][3]}.
-/// Vertices are relative to `centre`, in units of `size` / 32767.
+/// Formats the data of the 3-D view of a block as JSON for turntable.js. Meshes are {vertices int16
+/// [n][3], triangles uint32 [m][3]}. Vertices are relative to `centre`, in units of `size` / 32767.
 ///
 /// Members: `name`; `unit` "m", or "units" for unscaled blocks; `size`; `centre` [3]; mesh `block`;
 /// mesh `scan` (unless the block was made from a core); `box` {centre [3], axes [3][3], lengths
@@ -26,14 +27,16 @@ struct TurntableLimits {
 /// points of each triangle, row by row from its first vertex.
 std::string format_turntable_json(const Block& block, const TurntableLimits& limits = {});
 
-/// Formats the view with its controls. The page must contain `turntable_script` once.
-/// @param source  id of the packed element with the JSON; empty if a script sets it later
+/// Formats the 3-D view of a block with its controls. The page must contain `turntable_script`
+/// once.
+/// @param source  id of the page element with the data; empty if a script sets it later
 std::string format_turntable_view(const std::string& source);
 
-/// Returns unpack.js, three.js and the viewer, or a note on how to install three.js if missing.
+/// Returns the scripts of 3-D views as page elements, or a note on how to install three.js if it is
+/// missing.
 std::string turntable_script();
 
-/// Formats the section "In 3-D" of the page of a block.
+/// Formats the section with the 3-D view on the page of a block.
 std::string format_turntable_section(const Block& block);
 
 }  // namespace clast::report_detail

@@ -15,7 +15,7 @@ bool is_whole_number(double number) { return std::abs(number - std::round(number
 
 }  // namespace
 
-Span nice_axis_range(double low, double high) {
+AxisInterval nice_axis_range(double low, double high) {
   if (!(low <= high)) return {};
   // An axis that nearly reaches zero is read as if it did: let it.
   if (low > 0.0 && low < 0.5 * high) low = 0.0;
@@ -28,21 +28,21 @@ Span nice_axis_range(double low, double high) {
   return {low, high};
 }
 
-std::size_t Bins::of(double value) const {
+std::size_t Bins::bin_index(double value) const {
   const double place = std::ceil((value - low) / width - kOnEdge) - 1.0;
   return std::min(static_cast<std::size_t>(std::max(place, 0.0)), count - 1);
 }
 
-Bins choose_bins(const Span& values, const std::vector<double>& limits) {
+Bins choose_bins(const AxisInterval& values, const std::vector<double>& limits) {
   constexpr double kUsual = 24.0, kMost = 60.0;
   Bins bins;
-  bins.width = round_up_to_nice((values.high - values.low) / kUsual);
+  bins.width = round_up_to_nice_number((values.high - values.low) / kUsual);
   const auto fit = [&](double width) {
     return std::all_of(limits.begin(), limits.end(),
                        [&](double limit) { return is_whole_number(limit / width); });
   };
   for (double width = bins.width; (values.high - values.low) / width <= kMost;
-       width = round_up_to_nice(0.4 * width)) {
+       width = round_up_to_nice_number(0.4 * width)) {
     if (!fit(width)) continue;
     bins.width = width;
     break;

@@ -5,27 +5,28 @@
 
 namespace clast::report_detail {
 
-/// Non-empty interval of an axis.
-struct Span {
+/// Range of an axis, not empty.
+struct AxisInterval {
   double low = 0.0;
   double high = 1.0;
 };
 
-/// Chooses the axis range for values from `low` to `high`. It includes zero if zero is close, and
-/// is widened if all values are equal. It is [0, 1] if `low` > `high`.
-Span nice_axis_range(double low, double high);
+/// Chooses the range of an axis for values from `low` to `high`. It includes zero if zero is close,
+/// and is widened if all values are equal.
+AxisInterval nice_axis_range(double low, double high);
 
-/// Bins of equal width. A value on an edge belongs to the lower bin.
+/// Histogram bins of equal width. A value on an edge belongs to the lower bin.
 struct Bins {
   double low = 0.0;
   double width = 1.0;
   std::size_t count = 1;
 
-  std::size_t of(double value) const;  ///< index of the bin that contains a value
+  /// Returns the index of the bin that contains a value.
+  std::size_t bin_index(double value) const;
   double edge(std::size_t bin) const { return low + width * static_cast<double>(bin); }
 };
 
-/// Chooses about 24 bins with round edges. Uses up to 60 if that makes all `limits` edges.
-Bins choose_bins(const Span& values, const std::vector<double>& limits = {});
+/// Chooses about 24 histogram bins with round edges, or up to 60 so that all `limits` are edges.
+Bins choose_bins(const AxisInterval& values, const std::vector<double>& limits = {});
 
 }  // namespace clast::report_detail

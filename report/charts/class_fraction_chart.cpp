@@ -55,7 +55,7 @@ std::string draw_class_fractions(const std::string& title, const std::vector<std
   for (const ClassFractionSeries& one : series) {
     for (const FractionWithInterval& share : one.shares) highest = std::max(highest, share.high);
   }
-  const Ticks marks = choose_ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
+  const AxisTicks marks = choose_ticks(0.0, 100.0 * std::max(highest, 0.01), 5);
   const double scale =
       (kBarsWidth - left - kBarsRight) / (100.0 * std::max(highest, 0.01));  // px per %
   const double row = kBar * static_cast<double>(series.size()) + kGap;

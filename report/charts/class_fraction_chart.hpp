@@ -17,10 +17,10 @@ struct FractionWithInterval {
 struct ClassFractionSeries {
   std::string name;
   std::string colour;
-  std::vector<FractionWithInterval> shares;  ///< one per class
+  std::vector<FractionWithInterval> shares;  ///< fraction of each class
 };
 
-/// Draws bars from zero with intervals as whiskers. One row per class, including empty ones.
+/// Draws class fractions as bars with intervals as whiskers, one row per class.
 std::string draw_class_fractions(const std::string& title, const std::vector<std::string>& classes,
                                  const std::vector<ClassFractionSeries>& series);
 

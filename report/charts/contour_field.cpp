@@ -18,7 +18,7 @@ double bending(double squared_distance) {
 }
 
 struct Corner {
-  Vec2 place;
+  Vec2 position;
   double value = 0.0;
 };
 
@@ -31,10 +31,10 @@ std::vector<Vec2> above(const std::array<Corner, 3>& triangle, double level) {
   std::vector<Vec2> part;
   for (std::size_t i = 0; i < 3; ++i) {
     const Corner &here = triangle[i], &next = triangle[(i + 1) % 3];
-    if (here.value >= level) part.push_back(here.place);
+    if (here.value >= level) part.push_back(here.position);
     if ((here.value >= level) != (next.value >= level)) {
       const double share = (level - here.value) / (next.value - here.value);
-      part.push_back(here.place + share * (next.place - here.place));
+      part.push_back(here.position + share * (next.position - here.position));
     }
   }
   return part;
@@ -47,7 +47,7 @@ std::vector<Vec2> crossing(const std::array<Corner, 3>& triangle, double level) 
     const Corner &here = triangle[i], &next = triangle[(i + 1) % 3];
     if ((here.value >= level) == (next.value >= level)) continue;
     const double share = (level - here.value) / (next.value - here.value);
-    places.push_back(here.place + share * (next.place - here.place));
+    places.push_back(here.position + share * (next.position - here.position));
   }
   return places;
 }
@@ -67,12 +67,12 @@ void visit_lattice(const ThinPlateSpline& surface, std::span<const Vec2> hull, d
   const auto corner = [&](int row, int column) {
     const double shift = row % 2 == 0 ? 0.0 : -0.5 * side;
     const Vec2 place(low.x() + shift + side * (column - 0.5), low.y() + height * (row - 0.5));
-    return Corner{place, surface.at(place)};
+    return Corner{place, surface.value_at(place)};
   };
   const auto offer = [&](const Corner& a, const Corner& b, const Corner& c) {
-    const Vec2 centre = (a.place + b.place + c.place) / 3.0;
-    const bool near = is_inside(hull, a.place) || is_inside(hull, b.place) ||
-                      is_inside(hull, c.place) || is_inside(hull, centre);
+    const Vec2 centre = (a.position + b.position + c.position) / 3.0;
+    const bool near = is_inside(hull, a.position) || is_inside(hull, b.position) ||
+                      is_inside(hull, c.position) || is_inside(hull, centre);
     if (near) visit({a, b, c});
   };
   for (int row = 0; row < rows; ++row) {
@@ -104,13 +104,13 @@ class WholeTriangles {
  public:
   /// Adds a triangle; returns the path of the trapezoid that it completes.
   std::string add(const std::array<Corner, 3>& triangle) {
-    Row top{triangle[0].place.y()}, bottom{triangle[0].place.y()};
+    Row top{triangle[0].position.y()}, bottom{triangle[0].position.y()};
     for (const Corner& corner : triangle) {
-      top.y = std::min(top.y, corner.place.y());
-      bottom.y = std::max(bottom.y, corner.place.y());
+      top.y = std::min(top.y, corner.position.y());
+      bottom.y = std::max(bottom.y, corner.position.y());
     }
     for (const Corner& corner : triangle) {
-      (corner.place.y() == top.y ? top : bottom).include(corner.place.x());
+      (corner.position.y() == top.y ? top : bottom).include(corner.position.x());
     }
     std::string path;
     if (!(any_ && top.y == top_.y && bottom.y == bottom_.y && top.low <= top_.high &&
@@ -171,7 +171,7 @@ ThinPlateSpline::ThinPlateSpline(std::span<const Vec2> places, std::span<const d
   weights_.assign(solved.begin(), solved.end());
 }
 
-double ThinPlateSpline::at(const Vec2& place) const {
+double ThinPlateSpline::value_at(const Vec2& place) const {
   const Vec2 scaled = (place - centre_) / scale_;
   const std::size_t count = places_.size();
   double value =
@@ -182,7 +182,7 @@ double ThinPlateSpline::at(const Vec2& place) const {
   return value;
 }
 
-std::vector<Vec2> convex_hull_of(std::span<const Vec2> places) {
+std::vector<Vec2> plan_convex_hull(std::span<const Vec2> places) {
   std::vector<Vec2> sorted(places.begin(), places.end());
   std::sort(sorted.begin(), sorted.end(), [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();

@@ -8,16 +8,16 @@
 
 namespace clast::report_detail {
 
-/// Thin-plate spline: a plane plus a weighted sum of r^2 log r, r being the distance from a point.
+/// Thin-plate spline: smooth surface through scattered values in the plane.
 /// @cite duchon1977
 class ThinPlateSpline {
  public:
-  /// Interpolates the values.
+  /// Computes the spline through given values.
   /// @param places  distinct points, not all collinear
-  /// @param values  one per point
+  /// @param values  value at each point
   ThinPlateSpline(std::span<const Vec2> places, std::span<const double> values);
 
-  double at(const Vec2& place) const;
+  double value_at(const Vec2& place) const;
 
  private:
   std::vector<Vec2> places_;
@@ -28,13 +28,12 @@ class ThinPlateSpline {
 
 /// Returns the vertices of the convex hull, counter-clockwise. There are fewer than three if all
 /// points are collinear.
-std::vector<Vec2> convex_hull_of(std::span<const Vec2> places);
+std::vector<Vec2> plan_convex_hull(std::span<const Vec2> places);
 /// True if a point is inside the hull, within a tolerance.
 bool is_inside(std::span<const Vec2> hull, const Vec2& place);
 
-/// Formats the region inside the hull where the surface is at least `level`. The result is the path
-/// data of one SVG path with closed parts. The surface is interpolated linearly on a lattice of
-/// equilateral triangles with sides of `side` px.
+/// Formats the region inside a convex hull where a surface is at least `level`, as data of an SVG
+/// path.
 std::string format_band_path(const ThinPlateSpline& surface, std::span<const Vec2> hull,
                              double level, double side);
 

@@ -70,14 +70,15 @@ std::string blocks_svg(const Population& population, std::size_t number,
   std::vector<Vec2> places;
   places.reserve(population.blocks.size());
   for (const MeasuredBlock& block : population.blocks)
-    places.push_back(place_of(block.axes_as_written));
+    places.push_back(place_of(block.axes_in_table_unit));
   if (places.size() > kMaxSingleBlocks) return draw_density_squares(places, corner, "blocks");
   std::string svg;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const MeasuredBlock& block = population.blocks[i];
-    svg += draw_shape_mark(places[i].x(), places[i].y(), garcia_class(block.axes_as_written), true,
-                           "class=\"block\" data-block=\"" + block_element_id(number, i) + "\"",
-                           format_block_title(block, options)) +
+    svg += draw_shape_mark(
+               places[i].x(), places[i].y(), garcia_class(block.axes_in_table_unit), true,
+               "class=\"block\" data-block=\"" + block_highlight_attribute(number, i) + "\"",
+               format_block_tooltip(block, options)) +
            "\n";
   }
   return svg;
@@ -152,22 +153,22 @@ std::vector<Field> triangle_fields(const std::array<double, 4>& limits) {
 
 }  // namespace
 
-std::string block_element_id(std::size_t number, std::size_t block) {
+std::string block_highlight_attribute(std::size_t number, std::size_t block) {
   return std::to_string(number) + "-" + std::to_string(block);
 }
 
-std::string format_block_title(const MeasuredBlock& block, const PopulationOptions& options) {
+std::string format_block_tooltip(const MeasuredBlock& block, const PopulationOptions& options) {
   const Axes& axes = block.axes;
   std::string title = block.name + "\nL " + format_significant_digits(axes.L, 3) + ", I " +
                       format_significant_digits(axes.I, 3) + ", S " +
                       format_significant_digits(axes.S, 3) +
                       (block.unscaled ? " u (model units)" : " m");
   if (block.mass) title += ", " + format_significant_digits(*block.mass, 4) + " kg";
-  title += "\ns_c " + format_fixed(elongation_index(block.axes_as_written), 2);
+  title += "\ns_c " + format_fixed(elongation_index(block.axes_in_table_unit), 2);
   for (const std::string& scheme : options.selected_schemes()) {
     const ClassCertainty certainty =
-        class_certainty(scheme, axes, block.axis_error, options.limits);
-    title += "\n" + scheme + ": " + shape_class(scheme, block.axes_as_written, options.limits);
+        assess_class_certainty(scheme, axes, block.axis_error, options.limits);
+    title += "\n" + scheme + ": " + shape_class(scheme, block.axes_in_table_unit, options.limits);
     if (certainty.near_limit) title += " (" + describe_certainty(certainty) + ")";
   }
   return title;
@@ -176,7 +177,7 @@ std::string format_block_title(const MeasuredBlock& block, const PopulationOptio
 std::string draw_sneed_folk_diagram(const Population& population, std::size_t number,
                                     const PopulationOptions& options) {
   const std::vector<ClassFraction> shares =
-      class_fractions(axis_proportions(population), "sneed-folk", options.limits);
+      class_fractions(axes_for_ratios(population), "sneed-folk", options.limits);
   const std::array<double, 4> limits = limits_d(options.limits);
   const std::vector<Field> fields = triangle_fields(limits);
   const double base = kApex + kDiagramHeight;
@@ -216,7 +217,7 @@ std::string draw_zingg_diagram(const Population& population, std::size_t number,
   const auto on_square = [](double flat, double long_) {
     return Vec2(kX + kSize * flat, kTop + kSize * (1.0 - long_));
   };
-  const std::vector<ClassFraction> shares = class_fractions(axis_proportions(population), "zingg");
+  const std::vector<ClassFraction> shares = class_fractions(axes_for_ratios(population), "zingg");
   std::vector<Field> fields;
   const auto add_field = [&](const char* name, double x0, double x1, double y0, double y1) {
     fields.push_back({name,

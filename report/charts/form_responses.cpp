@@ -18,24 +18,24 @@ std::string as_file_name(const std::string& text) {
 
 }  // namespace
 
-std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeByShape>& outcomes,
-                                                  bool several_files) {
-  std::vector<ResponseFigure> pictures;
+std::vector<ResponseDiagram> draw_response_diagrams(const std::vector<OutcomeByShape>& outcomes,
+                                                    bool several_files) {
+  std::vector<ResponseDiagram> pictures;
   for (const OutcomeByShape& outcome : outcomes) {
     if (outcome.outcome == "lateral angle" || outcome.outcome == "largest energy") continue;
     const bool any_made = std::any_of(outcome.forms.begin(), outcome.forms.end(),
-                                      [](const ShapeOutcome& form) { return form.made; });
+                                      [](const ShapeOutcome& form) { return form.is_generated; });
     std::vector<ShapeResponse> forms;
     for (const ShapeOutcome& form : outcome.forms) {
-      forms.push_back({form.form, form.axes, form.mean, any_made && !form.made});
+      forms.push_back({form.block_id, form.axes, form.mean, any_made && !form.is_generated});
     }
-    const auto [least, most] = std::minmax_element(
+    const auto [minimum, maximum] = std::minmax_element(
         forms.begin(), forms.end(),
         [](const ShapeResponse& a, const ShapeResponse& b) { return a.value < b.value; });
-    if (least->value == most->value) continue;
+    if (minimum->value == maximum->value) continue;
     const std::string number = several_files ? std::to_string(outcome.file + 1) + "_" : "";
     const std::string label = outcome.unit.empty()
-                                  ? "share " + outcome.outcome
+                                  ? "fraction " + outcome.outcome
                                   : "mean " + outcome.outcome + ", " + outcome.unit;
     const std::string of =
         several_files ? " of file " + std::to_string(outcome.file + 1) : std::string();

@@ -7,15 +7,14 @@
 
 namespace clast::report_detail {
 
-/// Diagram of a mean outcome over the triangle, with its file name. Names are
-/// "response_runout.svg", or "response_2_runout.svg" if there are several results files.
-struct ResponseFigure {
+/// Diagram of a mean outcome over the Sneed-Folk triangle, with its file name and caption.
+struct ResponseDiagram {
   std::string file;
   std::string caption;
   std::string svg;
 };
-/// Draws the diagrams of all outcomes that vary between shapes.
-std::vector<ResponseFigure> draw_response_figures(const std::vector<OutcomeByShape>& outcomes,
-                                                  bool several_files);
+/// Draws the diagrams of all outcomes that vary between block shapes.
+std::vector<ResponseDiagram> draw_response_diagrams(const std::vector<OutcomeByShape>& outcomes,
+                                                    bool several_files);
 
 }  // namespace clast::report_detail

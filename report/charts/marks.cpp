@@ -31,16 +31,16 @@ std::string draw_density_squares(std::span<const Vec2> places, const Vec2& corne
                                  const std::string& noun) {
   constexpr double kCell = 7.0;  // px
   std::map<std::pair<int, int>, std::size_t> counts;
-  std::size_t most = 1;
+  std::size_t maximum = 1;
   for (const Vec2& place : places) {
     const int i = static_cast<int>(std::floor((place.x() - corner.x()) / kCell));
     const int j = static_cast<int>(std::floor((place.y() - corner.y()) / kCell));
-    most = std::max(most, ++counts[{i, j}]);
+    maximum = std::max(maximum, ++counts[{i, j}]);
   }
   std::string svg;
   for (const auto& [cell, count] : counts) {
     const double level = std::log(static_cast<double>(count)) /
-                         std::log(static_cast<double>(most) + 1.0) *
+                         std::log(static_cast<double>(maximum) + 1.0) *
                          static_cast<double>(kDensityColours.size());
     svg += "<rect x=\"" + format_fixed(corner.x() + kCell * cell.first, 1) + "\" y=\"" +
            format_fixed(corner.y() + kCell * cell.second, 1) +

@@ -8,9 +8,10 @@
 
 namespace clast::report_detail {
 
-/// Draws a mark in the colour of the class, about 8 px wide: a circle if compact, else a diamond.
-/// @param x, y  px
-/// @param filled  if false, the inside is white
+/// Draws the mark of a block in the colour of its shape class: a circle if compact, otherwise a
+/// diamond.
+/// @param x, y  position, positions, px
+/// @param filled  true if the inside has the colour; false if it is white
 /// @param attributes  attributes of the SVG element, such as its class
 /// @param title  tooltip; empty for none
 std::string draw_shape_mark(double x, double y, const std::string& garcia, bool filled,
@@ -20,7 +21,7 @@ std::string draw_shape_mark(double x, double y, const std::string& garcia, bool 
 inline constexpr std::array<const char*, 5> kDensityColours = {"#fcbba1", "#fb6a4a", "#de2d26",
                                                                "#a50f15", "#4a0008"};
 
-/// Draws squares of 7 px coloured by the number of points in them, on a logarithmic scale.
+/// Draws a density of points: squares coloured by the number of points in them.
 /// @param places  px
 /// @param corner  corner of one of the squares, px
 /// @param noun  name of the counted items in the tooltip, such as "stops"

@@ -9,7 +9,7 @@
 
 namespace clast::report_detail {
 
-/// Data colours of Okabe & Ito without yellow, which is too pale on white.
+/// Colours of data series (Okabe & Ito without yellow, which is too pale on white).
 /// @cite okabe2008
 inline constexpr std::array<const char*, 6> kDataColours = {"#0072B2", "#D55E00", "#009E73",
                                                             "#CC79A7", "#E69F00", "#56B4E9"};
@@ -26,7 +26,7 @@ inline std::string format_colour(const Rgb& colour) {
   return text;
 }
 
-/// Mixes a colour with the fraction `share` of another. Mixing with "#ffffff" makes it paler.
+/// Mixes a colour with the fraction `share` of another colour.
 inline std::string mix_colours(const std::string& colour, const std::string& other, double share) {
   Rgb parts{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -38,7 +38,7 @@ inline std::string mix_colours(const std::string& colour, const std::string& oth
   return format_colour(parts);
 }
 
-/// Returns the colour of a Garcia class. It is the same in all reports.
+/// Returns the colour of a Garcia class, which is the same in all reports.
 inline std::string class_colour(const std::string& garcia) {
   if (garcia == "compact") return kDataColours[0];
   if (garcia == "elongated") return kDataColours[1];

@@ -37,7 +37,7 @@ Json numbers(const std::vector<double>& values) {
 /// Escapes HTML, because plotly.js interprets some tags in texts.
 std::string plain(std::string_view text) { return escape_html(text); }
 
-Json trace_json(const Trace& trace, const ChartAxes& axes) {
+Json trace_json(const ChartTrace& trace, const ChartAxes& axes) {
   Json json = {{"name", plain(shorten_text(trace.name, kMaxLegendCharacters))},
                {"x", numbers(trace.x)},
                {"y", numbers(trace.y)}};
@@ -52,14 +52,14 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
   }
   json["hovertemplate"] = hover;
   if (!trace.shown) json["visible"] = "legendonly";
-  if (trace.kind == Trace::Kind::kBars) {
+  if (trace.kind == ChartTrace::Kind::kBars) {
     json["type"] = "bar";
     json["marker"] = {{"color", trace.colour}};
     json["opacity"] = 0.6;
     return json;
   }
   json["type"] = "scatter";
-  if (trace.kind == Trace::Kind::kPoints) {
+  if (trace.kind == ChartTrace::Kind::kPoints) {
     json["mode"] = "markers";
     json["marker"] = {{"color", trace.colour}, {"size", 9}};
     return json;
@@ -67,7 +67,7 @@ Json trace_json(const Trace& trace, const ChartAxes& axes) {
   json["mode"] = "lines";
   json["line"] = {{"color", trace.colour},
                   {"width", 2},
-                  {"shape", trace.kind == Trace::Kind::kSteps ? "hv" : "linear"}};
+                  {"shape", trace.kind == ChartTrace::Kind::kSteps ? "hv" : "linear"}};
   if (!trace.dash.empty()) {
     std::string dash = trace.dash + "px";
     for (std::size_t at = 0; (at = dash.find(' ', at)) != std::string::npos;) {
@@ -112,9 +112,9 @@ void add_places(const std::vector<LabelledLine>& places, Json& layout) {
   layout["annotations"] = std::move(names);
 }
 
-Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
-  const bool bars = std::any_of(traces.begin(), traces.end(), [](const Trace& trace) {
-    return trace.kind == Trace::Kind::kBars;
+Json layout_json(const ChartAxes& axes, const std::vector<ChartTrace>& traces) {
+  const bool bars = std::any_of(traces.begin(), traces.end(), [](const ChartTrace& trace) {
+    return trace.kind == ChartTrace::Kind::kBars;
   });
   Json layout = {{"height", kPlotHeight},
                  {"margin", {{"l", 62}, {"r", 14}, {"t", 30}, {"b", 46}}},
@@ -141,42 +141,43 @@ Json layout_json(const ChartAxes& axes, const std::vector<Trace>& traces) {
   return layout;
 }
 
-std::string with_count(const Series& sample) {
+std::string with_count(const ChartSeries& sample) {
   return sample.name + " (" + std::to_string(sample.values.size()) + ")";
 }
 
 }  // namespace
 
-std::filesystem::path plotly_file() {
-  return std::filesystem::path(installed_folder("CLAST_PLOTLY", CLAST_PLOTLY_FOLDER)) / "plotly.js";
+std::filesystem::path find_plotly_file() {
+  return std::filesystem::path(find_javascript_folder("CLAST_PLOTLY", CLAST_PLOTLY_FOLDER)) /
+         "plotly.js";
 }
 
 bool plotly_is_installed() {
   std::error_code code;
-  return std::filesystem::is_regular_file(plotly_file(), code);
+  return std::filesystem::is_regular_file(find_plotly_file(), code);
 }
 
-std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<Trace>& traces) {
+std::string draw_plotly_chart(const ChartAxes& axes, const std::vector<ChartTrace>& traces) {
   Json data = Json::array();
-  for (const Trace& trace : traces) {
+  for (const ChartTrace& trace : traces) {
     if (!trace.x.empty()) data.push_back(trace_json(trace, axes));
   }
   if (data.empty()) return {};
   const Json figure = {{"data", data}, {"layout", layout_json(axes, traces)}};
-  return plotly_figure(axes.title, "lines",
-                       figure.dump(-1, ' ', false, Json::error_handler_t::replace), axes.title);
+  return format_plotly_figure(
+      axes.title, "lines", figure.dump(-1, ' ', false, Json::error_handler_t::replace), axes.title);
 }
 
 std::string draw_interval_chart(const std::string& title, const std::string& label,
-                                const std::vector<IntervalMark>& marks) {
+                                const std::vector<IntervalRow>& marks) {
   constexpr int kRow = 34, kAround = 120;  // px
   if (marks.empty()) return {};
   Json data = Json::array();
   for (const bool clear : {true, false}) {
     Json names = Json::array(), values = Json::array(), above = Json::array(),
          below = Json::array(), notes = Json::array();
-    for (const IntervalMark& mark : marks) {
-      if (mark.clear != clear) continue;
+    for (const IntervalRow& mark : marks) {
+      if (mark.is_significant != clear) continue;
       names.push_back(plain(shorten_text(mark.name, kMaxLegendCharacters)));
       values.push_back(short_number(mark.value));
       above.push_back(short_number(mark.high - mark.value));
@@ -187,7 +188,7 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
     const char* colour = clear ? "#0072B2" : "#7b8794";
     data.push_back({{"type", "scatter"},
                     {"mode", "markers"},
-                    {"name", clear ? "more than chance" : "not clear"},
+                    {"name", clear ? "significant" : "not significant"},
                     {"x", values},
                     {"y", names},
                     {"text", notes},
@@ -229,12 +230,12 @@ std::string draw_interval_chart(const std::string& title, const std::string& lab
                        {"legend", {{"orientation", "h"}, {"y", -0.25}, {"yanchor", "top"}}},
                        {"hovermode", "closest"}};
   const Json figure = {{"data", data}, {"layout", layout}};
-  return plotly_figure(title, "intervals",
-                       figure.dump(-1, ' ', false, Json::error_handler_t::replace), title);
+  return format_plotly_figure(title, "intervals",
+                              figure.dump(-1, ' ', false, Json::error_handler_t::replace), title);
 }
 
-std::string plotly_figure(const std::string& label, const std::string& style, std::string json,
-                          const std::string& title) {
+std::string format_plotly_figure(const std::string& label, const std::string& style,
+                                 std::string json, const std::string& title) {
   if (!plotly_is_installed()) return {};
   return "<figure>" +
          (title.empty() ? std::string() : "<div class=\"title\">" + escape_html(title) + "</div>") +
@@ -245,27 +246,28 @@ std::string plotly_figure(const std::string& label, const std::string& style, st
 std::string charts_script() {
   if (!plotly_is_installed()) {
     return format_paragraph(
-        "Charts were left out: there is no " + plotly_file().string() +
+        "Charts are omitted, because there is no " + find_plotly_file().string() +
         ". Install plotly.js (on Debian: apt install python3-plotly), or name its "
         "folder in CLAST_PLOTLY, and compare again. The tables are complete.");
   }
-  return format_packed_element("plotly-code", read_text_file(plotly_file())) +
+  return format_packed_element("plotly-code", read_text_file(find_plotly_file())) +
          format_script_element(assets::charts_js);
 }
 
-std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples, bool exceeding) {
-  std::vector<Trace> traces;
-  for (const Series& sample : samples) {
+std::vector<ChartTrace> make_cumulative_traces(const std::vector<ChartSeries>& samples,
+                                               bool exceeding) {
+  std::vector<ChartTrace> traces;
+  for (const ChartSeries& sample : samples) {
     if (sample.values.empty()) continue;
     std::vector<double> sorted = sample.values;
     std::sort(sorted.begin(), sorted.end());
-    const bool few = sorted.size() < kMinForCurve;
-    Trace trace{with_count(sample),
-                sample.colour,
-                sample.dash,
-                few ? Trace::Kind::kPoints : Trace::Kind::kSteps,
-                {},
-                {}};
+    const bool few = sorted.size() < kMinCurveValues;
+    ChartTrace trace{with_count(sample),
+                     sample.colour,
+                     sample.dash,
+                     few ? ChartTrace::Kind::kPoints : ChartTrace::Kind::kSteps,
+                     {},
+                     {}};
     const auto add = [&](double x, double below) {
       trace.x.push_back(x);
       trace.y.push_back(exceeding ? 1.0 - below : below);
@@ -289,21 +291,21 @@ std::vector<Trace> make_cumulative_traces(const std::vector<Series>& samples, bo
   return traces;
 }
 
-std::vector<Trace> make_histogram_traces(const std::vector<Series>& samples) {
+std::vector<ChartTrace> make_histogram_traces(const std::vector<ChartSeries>& samples) {
   double low = INFINITY, high = -INFINITY;
-  for (const Series& sample : samples) {
+  for (const ChartSeries& sample : samples) {
     for (const double value : sample.values) {
       low = std::min(low, value);
       high = std::max(high, value);
     }
   }
   const Bins bins = choose_bins(nice_axis_range(low, high));
-  std::vector<Trace> traces;
-  for (const Series& sample : samples) {
+  std::vector<ChartTrace> traces;
+  for (const ChartSeries& sample : samples) {
     if (sample.values.empty()) continue;
     std::vector<std::size_t> counts(bins.count, 0);
-    for (const double value : sample.values) ++counts[bins.of(value)];
-    Trace trace{with_count(sample), sample.colour, {}, Trace::Kind::kBars, {}, {}};
+    for (const double value : sample.values) ++counts[bins.bin_index(value)];
+    ChartTrace trace{with_count(sample), sample.colour, {}, ChartTrace::Kind::kBars, {}, {}};
     for (std::size_t bin = 0; bin < bins.count; ++bin) {
       trace.x.push_back(bins.edge(bin) + 0.5 * bins.width);
       trace.y.push_back(static_cast<double>(counts[bin]) /

@@ -17,12 +17,12 @@ constexpr std::size_t kMaxTitle = 44;  // characters of a name over a diagram
 constexpr double kGarciaLimit = 0.3;   // s_c above which a block is elongated
 
 std::string s_c_chart(const PopulationReport& report) {
-  std::vector<Series> all;
+  std::vector<ChartSeries> all;
   for (const ReportedPopulation& reported : report.populations) {
-    Series series{reported.population.name, series_colour(all.size()), "", {}};
+    ChartSeries series{reported.population.name, series_colour(all.size()), "", {}};
     const bool named = reported.population.blocks.size() <= kMaxNamedMarks;
     for (const MeasuredBlock& block : reported.population.blocks) {
-      series.values.push_back(elongation_index(block.axes_as_written));
+      series.values.push_back(elongation_index(block.axes_in_table_unit));
       if (named) series.names.push_back(block.name);
     }
     all.push_back(std::move(series));
@@ -53,7 +53,7 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const auto add = [&](const ReportedPopulation& reported, const std::string& name, bool by_mass) {
     ClassFractionSeries series{name, series_colour(all.size()), {}};
     classes.clear();
-    for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
+    for (const ClassFraction& share : reported.summary.schemes[scheme].fractions) {
       classes.push_back(share.name);
       series.shares.push_back(share_bar(share, by_mass));
     }
@@ -62,14 +62,15 @@ std::string shares_chart(const PopulationReport& report, std::size_t scheme) {
   const bool two = report.populations.size() > 1;
   for (const ReportedPopulation& reported : report.populations) {
     add(reported, two ? reported.population.name : "by number", false);
-    if (!two && reported.summary.with_mass > 0) add(reported, "by mass", true);
+    if (!two && reported.summary.blocks_with_mass > 0) add(reported, "by mass", true);
   }
   return draw_class_fractions(
-      "Shares of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes, all);
+      "Fractions of classes: " + report.populations[0].summary.schemes[scheme].scheme, classes,
+      all);
 }
 
-Series size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
-  Series series{
+ChartSeries size_series(const ReportedPopulation& reported, std::size_t number, bool by_mass) {
+  ChartSeries series{
       by_mass ? "by mass" : "by number", series_colour(by_mass ? 1 : 0), by_mass ? "6 3" : "", {}};
   const bool named = reported.population.blocks.size() <= kMaxNamedMarks;
   for (std::size_t i = 0; i < reported.population.blocks.size(); ++i) {
@@ -80,19 +81,19 @@ Series size_series(const ReportedPopulation& reported, std::size_t number, bool 
     if (!named) continue;
     series.names.push_back(block.name + ", " + format_significant_digits(series.values.back(), 3) +
                            " m");
-    series.blocks.push_back(block_element_id(number, i));
+    series.blocks.push_back(block_highlight_attribute(number, i));
   }
   return series;
 }
 
 /// A fitted law from far below the smallest size to far above the largest.
-Curve law_curve(const FittedSizeLaw& law, double smallest, double largest) {
+ChartCurve law_curve(const FittedSizeLaw& law, double smallest, double largest) {
   constexpr int kSteps = 160;
   const bool normal = law.kind == SizeLawKind::kLogNormal;
-  Curve curve{name_of(law.kind) + " by number",
-              normal ? "#009E73" : "#6a6f76",
-              normal ? "2 2" : "8 3 2 3",
-              {}};
+  ChartCurve curve{name_of(law.kind) + " by number",
+                   normal ? "#009E73" : "#6a6f76",
+                   normal ? "2 2" : "8 3 2 3",
+                   {}};
   for (int k = 0; k <= kSteps; ++k) {
     const double size =
         0.5 * smallest * std::pow(4.0 * largest / smallest, static_cast<double>(k) / kSteps);
@@ -103,7 +104,7 @@ Curve law_curve(const FittedSizeLaw& law, double smallest, double largest) {
 
 /// The curves of all populations over each other, by number.
 std::string sizes_chart(const PopulationReport& report) {
-  std::vector<Series> all;
+  std::vector<ChartSeries> all;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     all.push_back(size_series(report.populations[i], i, false));
     all.back().name = report.populations[i].population.name;
@@ -116,11 +117,11 @@ std::string sizes_chart(const PopulationReport& report) {
 /// The curves of one, by number and by mass, and the laws fitted to the first.
 std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
   const SizeDistribution& size = reported.summary.size;
-  std::vector<Series> series = {size_series(reported, number, false)};
+  std::vector<ChartSeries> series = {size_series(reported, number, false)};
   if (size.by_mass) series.push_back(size_series(reported, number, true));
   const auto [smallest, largest] =
       std::minmax_element(series[0].values.begin(), series[0].values.end());
-  std::vector<Curve> curves;
+  std::vector<ChartCurve> curves;
   for (const FittedSizeLaw& law : size.by_number.laws) {
     curves.push_back(law_curve(law, *smallest, *largest));
   }
@@ -135,7 +136,7 @@ std::string population_file_suffix(const PopulationReport& report, std::size_t n
   return report.populations.size() > 1 ? "_" + std::to_string(number + 1) : "";
 }
 
-bool has_sizes(const ReportedPopulation& reported) {
+bool has_scaled_blocks(const ReportedPopulation& reported) {
   return reported.summary.size.by_number.blocks > 0;
 }
 
@@ -143,27 +144,28 @@ std::string format_block_mass(double mass) {
   return mass < 1e4 ? format_significant_digits(mass, 4) : format_fixed(mass, 0);
 }
 
-std::string fractions_file_name(const PopulationReport& report, std::size_t scheme) {
+std::string class_fractions_diagram_name(const PopulationReport& report, std::size_t scheme) {
   return "shares_" + class_column_name(report.populations.front().summary.schemes[scheme].scheme);
 }
 
-Diagrams draw_population_diagrams(const PopulationReport& report) {
-  Diagrams diagrams;
+PopulationDiagrams draw_population_diagrams(const PopulationReport& report) {
+  PopulationDiagrams diagrams;
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     diagrams["sneed_folk" + population_file_suffix(report, i)] =
         draw_sneed_folk_diagram(reported.population, i, report.options);
     diagrams["zingg" + population_file_suffix(report, i)] =
         draw_zingg_diagram(reported.population, i, report.options);
-    if (has_sizes(reported)) {
+    if (has_scaled_blocks(reported)) {
       diagrams["size" + population_file_suffix(report, i)] = size_chart(reported, i);
     }
   }
-  const bool sized = std::any_of(report.populations.begin(), report.populations.end(), has_sizes);
+  const bool sized =
+      std::any_of(report.populations.begin(), report.populations.end(), has_scaled_blocks);
   if (sized && report.populations.size() > 1) diagrams["sizes"] = sizes_chart(report);
   diagrams["s_c"] = s_c_chart(report);
   for (std::size_t i = 0; i < report.populations.front().summary.schemes.size(); ++i) {
-    diagrams[fractions_file_name(report, i)] = shares_chart(report, i);
+    diagrams[class_fractions_diagram_name(report, i)] = shares_chart(report, i);
   }
   return diagrams;
 }

@@ -8,21 +8,21 @@
 
 namespace clast::report_detail {
 
-/// SVG diagrams by file name.
-using Diagrams = std::map<std::string, std::string>;
-/// Draws all diagrams. They are "sneed_folk", "zingg" and "size" (with "_1" and "_2" for two
-/// populations), "s_c", "shares_" plus each scheme's class column, and "sizes" for two populations.
-Diagrams draw_population_diagrams(const PopulationReport& report);
+/// Diagrams of block populations: SVG texts by name.
+using PopulationDiagrams = std::map<std::string, std::string>;
+/// Draws all diagrams of one or two populations: shape diagrams, size distributions and class
+/// fractions.
+PopulationDiagrams draw_population_diagrams(const PopulationReport& report);
 
-/// Returns the suffix of the file names of a population's diagrams. Empty for a single population.
+/// Returns the suffix of the names of the diagrams of a population; empty for a single population.
 /// @param number  index of the population
 std::string population_file_suffix(const PopulationReport& report, std::size_t number);
 /// Returns the name of the diagram of class fractions of a scheme.
 /// @param scheme  index of the scheme in the summaries
-std::string fractions_file_name(const PopulationReport& report, std::size_t scheme);
+std::string class_fractions_diagram_name(const PopulationReport& report, std::size_t scheme);
 
-/// True if at least one block has a scale.
-bool has_sizes(const ReportedPopulation& reported);
+/// True if at least one block of a population has a scale.
+bool has_scaled_blocks(const ReportedPopulation& reported);
 
 /// Formats a mass with four significant digits, without exponent.
 std::string format_block_mass(double mass);

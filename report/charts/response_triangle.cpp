@@ -69,33 +69,35 @@ std::string triangle_frame() {
 
 /// Values and colours of the picture.
 struct ResponseRange {
-  double least = 1e300, most = -1e300;
+  double minimum = 1e300, maximum = -1e300;
   double step = 1.0;  ///< between contour lines
 
-  double share(double value) const { return most > least ? (value - least) / (most - least) : 0.0; }
+  double share(double value) const {
+    return maximum > minimum ? (value - minimum) / (maximum - minimum) : 0.0;
+  }
   /// Round values between the least and the largest.
   std::vector<double> levels() const {
     std::vector<double> levels;
-    if (!(most > least)) return levels;
-    for (double k = std::floor(least / step) + 1.0; k * step < most; k += 1.0) {
+    if (!(maximum > minimum)) return levels;
+    for (double k = std::floor(minimum / step) + 1.0; k * step < maximum; k += 1.0) {
       levels.push_back(k * step);
     }
     return levels;
   }
   /// Colour of the band from this level to the next.
   std::string colour(double level) const {
-    return format_colour(response_colour(share(std::min(most, level + 0.5 * step))));
+    return format_colour(response_colour(share(std::min(maximum, level + 0.5 * step))));
   }
 };
 
 ResponseRange response_range(std::span<const ShapeResponse> forms) {
   ResponseRange range;
   for (const ShapeResponse& form : forms) {
-    range.least = std::min(range.least, form.value);
-    range.most = std::max(range.most, form.value);
+    range.minimum = std::min(range.minimum, form.value);
+    range.maximum = std::max(range.maximum, form.value);
   }
-  if (range.most > range.least) {
-    range.step = round_down_to_nice((range.most - range.least) / kMinBands);
+  if (range.maximum > range.minimum) {
+    range.step = round_down_to_nice_number((range.maximum - range.minimum) / kMinBands);
   }
   return range;
 }
@@ -148,8 +150,8 @@ std::string line_of(const ThinPlateSpline& surface, std::span<const Vec2> hull, 
 /// Bands, each over those below it, and lines, within the forms.
 std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec2> places,
                        const ResponseRange& range, const std::string& clip) {
-  const std::vector<Vec2> hull = convex_hull_of(places);
-  if (hull.size() < 3 || forms.size() > kMaxForms || !(range.most > range.least)) return "";
+  const std::vector<Vec2> hull = plan_convex_hull(places);
+  if (hull.size() < 3 || forms.size() > kMaxForms || !(range.maximum > range.minimum)) return "";
   std::vector<double> values;
   for (const ShapeResponse& form : forms) values.push_back(form.value);
   const ThinPlateSpline surface(places, values);
@@ -161,7 +163,8 @@ std::string surface_of(std::span<const ShapeResponse> forms, std::span<const Vec
   const std::vector<double> levels = range.levels();
   std::string svg = "<clipPath id=\"" + clip + "\"><polygon points=\"" + outline +
                     "\"/></clipPath><g clip-path=\"url(#" + clip + ")\"><polygon points=\"" +
-                    outline + "\" fill=\"" + range.colour(range.least - 0.5 * range.step) + "\"/>";
+                    outline + "\" fill=\"" + range.colour(range.minimum - 0.5 * range.step) +
+                    "\"/>";
   for (const double level : levels) {
     svg += "<path d=\"" + format_band_path(surface, hull, level, kLattice) + "\" fill=\"" +
            range.colour(level) + "\"/>";
@@ -180,7 +183,7 @@ std::string legend(const ResponseRange& range, const std::string& label) {
   std::string svg = svg_text(570.0, top, label, "text-anchor=\"middle\" font-size=\"13\"");
   if (levels.empty()) return svg;
   for (std::size_t i = 0; i <= levels.size(); ++i, y -= kBox) {
-    const double from = i == 0 ? range.least - 0.5 * range.step : levels[i - 1];
+    const double from = i == 0 ? range.minimum - 0.5 * range.step : levels[i - 1];
     svg += "<rect x=\"" + format_fixed(kX, 1) + "\" y=\"" + format_fixed(y, 1) + "\" width=\"" +
            format_fixed(kBox, 1) + "\" height=\"" + format_fixed(kBox, 1) + "\" fill=\"" +
            range.colour(from) + "\" stroke=\"#8a94a0\" stroke-width=\"0.5\"/>";

@@ -11,14 +11,12 @@ struct ShapeResponse {
   std::string name;
   Axes axes;
   double value = 0.0;
-  bool marked = false;  ///< true: has a larger mark with a label
+  bool marked = false;  ///< true if the mark is larger and has a label
 };
 
-/// Draws a surface through the values of all shapes (charts/contour_field.hpp) as coloured bands
-/// with contour lines at round values, within the convex hull of the shapes. Compact shapes are at
-/// the top, platy shapes left, elongate shapes right. Each shape has a disc in the colour of its
-/// value. `marked` shapes, such as scanned blocks, have larger discs with labels. If the shapes are
-/// collinear, only discs are drawn.
+/// Draws an outcome over the Sneed-Folk triangle: a smooth surface through the values of all shapes
+/// as coloured bands with contour lines. Each shape has a disc in the colour of its value. `marked`
+/// shapes have larger discs with labels.
 /// @param label  quantity with unit, such as "mean runout, m"
 /// @cite sneed1958
 std::string draw_response_triangle(std::span<const ShapeResponse> forms, const std::string& label);

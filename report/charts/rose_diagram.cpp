@@ -55,10 +55,10 @@ std::vector<std::size_t> sector_counts(const std::vector<double>& trends) {
 std::string draw_rose_diagram(const std::string& name, const std::string& colour,
                               const std::vector<double>& trends, const AxialMean& mean) {
   const std::vector<std::size_t> counts = sector_counts(trends);
-  const std::size_t most =
+  const std::size_t maximum =
       std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
   const auto radius_of = [&](double count) {
-    return kRadius * std::sqrt(count / static_cast<double>(most));
+    return kRadius * std::sqrt(count / static_cast<double>(maximum));
   };
   std::string svg = open_svg(kRoseWidth, kRoseHeight, "Directions of long axes: " + name);
   svg += svg_text(kCentre.x(), 18.0, shorten_text(name, 40),
@@ -66,7 +66,7 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
   svg += circle(kRadius, "stroke=\"#8a94a0\"");
   // Radius of all sectors for uniform directions.
   const double even = static_cast<double>(trends.size()) / static_cast<double>(kSectors);
-  if (even <= static_cast<double>(most)) {
+  if (even <= static_cast<double>(maximum)) {
     svg += circle(radius_of(even), "stroke=\"#5b6775\" stroke-dasharray=\"3 3\"");
   }
   const double width = kPi / static_cast<double>(kSectors);
@@ -82,8 +82,8 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
     }
   }
   if (std::isfinite(mean.direction)) {
-    const Vec2 a = rose_point(mean.direction, kRadius * mean.resultant);
-    const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant);
+    const Vec2 a = rose_point(mean.direction, kRadius * mean.resultant_length);
+    const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant_length);
     svg += format_svg_line(a.x(), a.y(), b.x(), b.y(), "stroke=\"#1d2733\" stroke-width=\"3\"");
   }
   svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, "downslope", kRoseText);

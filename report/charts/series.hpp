@@ -5,15 +5,16 @@
 
 namespace clast::report_detail {
 
-struct Series {
+struct ChartSeries {
   std::string name;
   std::string colour;  ///< "#rrggbb"
   std::string dash;    ///< SVG dash pattern; empty for a solid line
   std::vector<double> values;
-  std::vector<double> weights =
-      {};  ///< one per value, for cumulative charts; if empty, weights are equal
-  std::vector<std::string> names = {};   ///< one per value, shown as tooltip
-  std::vector<std::string> blocks = {};  ///< data-block of each mark (see `make_report_page`)
+  /// Weight of each value in cumulative charts; if empty, weights are equal.
+  std::vector<double> weights = {};
+  std::vector<std::string> names = {};  ///< tooltip of each value
+  /// Identifier of each block, for highlighting in all diagrams.
+  std::vector<std::string> blocks = {};
 };
 
 }  // namespace clast::report_detail

@@ -25,9 +25,9 @@ struct AxisRange {
   bool logarithmic = false;
 };
 
-AxisRange axis_range(const std::vector<Series>& series, bool logarithmic = false) {
+AxisRange axis_range(const std::vector<ChartSeries>& series, bool logarithmic = false) {
   AxisRange range{INFINITY, -INFINITY};
-  for (const Series& one : series) {
+  for (const ChartSeries& one : series) {
     for (const double value : one.values) {
       range.low = std::min(range.low, value);
       range.high = std::max(range.high, value);
@@ -38,7 +38,7 @@ AxisRange axis_range(const std::vector<Series>& series, bool logarithmic = false
     const double margin = std::max(1.08, std::pow(range.high / range.low, 0.1));
     return {range.low / margin, range.high * margin, true};
   }
-  const Span span = nice_axis_range(range.low, range.high);
+  const AxisInterval span = nice_axis_range(range.low, range.high);
   return {span.low, span.high};
 }
 
@@ -59,13 +59,13 @@ std::vector<std::pair<double, std::string>> x_ticks(const AxisRange& range) {
     if (marks.size() >= 3) return marks;
     marks.clear();  // less than a decade: round steps read better
   }
-  const Ticks found = choose_ticks(range.low, range.high, 7);
+  const AxisTicks found = choose_ticks(range.low, range.high, 7);
   for (const double value : found.values)
     marks.emplace_back(value, format_fixed(value, found.decimals));
   return marks;
 }
 
-std::string chart_title(const ChartText& text) {
+std::string chart_title(const ChartLabels& text) {
   return svg_text(kChartLeft, 18, text.title,
                   "font-size=\"14\" font-weight=\"600\" fill=\"#1d2733\"");
 }
@@ -85,7 +85,7 @@ std::string x_axis(const AxisRange& range, double top, double bottom, const std:
 // Limit for half of the chart's width.
 constexpr std::size_t kMaxTitleCharacters = 24;
 
-std::string name_with_count(const Series& series) {
+std::string name_with_count(const ChartSeries& series) {
   return shorten_text(series.name, kMaxTitleCharacters) + " (" +
          std::to_string(series.values.size()) + ")";
 }
@@ -95,7 +95,8 @@ std::string dash_style(const std::string& dash) {
 }
 
 /// Limits that lie in the range, dashed, with their words at the top.
-std::string limit_lines(const ChartText& text, const AxisRange& range, double top, double bottom) {
+std::string limit_lines(const ChartLabels& text, const AxisRange& range, double top,
+                        double bottom) {
   std::string svg;
   for (const LimitLine& limit : text.limits) {
     if (limit.value < range.low || limit.value > range.high) continue;
@@ -115,7 +116,7 @@ struct Step {
 };
 
 /// Values in ascending order with their cumulative shares.
-std::vector<Step> steps_of(const Series& series) {
+std::vector<Step> steps_of(const ChartSeries& series) {
   std::vector<Step> steps;
   double total = 0.0;
   for (std::size_t i = 0; i < series.values.size(); ++i) {
@@ -146,7 +147,7 @@ std::string step_path(const std::vector<Step>& steps, const AxisRange& range, do
   return path + "H" + format_fixed(kChartLeft + kPlotWidth, 1);
 }
 
-std::string named_marks(const Series& series, const std::vector<Step>& steps,
+std::string named_marks(const ChartSeries& series, const std::vector<Step>& steps,
                         const AxisRange& range, double top, double height) {
   if (series.names.empty() || series.names.size() > kMaxNamedMarks) return {};
   std::string svg;
@@ -163,7 +164,8 @@ std::string named_marks(const Series& series, const std::vector<Step>& steps,
   return svg;
 }
 
-std::string smooth_path(const Curve& curve, const AxisRange& range, double top, double height) {
+std::string smooth_path(const ChartCurve& curve, const AxisRange& range, double top,
+                        double height) {
   std::string path;
   for (const auto& [x, share] : curve.points) {
     if (x < range.low || x > range.high) continue;
@@ -203,17 +205,17 @@ std::string names_in_bin(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string draw_cumulative_chart(const ChartText& text, const std::vector<Series>& series,
-                                  const std::vector<Curve>& curves) {
+std::string draw_cumulative_chart(const ChartLabels& text, const std::vector<ChartSeries>& series,
+                                  const std::vector<ChartCurve>& curves) {
   constexpr double kHeight = 210.0;
   std::vector<LegendEntry> entries;
-  for (const Series& one : series) {
+  for (const ChartSeries& one : series) {
     if (one.values.empty()) continue;
     entries.push_back({name_with_count(one),
                        "stroke=\"" + one.colour + "\" stroke-width=\"2\"" + dash_style(one.dash)});
   }
   const std::size_t samples = entries.size();
-  for (const Curve& curve : curves) {
+  for (const ChartCurve& curve : curves) {
     entries.push_back({curve.name, "stroke=\"" + curve.colour + "\" stroke-width=\"1.6\"" +
                                        dash_style(curve.dash)});
   }
@@ -236,7 +238,7 @@ std::string draw_cumulative_chart(const ChartText& text, const std::vector<Serie
            escape_html(curves[i].name) + "</title></path>";
   }
   std::size_t entry = 0;
-  for (const Series& one : series) {
+  for (const ChartSeries& one : series) {
     if (one.values.empty()) continue;
     const std::vector<Step> steps = steps_of(one);
     svg += "<path fill=\"none\" " + entries[entry].pen + " d=\"" +
@@ -249,7 +251,7 @@ std::string draw_cumulative_chart(const ChartText& text, const std::vector<Serie
   return svg + legend_below(entries, bottom + 54) + "</svg>\n";
 }
 
-std::string draw_histogram(const ChartText& text, const std::vector<Series>& series) {
+std::string draw_histogram(const ChartLabels& text, const std::vector<ChartSeries>& series) {
   constexpr double kRow = 92.0, kGap = 24.0;
   const AxisRange data = axis_range(series);
   std::vector<double> limits;
@@ -260,11 +262,11 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
   std::vector<std::vector<double>> shares;
   std::vector<std::vector<std::vector<std::string>>> names;  // by series and bin
   double highest = 0.0;
-  for (const Series& one : series) {
+  for (const ChartSeries& one : series) {
     std::vector<double> share(bins.count, 0.0);
     names.emplace_back(bins.count);
     for (std::size_t i = 0; i < one.values.size(); ++i) {
-      const std::size_t k = bins.of(one.values[i]);
+      const std::size_t k = bins.bin_index(one.values[i]);
       share[k] += 1.0 / static_cast<double>(one.values.size());
       if (!one.names.empty()) names.back()[k].push_back(one.names[i]);
     }
@@ -276,7 +278,7 @@ std::string draw_histogram(const ChartText& text, const std::vector<Series>& ser
   const double bottom = kChartTop + static_cast<double>(series.size()) * (kRow + kGap);
   std::string svg = open_svg(kChartWidth, bottom + 46, text.title) + chart_title(text);
   svg += x_axis(range, kChartTop, bottom, text.x_label);
-  const Ticks levels = choose_ticks(0.0, 100.0 * highest, 3);
+  const AxisTicks levels = choose_ticks(0.0, 100.0 * highest, 3);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const double base = kChartTop + static_cast<double>(i + 1) * (kRow + kGap);
     for (const double level : levels.values) {

@@ -9,8 +9,8 @@
 
 namespace clast::report_detail {
 
-/// Smooth curve that is added to a cumulative chart: fractions in [0, 1] at ascending x.
-struct Curve {
+/// Smooth curve in a cumulative chart: fractions in [0, 1] at ascending x.
+struct ChartCurve {
   std::string name;
   std::string colour;
   std::string dash;
@@ -23,22 +23,21 @@ struct LimitLine {
   std::string text;
 };
 
-struct ChartText {
+struct ChartLabels {
   std::string title;
   std::string x_label;
-  bool logarithmic =
-      false;  ///< true: the x axis of a cumulative chart is logarithmic; values must be positive
+  bool logarithmic = false;  ///< true if the x axis of a cumulative chart is logarithmic
   std::vector<LimitLine> limits = {};
 };
 
 /// Maximum number of named marks per series.
 inline constexpr std::size_t kMaxNamedMarks = 500;
 
-/// Draws cumulative step curves. Named values have a mark with a tooltip.
-std::string draw_cumulative_chart(const ChartText& text, const std::vector<Series>& series,
-                                  const std::vector<Curve>& curves = {});
+/// Draws cumulative distributions as step curves. Named values have a mark with a tooltip.
+std::string draw_cumulative_chart(const ChartLabels& text, const std::vector<ChartSeries>& series,
+                                  const std::vector<ChartCurve>& curves = {});
 
-/// Draws one histogram per sample, in per cent. All samples have the same bins (`choose_bins`).
-std::string draw_histogram(const ChartText& text, const std::vector<Series>& series);
+/// Draws one histogram per sample, in per cent. All samples have the same bins.
+std::string draw_histogram(const ChartLabels& text, const std::vector<ChartSeries>& series);
 
 }  // namespace clast::report_detail

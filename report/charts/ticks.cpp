@@ -7,15 +7,15 @@
 
 namespace clast::report_detail {
 
-Ticks choose_ticks(double low, double high, int wanted) {
-  Ticks found;
+AxisTicks choose_ticks(double low, double high, int wanted) {
+  AxisTicks found;
   // Narrower than rounding can count through: one tick.
   const double size = std::max(std::abs(low), std::abs(high));
   if (!(high - low > 1e-9 * size) || !std::isfinite(high - low)) {
     found.values = {low};
     return found;
   }
-  found.step = round_up_to_nice((high - low) / std::max(wanted, 1));
+  found.step = round_up_to_nice_number((high - low) / std::max(wanted, 1));
   found.decimals = std::max(0, -static_cast<int>(std::floor(std::log10(found.step) + 1e-9)));
   // A hair of slack keeps a tick that rounding put just outside.
   const double slack = 1e-9 * found.step;
@@ -25,7 +25,7 @@ Ticks choose_ticks(double low, double high, int wanted) {
   return found;
 }
 
-std::vector<double> choose_log_ticks(double low, double high, std::size_t most) {
+std::vector<double> choose_log_ticks(double low, double high, std::size_t maximum) {
   std::vector<double> all, decades;
   for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high * (1.0 + 1e-9);
        power *= 10.0) {
@@ -36,7 +36,7 @@ std::vector<double> choose_log_ticks(double low, double high, std::size_t most) 
       if (factor == 1.0) decades.push_back(value);
     }
   }
-  return all.size() <= most ? all : decades;
+  return all.size() <= maximum ? all : decades;
 }
 
 }  // namespace clast::report_detail

@@ -116,13 +116,13 @@ void write_barriers(Layer layer, const Comparison& comparison) {
     Feature feature = layer.feature();
     feature->SetField("name", barrier.name.c_str());
     for (const BarrierGroupStatistics& row : comparison.barriers) {
-      const Group& group = comparison.groups[row.group_index];
-      if (row.line == line && group.kind == GroupKind::kAll && !group.file) {
+      const RunGroup& group = comparison.groups[row.group_index];
+      if (row.line == line && group.kind == RunGroupKind::kAll && !group.file) {
         set_fields(*feature, columns, row);
       }
     }
     OGRLineString geometry;
-    for (const Vec2& point : barrier.through) geometry.addPoint(point.x(), point.y());
+    for (const Vec2& point : barrier.vertices) geometry.addPoint(point.x(), point.y());
     layer.add(std::move(feature), geometry);
   }
 }
@@ -153,7 +153,7 @@ void write_measured(Layer layer, const MeasuredStops& measured) {
     feature->SetField("shape", stop.shape.c_str());
     feature->SetField("runout_m", stop.runout);
     feature->SetField("lateral_deg", stop.lateral * kDegreesPerRadian);
-    layer.add(std::move(feature), OGRPoint(stop.place.x(), stop.place.y()));
+    layer.add(std::move(feature), OGRPoint(stop.position.x(), stop.position.y()));
   }
 }
 
@@ -221,7 +221,7 @@ void write_geopackage(const std::filesystem::path& path, const Comparison& compa
                           {"lateral_deg", OFTReal}}),
                    *comparison.measured);
   }
-  add_style_table(*dataset, path, make_vector_styles(comparison));
+  add_layer_style_table(*dataset, path, make_vector_styles(comparison));
   check_written(dataset->CommitTransaction() == OGRERR_NONE, path, "a GeoPackage");
   dataset->SetMetadataItem("PROGRAM", (std::string("clast ") + version()).c_str());
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

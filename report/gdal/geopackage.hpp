@@ -6,9 +6,8 @@
 
 namespace clast {
 
-/// Writes a GeoPackage. It has point layers `stops`, `crossings` and `measured`, and line layers
-/// `barriers` and `trajectories`, in map coordinates and with the terrain's CRS if known. The table
-/// `layer_styles` gives them in QGIS the style of the report's map.
+/// Writes a GeoPackage with the stops, crossings, observed stops, barriers and trajectories of a
+/// comparison, in map coordinates. QGIS draws the layers in the style of the report.
 /// @throws InputError  if GDAL cannot write the file
 void write_geopackage(const std::filesystem::path& path, const Comparison& comparison);
 

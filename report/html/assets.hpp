@@ -1,5 +1,5 @@
 #pragma once
-/// Files of report/assets as strings. `page_css`, for example, is page.css.
+/// Files of the folder report/assets as strings. `page_css`, for example, is page.css.
 #include <string_view>
 
 namespace clast::report_detail::assets {
@@ -11,7 +11,7 @@ extern const std::string_view report_css;   ///< style of pages about runs and p
 extern const std::string_view scans_css;    ///< style of pages about scans
 extern const std::string_view blocks_js;    ///< highlights a block in all diagrams
 extern const std::string_view unpack_js;    ///< unpacks the contents of `format_packed_element`
-extern const std::string_view charts_js;    ///< draws the charts of `plotly_figure`
+extern const std::string_view charts_js;    ///< draws the charts of `format_plotly_figure`
 extern const std::string_view gallery_css;  ///< style of galleries of blocks
 extern const std::string_view gallery_js;   ///< filters, sorts and opens blocks of a gallery
 extern const std::string_view turntable_html;  ///< 3-D view of a block and its controls

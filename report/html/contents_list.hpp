@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-/// Formats links to the key results, if `body` has them, and to each section in order.
+/// Makes the table of contents of a page: links to the key results and to each section of `body`.
 std::string make_contents_list(std::string_view body);
 
 }  // namespace clast::report_detail

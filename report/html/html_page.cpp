@@ -67,12 +67,12 @@ std::string escape_html(std::string_view text) {
   return result;
 }
 
-std::string shorten_text(std::string_view text, std::size_t most) {
+std::string shorten_text(std::string_view text, std::size_t maximum) {
   std::size_t characters = 0, end = 0;  // up to and with the last character that has room
   for (std::size_t i = 0; i < text.size(); ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) continue;
-    if (++characters == most) end = i;
-    if (characters > most) return std::string(text.substr(0, end)) + "\xE2\x80\xA6";
+    if (++characters == maximum) end = i;
+    if (characters > maximum) return std::string(text.substr(0, end)) + "\xE2\x80\xA6";
   }
   return std::string(text);
 }
@@ -114,14 +114,14 @@ HtmlTable& HtmlTable::row(std::vector<std::string> cells) {
   return *this;
 }
 
-HtmlTable& HtmlTable::html_row(const std::vector<std::string>& cells) {
+HtmlTable& HtmlTable::add_html_row(const std::vector<std::string>& cells) {
   rows_ += "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) add_cell(i, false, cells[i]);
   rows_ += "</tr>\n";
   return *this;
 }
 
-HtmlTable& HtmlTable::as_cards() {
+HtmlTable& HtmlTable::show_as_cards() {
   cards_ = true;
   return *this;
 }

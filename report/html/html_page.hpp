@@ -9,13 +9,13 @@
 
 namespace clast::report_detail {
 
-/// Escapes & < > " ' for element content and quoted attributes, and removes control characters.
+/// Escapes a text for HTML elements and quoted attributes, and removes control characters.
 std::string escape_html(std::string_view text);
 
-/// Shortens a UTF-8 text to at most `most` characters. A shortened text ends with ….
-std::string shorten_text(std::string_view text, std::size_t most);
+/// Shortens a UTF-8 text to at most `maximum` characters. A shortened text ends with ….
+std::string shorten_text(std::string_view text, std::size_t maximum);
 
-/// Formats a relative path for href. All characters except letters, digits and /._- become %XX.
+/// Formats a relative path as link target, with special characters as %XX.
 std::string format_link_target(std::string_view path);
 
 /// Formats a number with fixed decimals; "-" if it is not finite.
@@ -28,11 +28,11 @@ class HtmlTable {
  public:
   HtmlTable(std::vector<std::string> heads, std::size_t text_columns);
 
-  HtmlTable& row(std::vector<std::string> cells);  ///< adds a row of plain text, which is escaped
-  HtmlTable& html_row(const std::vector<std::string>& cells);  ///< adds a row of HTML
-  /// Stores the column heads in the cells, which lets scans.css show rows as cards on narrow pages.
-  /// Must be called before the first row.
-  HtmlTable& as_cards();
+  HtmlTable& row(std::vector<std::string> cells);  ///< adds a row of plain texts, which are escaped
+  HtmlTable& add_html_row(const std::vector<std::string>& cells);  ///< adds a row of HTML cells
+  /// Makes narrow pages show rows as cards with the column heads. Must be called before the first
+  /// row.
+  HtmlTable& show_as_cards();
   std::string html() const;
 
  private:
@@ -50,16 +50,17 @@ std::string svg_text(double x, double y, std::string_view text, std::string_view
 /// Formats the opening tag of an SVG image that scales with the page.
 std::string open_svg(double width, double height, std::string_view label);
 
-/// Makes a standalone SVG file from an image of a page. Adds white background, font and size in px.
+/// Makes a standalone SVG file from an SVG image of a page.
 std::string make_svg_file(const std::string& svg);
 
 /// Replaces each {{name}} in an HTML template by its value (HTML).
 std::string fill_template(std::string_view skeleton,
                           const std::map<std::string, std::string>& values);
 
-/// Formats a section with heading. Its id is the title in lower case, with dashes for spaces.
+/// Formats a section of a page with its heading. Its id is the title in lower case, with dashes for
+/// spaces.
 std::string format_section(std::string_view title, std::string_view body);
-/// State of a collapsible section when the page is printed.
+/// State of a collapsible section on a printed page.
 enum class PrintedState { kLeftOut, kOpen };
 /// Formats a collapsible section: a line of plain text, and an HTML body shown after a click.
 std::string format_folded_section(std::string_view line, std::string_view body,
@@ -67,15 +68,15 @@ std::string format_folded_section(std::string_view line, std::string_view body,
 /// Formats a paragraph of plain text. Text in backticks is formatted as code.
 std::string format_paragraph(std::string_view text);
 std::string format_figure(std::string_view svg, std::string_view caption = {});
-/// Formats one entry of a "<dl class=facts>" list.
+/// Formats one entry of a list of names and values (<dl>).
 std::string format_fact(std::string_view name, std::string_view value);
 /// Formats a highlighted box with a list of warnings.
 std::string format_note_box(std::string_view title, const std::vector<std::string>& notes);
 
-/// Style and script of one kind of page.
+/// Additional style and script of a page.
 struct PageExtras {
   std::string_view style = {};   ///< CSS
-  std::string_view script = {};  ///< executed at the end of the page
+  std::string_view script = {};  ///< JavaScript, executed at the end of the page
 };
 
 /// Formats a complete page with its style and with the script that sorts tables.

@@ -10,9 +10,9 @@ namespace clast::report_detail {
 
 static_assert(std::endian::native == std::endian::little, "browsers read little-endian arrays");
 
-/// Encodes an array as base64, decoded by `clastBytes` of unpack.js.
+/// Encodes an array as base64 text for scripts of a page.
 template <class T>
-std::string packed(std::span<const T> values) {
+std::string encode_packed_array(std::span<const T> values) {
   return encode_base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
 }
 

@@ -32,7 +32,7 @@ std::string format_packed_element(const std::string& id, std::string_view text) 
          encode_base64(compress_zlib(text, kDeflateLevel)) + "</script>\n";
 }
 
-std::string installed_folder(const char* variable, const char* configured) {
+std::string find_javascript_folder(const char* variable, const char* configured) {
   const char* named = std::getenv(variable);
   return named && *named ? named : configured;
 }

@@ -5,18 +5,19 @@
 
 namespace clast::report_detail {
 
-/// Formats a script element. Replaces sequences that would end it by equivalent JavaScript.
+/// Formats a script element of a page. Replaces sequences that would end it by equivalent
+/// JavaScript.
 std::string format_script_element(std::string_view code);
 
-/// Formats an element with JSON data and the given attributes.
+/// Formats a page element with JSON data and the given attributes.
 std::string format_json_element(const std::string& attributes, std::string json);
 
-/// Formats an element with a compressed text. `clastUnpacked(id)` of unpack.js reads it. Large
-/// texts, such as libraries and trajectories, are packed, so that pages open faster.
+/// Formats a page element with a compressed text, which `clastUnpacked(id)` of unpack.js reads.
+/// Large texts are compressed, so that pages open faster.
 std::string format_packed_element(const std::string& id, std::string_view text);
 
-/// Returns the folder of an installed JavaScript library. It is given by the environment variable
-/// `variable`, or was found at configuration.
-std::string installed_folder(const char* variable, const char* configured);
+/// Finds the folder of a JavaScript library. It is named by the environment variable `variable`, or
+/// was found at configuration.
+std::string find_javascript_folder(const char* variable, const char* configured);
 
 }  // namespace clast::report_detail

@@ -5,8 +5,8 @@
 
 namespace clast::report_detail {
 
-/// Formats a page with chart styles and a script. The script highlights all marks whose data-block
-/// is that of the mark under the pointer.
+/// Makes a page with the styles of charts and a script that highlights the block under the pointer
+/// in all diagrams.
 std::string make_report_page(std::string_view title, std::string_view body);
 
 }  // namespace clast::report_detail

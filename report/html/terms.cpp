@@ -25,39 +25,41 @@ constexpr std::array kTerms = {
          "right looking downslope."},
     Term{"lateral mean", "lateral", ""},
     Term{"95 % intervals", "interval",
-         "Ranges that hold the true value in 95 of 100 studies like this one. What is not in the "
-         "simulation, such as wrong ground parameters, is not in them."},
+         "Ranges that contain the true value in 95 of 100 studies like this one. They do not cover "
+         "errors of the model, such as wrong ground parameters."},
     Term{"95 % interval", "interval", ""},
     Term{"p95", "p95", "The value that 95 % of the runs stay below."},
-    Term{
-        "Cliff&#39;s delta", "delta",
-        "How much more often a run of the first group has the larger value than one of the second: "
-        "0 is as often as not, 1 always, -1 never. Below 0.15 is negligible, above 0.47 large."},
-    Term{"Hedges&#39; g", "hedges", "The difference in units of the spread of single runs."},
+    Term{"Cliff&#39;s delta", "delta",
+         "Probability that a run of the first group has a larger value than a run of the second, "
+         "minus the probability of the opposite: from -1 to 1. A magnitude below 0.15 is "
+         "negligible, above 0.47 large."},
+    Term{"Hedges&#39; g", "hedges",
+         "The difference of the means divided by the standard deviation of single runs."},
     Term{"KS distance", "ks",
          "The largest distance between two cumulative curves (Kolmogorov and Smirnov), from 0 to "
          "1."},
     Term{"p (Holm)", "holm",
-         "How often chance alone gives such a distance, after a correction for having looked at "
-         "many differences. Below 0.05 the difference counts as found."},
-    Term{"reach probability", "reach", "Share of all released blocks that come to a place."},
+         "Probability that such a distance occurs by chance, corrected for the number of tests. A "
+         "difference with a value below 0.05 is significant."},
+    Term{"reach probability", "reach", "Fraction of all released blocks that reach a location."},
     Term{
         "s_c", "sc",
         "Length over width, minus 1 (L/I - 1): above 0.3 a block is elongated, else compact, after "
         "Garcia et al. (2022)."},
     Term{"clearance", "clearance", "Height of the lowest point of the block above the ground."},
-    Term{"cumulative", "cumulative", "Share of the values that lie below."},
+    Term{"cumulative", "cumulative", "Fraction of the values that lie below."},
     Term{"penetration", "penetration", "How deep a block overlaps the ground in the simulation."},
     Term{"rank correlation", "rank",
-         "Whether two quantities rise together (1), one falls as the other rises (-1), or neither "
-         "(0)."},
-    Term{"share of variance", "variance",
-         "How much of the scatter of the outcome one parameter explains alone."},
-    Term{"travel angle", "travel", "Angle of the line from the crest to the toe of the deposit."},
+         "1 if two quantities always increase together, -1 if one always decreases as the other "
+         "increases, 0 without a trend."},
+    Term{"fraction of variance", "variance",
+         "Fraction of the variance of the outcome that one parameter explains alone."},
+    Term{"travel angle", "travel",
+         "Angle below the horizontal of the line from the crest to the toe of the deposit."},
     Term{"e_n\xC2\xB2", "restitution",
-         "Energy restitution: the share of the energy that a block keeps at an impact, along the "
-         "normal."},
-    Term{"k_n", "stiffness", "Stiffness of a contact, along the normal."},
+         "Energy restitution: the fraction of the energy of normal motion that a block keeps at an "
+         "impact."},
+    Term{"k_n", "stiffness", "Normal stiffness of a contact."},
     Term{"Sneed-Folk", "sneed", "Shape classes by L, I and S, after Sneed and Folk (1958)."},
     Term{"Zingg", "zingg", "Shape classes by I/L and S/I, after Zingg (1935)."}};
 

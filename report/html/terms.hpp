@@ -5,8 +5,7 @@
 
 namespace clast::report_detail {
 
-/// Adds a tooltip to the first occurrence of each term in each section, in paragraphs, notes and
-/// table heads. Appends a collapsible glossary of the terms used.
+/// Adds tooltips to the technical terms of a page, and a glossary of these terms at its end.
 std::string link_glossary_terms(std::string_view body);
 
 }  // namespace clast::report_detail

@@ -94,7 +94,7 @@ Json without_metres(const Json& metric) {
 
 }  // namespace
 
-Json equilibria_json(const std::optional<Equilibria>& sides) {
+Json equilibria_json(const std::optional<StaticEquilibriumCounts>& sides) {
   if (!sides) return nullptr;
   return {{"stable", sides->stable}, {"unstable", sides->unstable}, {"saddle", sides->saddle}};
 }

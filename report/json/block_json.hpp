@@ -8,12 +8,10 @@
 
 namespace clast {
 
-/// Returns the number of equilibria of each kind: {"stable": .., "unstable": .., "saddle": ..}.
-/// Null if `sides` is empty.
-nlohmann::ordered_json equilibria_json(const std::optional<Equilibria>& sides);
+/// Returns the numbers of static equilibria of a block by kind as JSON. Null if `sides` is empty.
+nlohmann::ordered_json equilibria_json(const std::optional<StaticEquilibriumCounts>& sides);
 
-/// Returns all data of a block, with units in the keys (docs/formats.md). For unscaled blocks, keys
-/// of lengths end in _units, and mass and moments are null.
+/// Returns all data of a block as JSON, with units in the keys (docs/formats.md).
 nlohmann::ordered_json block_json(const Block& block);
 
 }  // namespace clast

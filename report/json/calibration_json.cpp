@@ -7,25 +7,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json unknown_json(const Unknown& unknown) {
+Json unknown_json(const UnknownParameter& unknown) {
   return {{"parameter", unknown.parameter},
-          {"unit", parameter_range(unknown.parameter).unit},
+          {"unit", calibratable_range(unknown.parameter).unit},
           {"range", {unknown.low, unknown.high}}};
 }
 
 Json figure_json(const CalibrationStudy& study, const Observation& observation,
-                 const SummaryStatistic& figure) {
+                 const SummaryStatistic& statistic) {
   return {{"observation", observation.name},
           {"site", study.sites[observation.site].name},
           {"use", observation.fitted ? "fit" : "keep"},
-          {"figure", figure.name},
-          {"observed", figure.observed}};
+          {"figure", statistic.name},
+          {"observed", statistic.observed}};
 }
 
 Json unknowns_json(const Calibration& calibration) {
   Json list = Json::array();
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
-    const Marginal& marginal = calibration.posterior.marginals[i];
+    const MarginalPosterior& marginal = calibration.posterior.marginals[i];
     list.push_back(unknown_json(calibration.study.unknowns[i]));
     list.back().update({{"median", marginal.median},
                         {"interval_95", {marginal.low, marginal.high}},
@@ -33,7 +33,7 @@ Json unknowns_json(const Calibration& calibration) {
                         {"determined", !marginal.is_undetermined()},
                         {"cut_off", marginal.is_cut_off_by_range()}});
     if (i >= calibration.posterior.nearest.unknowns.size()) continue;
-    const Marginal& near = calibration.posterior.nearest.unknowns[i];
+    const MarginalPosterior& near = calibration.posterior.nearest.unknowns[i];
     list.back()["nearest_members"] = {{"median", near.median}, {"range", {near.low, near.high}}};
   }
   return list;
@@ -43,21 +43,21 @@ Json figures_json(const Calibration& calibration) {
   Json list = Json::array();
   for (std::size_t o = 0, at = 0; o < calibration.study.observations.size(); ++o) {
     const Observation& observation = calibration.study.observations[o];
-    for (std::size_t i = 0; i < observation.figures.size(); ++i, ++at) {
-      const SummaryStatistic& figure = observation.figures[i];
-      Json json = figure_json(calibration.study, observation, figure);
-      for (const PredictedStatistic& one : calibration.posterior.predicted) {
-        if (one.observation != o || one.figure != i) continue;
+    for (std::size_t i = 0; i < observation.statistics.size(); ++i, ++at) {
+      const SummaryStatistic& statistic = observation.statistics[i];
+      Json json = figure_json(calibration.study, observation, statistic);
+      for (const PredictedStatistic& one : calibration.posterior.predictions) {
+        if (one.observation != o || one.statistic != i) continue;
         json["predicted"] = one.median;
         json["interval_95"] = {one.low, one.high};
         json["prior"] = one.prior.median;
         json["prior_95"] = {one.prior.low, one.prior.high};
-        json["covered"] = one.covers(figure.observed);
+        json["covered"] = one.covers(statistic.observed);
       }
       if (const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at]) {
         json["surrogate"] = {{"members", quality->members},
-                             {"error", quality->error},
-                             {"explained", quality->explained}};
+                             {"error", quality->leave_one_out_error},
+                             {"explained", quality->explained_variance}};
         Json first = Json::object(), total = Json::object();
         for (std::size_t k = 0; k < calibration.study.unknowns.size(); ++k) {
           const std::string& parameter = calibration.study.unknowns[k].parameter;
@@ -74,9 +74,9 @@ Json figures_json(const Calibration& calibration) {
 }
 
 Json check_json(const PredictiveCheck& check) {
-  return {{"figures", check.figures},
+  return {{"figures", check.statistics},
           {"covered", check.covered},
-          {"squared_distance", check.squared},
+          {"squared_distance", check.squared_distance},
           {"freedom", check.degrees_of_freedom},
           {"p", check.p_value ? Json(*check.p_value) : Json()},
           {"failed", check.failed()}};
@@ -88,33 +88,33 @@ Json calibration_json(const Calibration& calibration) {
   return {{"file", calibration.file.string()},
           {"answer", describe_calibration_result(calibration)},
           {"findings", describe_calibration_findings(calibration)},
-          {"members", calibration.study.design.members},
-          {"releases", calibration.study.design.releases},
+          {"members", calibration.study.design.member_count},
+          {"releases", calibration.study.design.releases_per_member},
           {"draws", calibration.posterior.draws.cols()},
           {"unknowns", unknowns_json(calibration)},
           {"figures", figures_json(calibration)},
           {"fit", check_json(calibration.posterior.fitted)},
-          {"prediction", check_json(calibration.posterior.kept)},
-          {"ground", format_ground_block(calibration)}};
+          {"prediction", check_json(calibration.posterior.held_out)},
+          {"ground", format_ground_tables(calibration)}};
 }
 
 Json study_json(const CalibrationStudy& study) {
-  Json sites = Json::array(), unknowns = Json::array(), figures = Json::array();
+  Json sites = Json::array(), unknowns = Json::array(), statistics = Json::array();
   for (const CalibrationSite& site : study.sites) {
     sites.push_back({{"name", site.name}, {"campaign", site.campaign.file.string()}});
   }
-  for (const Unknown& unknown : study.unknowns) unknowns.push_back(unknown_json(unknown));
+  for (const UnknownParameter& unknown : study.unknowns) unknowns.push_back(unknown_json(unknown));
   for (const Observation& observation : study.observations) {
-    for (const SummaryStatistic& figure : observation.figures) {
-      figures.push_back(figure_json(study, observation, figure));
+    for (const SummaryStatistic& statistic : observation.statistics) {
+      statistics.push_back(figure_json(study, observation, statistic));
     }
   }
-  return {{"members", study.design.members},
-          {"releases", study.design.releases},
-          {"runs", study.runs()},
+  return {{"members", study.design.member_count},
+          {"releases", study.design.releases_per_member},
+          {"runs", study.run_count()},
           {"sites", std::move(sites)},
           {"unknowns", std::move(unknowns)},
-          {"figures", std::move(figures)}};
+          {"figures", std::move(statistics)}};
 }
 
 }  // namespace clast

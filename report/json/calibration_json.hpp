@@ -6,10 +6,11 @@
 
 namespace clast {
 
-/// Returns main result, findings, unknowns, statistics and checks of a calibration.
+/// Returns results, unknown parameters, statistics and checks of a calibration as JSON.
 nlohmann::ordered_json calibration_json(const Calibration& calibration);
 
-/// Returns design, sites, unknowns and observed statistics of a study.
+/// Returns design, sites, unknown parameters and observed statistics of a calibration study as
+/// JSON.
 nlohmann::ordered_json study_json(const CalibrationStudy& study);
 
 }  // namespace clast

@@ -9,9 +9,9 @@ namespace clast {
 nlohmann::ordered_json power_json(const PlannedPower& power) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   if (!power.is_known()) return json;
-  json["runout_scatter_m"] = power.scatter;
+  json["runout_scatter_m"] = power.runout_deviation;
   json["design_effect_assumed"] = power.design_effect();
-  json["smallest_difference_m"] = power.smallest();
+  json["smallest_difference_m"] = power.detectable_difference();
   if (power.margin) json["runs_needed"] = power.runs_needed();
   return json;
 }
@@ -20,7 +20,8 @@ nlohmann::ordered_json plan_json(const CampaignPlan& prepared) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
   for (const BlockSummary& block : prepared.header.blocks) blocks.push_back(block.id);
   nlohmann::ordered_json stiffness = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : collect_stiffness_by_block(prepared.header, prepared.runs)) {
+  for (const BlockStiffnessRanges& block :
+       collect_stiffness_by_block(prepared.header, prepared.runs)) {
     nlohmann::ordered_json row = {{"block", block.block}};
     for (const StiffnessRange& value : block.values) {
       if (!value.range.empty()) row[value.name] = {value.range.low, value.range.high};
@@ -33,11 +34,11 @@ nlohmann::ordered_json plan_json(const CampaignPlan& prepared) {
                                  {"release_points", prepared.header.release_points.size()},
                                  {"stiffness", stiffness},
                                  {"warnings", prepared.header.warnings}};
-  if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.stay) {
-    plan["realisations"] = prepared.campaign.stay->realisations;
-    plan["blocks_per_realisation"] = stay->blocks_each;
+  if (const std::optional<PersistentBlocksSettings>& stay = prepared.header.persistent_blocks) {
+    plan["realisations"] = prepared.campaign.persistent_blocks->realisations;
+    plan["blocks_per_realisation"] = stay->blocks_per_realisation;
     plan["memory_bytes_per_realisation"] = estimate_realisation_memory(prepared);
-    const std::vector<MultiBlockRelease>& plans = prepared.campaign.stay->masses;
+    const std::vector<MultiBlockRelease>& plans = prepared.campaign.persistent_blocks->masses;
     for (std::size_t i = 0; i < prepared.masses.size(); ++i) {
       const MultiBlockStart& mass = prepared.masses[i];
       const std::size_t of_realisation = i % plans.size();

@@ -7,13 +7,14 @@
 
 namespace clast {
 
-/// Returns the planned statistical power with its assumptions. Empty if unknown.
+/// Returns the planned statistical power of a campaign with its assumptions as JSON. Empty if
+/// unknown.
 nlohmann::ordered_json power_json(const PlannedPower& power);
 
-/// Returns runs, blocks, release points, stiffness by block and warnings of a prepared campaign.
+/// Returns runs, blocks, release points, stiffness and warnings of a prepared campaign as JSON.
 nlohmann::ordered_json plan_json(const CampaignPlan& prepared);
 
-/// Returns stop reasons, runs below ground, barrier crossings and largest energy errors.
+/// Returns stop reasons, barrier crossings and energy errors of a campaign as JSON.
 nlohmann::ordered_json outcome_json(const CampaignResults& results);
 
 }  // namespace clast

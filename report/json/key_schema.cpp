@@ -17,7 +17,7 @@ Json schema_of(const ValueFormat& form);
 /// Returns the JSON schema of a number range; 0 is also allowed if it has a meaning.
 Json number_schema(const NumberRange& range) {
   Json json = {{"type", "number"}};
-  if (range.zero != nullptr) {
+  if (range.zero_meaning != nullptr) {
     json["minimum"] = 0.0;
     json["maximum"] = range.high;
     json["anyOf"] = {{{"maximum", 0.0}}, {{"minimum", range.low}}};
@@ -31,7 +31,7 @@ Json number_schema(const NumberRange& range) {
 Json key_schema(const TableKey& key) {
   Json json = {{"description", key.meaning + (key.unit.empty() ? "" : ", " + key.unit)}};
   if (!key.unit.empty()) json["unit"] = key.unit;
-  json.update(schema_of(key.form));
+  json.update(schema_of(key.format));
   return json;
 }
 
@@ -48,15 +48,16 @@ Json keys_schema(const std::vector<TableKey>& keys) {
   for (const TableKey& key : keys) {
     json["properties"][key.name] = key_schema(key);
     if (key.is_required()) required.push_back(key.name);
-    if (!key.with.empty()) json["dependencies"][key.name] = {{"anyOf", any_of_keys(key.with)}};
+    if (!key.required_with.empty())
+      json["dependencies"][key.name] = {{"anyOf", any_of_keys(key.required_with)}};
   }
   if (!required.empty()) json["required"] = std::move(required);
   return json;
 }
 
-Json list_schema(Json items, std::uint64_t least, std::uint64_t most) {
-  Json json = {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}};
-  if (most != INT64_MAX) json["maxItems"] = most;
+Json list_schema(Json items, std::uint64_t minimum, std::uint64_t maximum) {
+  Json json = {{"type", "array"}, {"items", std::move(items)}, {"minItems", minimum}};
+  if (maximum != INT64_MAX) json["maxItems"] = maximum;
   return json;
 }
 
@@ -73,11 +74,11 @@ Json schema_of(const ValueFormat& form) {
     case ValueFormat::Kind::kFlag:
       return {{"type", "boolean"}};
     case ValueFormat::Kind::kCount:
-      return {{"type", "integer"}, {"minimum", form.least}, {"maximum", form.most}};
+      return {{"type", "integer"}, {"minimum", form.minimum}, {"maximum", form.maximum}};
     case ValueFormat::Kind::kNumber:
       return number_schema(form.range);
     case ValueFormat::Kind::kList:
-      return list_schema(schema_of(form.items.front()), form.least, form.most);
+      return list_schema(schema_of(form.items.front()), form.minimum, form.maximum);
     case ValueFormat::Kind::kTable:
       return keys_schema(form.keys);
     case ValueFormat::Kind::kNamed:
@@ -92,7 +93,7 @@ Json schema_of(const ValueFormat& form) {
 
 Json table_schema(const KeyTable& table) {
   Json one = keys_schema(table.keys);
-  if (!table.one_of.empty()) one["oneOf"] = any_of_keys(table.one_of);
+  if (!table.exactly_one_of.empty()) one["oneOf"] = any_of_keys(table.exactly_one_of);
   Json json = {{"description", table.meaning}};
   switch (table.repeat) {
     case KeyTable::Repeat::kOnce:

@@ -4,7 +4,7 @@
 
 namespace clast {
 
-/// Returns the schema of campaign files. Its keys have `description` and `unit`.
+/// Returns the JSON Schema of campaign files.
 nlohmann::ordered_json campaign_schema();
 nlohmann::ordered_json calibration_schema();
 

@@ -15,10 +15,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json certainty_json(const ClassCertainty& certainty) {
-  return {{"class", certainty.name},          {"ratio", certainty.ratio},
-          {"value", certainty.value},         {"nearest_limit", certainty.limit},
+  return {{"class", certainty.name},          {"ratio", certainty.nearest_ratio},
+          {"value", certainty.ratio_value},   {"nearest_limit", certainty.nearest_limit},
           {"distance", certainty.distance},   {"near_limit", certainty.near_limit},
-          {"survives", certainty.is_certain}, {"others", certainty.possible_others}};
+          {"survives", certainty.is_certain}, {"others", certainty.other_possible_classes}};
 }
 
 Json curve_json(const SizeCurve& curve) {
@@ -65,10 +65,10 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
   Json json = {{"id", block.name},
                {"box" + unit, {block.axes.L, block.axes.I, block.axes.S}},
                {"axis_error" + unit, block.axis_error},
-               {"s_c", elongation_index(block.axes_as_written)},
-               {"sneed_folk", sneed_folk_class(block.axes_as_written, limits)},
-               {"zingg", zingg_class(block.axes_as_written)},
-               {"shape", garcia_class(block.axes_as_written)}};
+               {"s_c", elongation_index(block.axes_in_table_unit)},
+               {"sneed_folk", sneed_folk_class(block.axes_in_table_unit, limits)},
+               {"zingg", zingg_class(block.axes_in_table_unit)},
+               {"shape", garcia_class(block.axes_in_table_unit)}};
   if (block.mass) json["mass_kg"] = *block.mass;
   for (std::size_t i = 0; i < block.axes_by_box.size(); ++i) {
     const Axes& axes = block.axes_by_box[i];
@@ -76,9 +76,9 @@ Json measured_block_json(const MeasuredBlock& block, const SchemeOptions& limits
   }
   for (const std::string& scheme : scheme_names()) {
     json["classes"][scheme] =
-        certainty_json(class_certainty(scheme, block.axes, block.axis_error, limits));
+        certainty_json(assess_class_certainty(scheme, block.axes, block.axis_error, limits));
   }
-  json["indices"] = form_indices(block.axes_as_written);
+  json["indices"] = form_indices(block.axes_in_table_unit);
   return json;
 }
 
@@ -99,13 +99,13 @@ Json shares_json(const PopulationSummary& summary) {
   Json population = Json::object();
   for (const SchemeFractions& scheme : summary.schemes) {
     population[scheme.scheme] = Json::array();
-    for (const ClassFraction& share : scheme.shares) {
+    for (const ClassFraction& share : scheme.fractions) {
       Json row = {{"class", share.name},
                   {"blocks", share.count},
                   {"share", share.fraction},
                   {"low", share.low},
                   {"high", share.high}};
-      if (summary.with_mass > 0) {
+      if (summary.blocks_with_mass > 0) {
         row["mass_kg"] = share.mass;
         row["mass_share"] = share.mass_fraction;
         row["mass_low"] = share.mass_low;
@@ -142,13 +142,13 @@ Json size_and_shape_json(const PopulationSummary& summary) {
 
 Json comparison_json(const PopulationComparison& comparison) {
   Json measures = Json::array(), schemes = Json::array();
-  for (const MeasureDifference& one : comparison.measures) {
+  for (const ShapeMeasureDifference& one : comparison.measures) {
     Json json = {{"measure", one.measure->name}};
     json.update(test_json(one.test, "ks_distance"));
     json["words"] = one.description;
     measures.push_back(json);
   }
-  for (const ClassDifference& one : comparison.schemes) {
+  for (const ClassFractionDifference& one : comparison.schemes) {
     Json json = {{"scheme", one.scheme}};
     json["chi_squared"] = one.test ? Json(one.test->chi_squared) : Json();
     json["degrees_of_freedom"] = one.test ? Json(one.test->degrees_of_freedom) : Json();

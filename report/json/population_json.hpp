@@ -6,8 +6,7 @@
 
 namespace clast {
 
-/// Writes the JSON of `clast classify --json`, with one line per block. Blocks are written one by
-/// one to limit the memory.
+/// Writes block populations as JSON, with one line per block.
 void write_population_json(std::ostream& out, const PopulationReport& report);
 
 }  // namespace clast

@@ -17,11 +17,11 @@ nlohmann::ordered_json body_json(const Block& block) {
   json["target_I_over_L"] = nullptr;
   json["target_S_over_L"] = nullptr;
   json["target"] = nullptr;
-  if (record.form) {
-    json["target_I_over_L"] = record.form->i_l;
-    json["target_S_over_L"] = record.form->s_l;
+  if (record.target_ratios) {
+    json["target_I_over_L"] = record.target_ratios->i_l;
+    json["target_S_over_L"] = record.target_ratios->s_l;
   } else if (record.reference.empty()) {
-    json["target"] = record.step;
+    json["target"] = record.target_value;
   }
   const BoxRatios ratios = box_ratios(block.box);
   json["I_over_L"] = ratios.i_l;
@@ -38,7 +38,8 @@ nlohmann::ordered_json body_json(const Block& block) {
 
 }  // namespace
 
-nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit) {
+nlohmann::ordered_json series_json(const VariedBlockSeries& series,
+                                   const std::optional<CopulaFit>& fit) {
   nlohmann::ordered_json json;
   json["bodies"] = nlohmann::ordered_json::array();
   for (const Block& block : series.blocks) json["bodies"].push_back(body_json(block));
@@ -50,7 +51,7 @@ nlohmann::ordered_json series_json(const BlockSeries& series, const std::optiona
     pairs.push_back({{"first", pair.first},
                      {"second", pair.second},
                      {"population", pair.population},
-                     {"drawn", pair.drawn}});
+                     {"drawn", pair.sampled}});
   }
   json["fit"] = {{"largest_difference", fit->max_cdf_difference},
                  {"weakened", fit->removed_correlation},

@@ -7,7 +7,8 @@
 
 namespace clast {
 
-/// Returns the output of `clast vary --json` (docs/formats.md).
-nlohmann::ordered_json series_json(const BlockSeries& series, const std::optional<CopulaFit>& fit);
+/// Returns a series of varied blocks as JSON (docs/formats.md).
+nlohmann::ordered_json series_json(const VariedBlockSeries& series,
+                                   const std::optional<CopulaFit>& fit);
 
 }  // namespace clast

@@ -22,7 +22,7 @@ class LegendRows {
     y_ += 20.0;
   }
   void row(const std::string& mark, const std::string& text) {
-    svg_ += mark + svg_text(x_ + 24, y_, text, kMapText);
+    svg_ += mark + svg_text(x_ + 24, y_, text, kMapTextStyle);
     y_ += 19.0;
   }
   void swatch(const std::string& colour, const std::string& text) {
@@ -43,25 +43,26 @@ class LegendRows {
 
 }  // namespace
 
-MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet) {
+MapLegend draw_map_legend(const SiteMap& site, const MapToPixels& sheet) {
   LegendRows legend(kMapLeft + sheet.width() + 22.0);
   const auto line = [&](const std::string& stroke) {
     return format_svg_line(legend.mark_x() - 8, legend.mark_y(), legend.mark_x() + 8,
                            legend.mark_y(), stroke);
   };
   const bool has_contours = site.highest > site.lowest;  // level ground has none
-  if (has_contours || !site.places.empty() || !site.outlines.empty() || !site.barriers.empty()) {
+  if (has_contours || !site.release_positions.empty() || !site.release_outlines.empty() ||
+      !site.barriers.empty()) {
     legend.head("Site");
   }
   std::set<std::string> named;
-  for (const ReleaseOutline& outline : site.outlines) {
+  for (const ReleaseOutline& outline : site.release_outlines) {
     if (!named.insert(outline.name).second) continue;
     legend.row(draw_release_outline("M" + format_fixed(legend.mark_x() - 8, 1) + " " +
                                         format_fixed(legend.mark_y() - 5, 1) + "h16v10h-16Z",
                                     ""),
                outline.name);
   }
-  if (!site.places.empty()) {
+  if (!site.release_positions.empty()) {
     legend.row(draw_release_mark(legend.mark_x(), legend.mark_y(), ""), "release point");
   }
   if (!site.barriers.empty()) {

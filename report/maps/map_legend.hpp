@@ -11,7 +11,7 @@ struct MapLegend {
   double bottom = 0.0;  ///< lower edge, px
 };
 
-/// Draws the legend of marks and ground zones.
-MapLegend draw_map_legend(const SiteMap& site, const Sheet& sheet);
+/// Draws the legend of a site map: marks and ground zones.
+MapLegend draw_map_legend(const SiteMap& site, const MapToPixels& sheet);
 
 }  // namespace clast::report_detail

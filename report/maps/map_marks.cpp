@@ -23,15 +23,15 @@ std::string draw_release_outline(const std::string& path, const std::string& tit
          "</path>";
 }
 
-CountArrow make_count_arrow(const BarrierLine& line) {
+CountedDirectionArrow make_counted_direction_arrow(const BarrierLine& line) {
   using Counts = BarrierLine::Counts;
   // The two arrows of a ring stand at different sides.
-  const std::size_t side = line.counts == Counts::kExits ? 0 : (line.through.size() - 1) / 2;
-  const Vec2 &from = line.through[side], &to = line.through[side + 1];
+  const std::size_t side = line.counts == Counts::kExits ? 0 : (line.vertices.size() - 1) / 2;
+  const Vec2 &from = line.vertices[side], &to = line.vertices[side + 1];
   const Vec2 along = (to - from).normalized();
   const Vec2 to_right(along.y(), -along.x());
-  const bool right =
-      !line.of_ring() || inside_is_left(line.through) == (line.counts == Counts::kExits);
+  const bool right = !line.belongs_to_ring() ||
+                     is_counter_clockwise(line.vertices) == (line.counts == Counts::kExits);
   return {0.5 * (from + to), right ? to_right : Vec2(-to_right), line.counts == Counts::kEither};
 }
 

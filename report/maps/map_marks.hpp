@@ -9,10 +9,10 @@ namespace clast::report_detail {
 
 inline constexpr double kMapLeft = 88.0;  ///< left edge of the map in the image, px
 inline constexpr double kMapTop = 12.0;
-inline constexpr const char* kMapText = "font-size=\"12\" fill=\"#33404d\"";
+inline constexpr const char* kMapTextStyle = "font-size=\"12\" fill=\"#33404d\"";
 
 /// Transformation from a plan window (map coordinates) to image pixels.
-struct Sheet {
+struct MapToPixels {
   PlanWindow window;
   double scale = 1.0;  ///< px/m
 
@@ -22,24 +22,23 @@ struct Sheet {
   double y(double map_y) const { return kMapTop + (window.high.y() - map_y) * scale; }
 };
 
-/// Draws a cross with a white outline at a pixel position.
+/// Draws the mark of a release point: a cross with a white outline.
 std::string draw_release_mark(double x, double y, const std::string& title);
 
-/// Draws a dashed outline with a white edge.
+/// Draws the outline of a simultaneous release of blocks as a dashed line.
 /// @param path  closed SVG path, px
 std::string draw_release_outline(const std::string& path, const std::string& title);
 
-/// Arrow at a barrier in the counted direction: position and unit vector in map coordinates.
-struct CountArrow {
+/// Arrow at a barrier in the direction in which crossings are counted, in map coordinates.
+struct CountedDirectionArrow {
   Vec2 root = Vec2::Zero();
   Vec2 way = Vec2::UnitX();
-  bool both_ways = false;
+  bool both_directions = false;
 };
-/// Places the arrow on the midpoint of the line's middle segment.
-CountArrow make_count_arrow(const BarrierLine& line);
+/// Places the arrow of the counted direction on the middle segment of a barrier.
+CountedDirectionArrow make_counted_direction_arrow(const BarrierLine& line);
 
-/// Draws the relief of the site with contours and zone colours. Returns a PNG as
-/// "data:image/png;base64,...".
+/// Draws the relief of a site with contours and zone colours, as a PNG in a data URL.
 std::string draw_relief_image(const SiteMap& site, std::uint32_t columns);
 
 }  // namespace clast::report_detail

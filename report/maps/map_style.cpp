@@ -42,7 +42,7 @@ struct Quantity {
 };
 
 constexpr std::array<Quantity, 10> kQuantities = {
-    {{"Reach_probability", "Reach probability", "share of runs", "%", 0.01, Limits::kDecades,
+    {{"Reach_probability", "Reach probability", "fraction of runs", "%", 0.01, Limits::kDecades,
       &kYellowBlue},
      {"Nr_passages", "Passages", "passages", "runs", 1.0, Limits::kDecades, &kYellowBlue},
      {"E_mean", "Kinetic energy, mean", "energy", "J", 1.0, Limits::kThrees, &kYellowRed},
@@ -54,7 +54,7 @@ constexpr std::array<Quantity, 10> kQuantities = {
       &kYellowBrown},
      {"Deposit_max", "Deposit, largest thickness", "thickness", "m", 1.0, Limits::kEven,
       &kYellowBrown},
-     {"Deposit_probability", "Deposit, probability", "share of realisations", "%", 0.01,
+     {"Deposit_probability", "Deposit, probability", "fraction of realisations", "%", 0.01,
       Limits::kDecades, &kYellowBlue}}};
 
 Quantity quantity_of(const RasterLayer& layer) {
@@ -65,11 +65,11 @@ Quantity quantity_of(const RasterLayer& layer) {
   return {name, name, name, "", 1.0, Limits::kEven, &kYellowRed};
 }
 
-struct Span {
+struct AxisInterval {
   double low = INFINITY, high = -INFINITY;
 
   void include(const RasterLayer& layer) {
-    for (const float value : layer.value) {
+    for (const float value : layer.values) {
       if (!std::isfinite(value)) continue;
       low = std::min<double>(low, value);
       high = std::max<double>(high, value);
@@ -82,7 +82,7 @@ double limit(double value) { return static_cast<double>(static_cast<float>(value
 
 /// Limits at `steps` times powers of ten.
 /// @param unit  in which they are round, and the limits that are returned
-std::vector<double> limits_by_factors(const Span& span, double unit,
+std::vector<double> limits_by_factors(const AxisInterval& span, double unit,
                                       std::span<const double> steps) {
   std::vector<double> falling;
   for (int power = static_cast<int>(std::floor(std::log10(span.high / unit))) + 1;
@@ -102,8 +102,8 @@ std::vector<double> limits_by_factors(const Span& span, double unit,
 }
 
 /// Limits at multiples of a round number.
-std::vector<double> even_limits(const Span& span, double unit) {
-  const double step = round_up_to_nice(span.high / unit / static_cast<double>(kMaxClasses));
+std::vector<double> even_limits(const AxisInterval& span, double unit) {
+  const double step = round_up_to_nice_number(span.high / unit / static_cast<double>(kMaxClasses));
   std::vector<double> limits;
   for (double k = std::max(1.0, std::ceil(span.low / unit / step));; k += 1.0) {
     // The inverse of a small step is a whole number: 1, 2 or 5 times a power of ten.
@@ -112,7 +112,7 @@ std::vector<double> even_limits(const Span& span, double unit) {
   }
 }
 
-std::vector<double> limits_of(Limits limits, const Span& span, double unit) {
+std::vector<double> limits_of(Limits limits, const AxisInterval& span, double unit) {
   constexpr std::array<double, 2> kThrees = {1.0, 3.0};
   constexpr std::array<double, 3> kDecades = {1.0, 2.0, 5.0};
   if (!(span.high > 0.0)) return {1.0};
@@ -145,8 +145,8 @@ std::vector<Rgb> colours_of(const Ramp& ramp, std::size_t count) {
   return colours;
 }
 
-ValueStyle style_of(const Quantity& quantity, const Span& span) {
-  ValueStyle style{quantity.title, quantity.unit, quantity.unit_size, {}, {}, {}};
+ColourScale style_of(const Quantity& quantity, const AxisInterval& span) {
+  ColourScale style{quantity.title, quantity.unit, quantity.unit_size, {}, {}, {}};
   if (quantity.limits == Limits::kThrees && span.high > kJoulesOfKilojoule) {
     style.unit = "kJ";
     style.unit_size = kJoulesOfKilojoule;
@@ -174,17 +174,17 @@ constexpr std::size_t kFirstOfOthers = 2;
 
 }  // namespace
 
-std::string ValueStyle::label(std::size_t class_index) const {
+std::string ColourScale::label(std::size_t class_index) const {
   const std::string unit_text = unit.empty() ? "" : " " + unit;
   if (class_index == 0) return "up to " + numbers[0] + unit_text;
   return numbers[class_index - 1] + " to " + numbers[class_index] + unit_text;
 }
 
-std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters) {
-  std::vector<ValueStyle> styles;
+std::vector<ColourScale> choose_colour_scales(const MapRasterSet& rasters) {
+  std::vector<ColourScale> styles;
   for (const RasterLayer& layer : rasters.layers) {
     const Quantity quantity = quantity_of(layer);
-    Span span;
+    AxisInterval span;
     for (const RasterLayer& other : rasters.layers) {
       if (std::string(quantity_of(other).quantity) == quantity.quantity) span.include(other);
     }
@@ -194,18 +194,18 @@ std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters) {
 }
 
 StopMarks choose_stop_marks(const Comparison& comparison) {
-  const auto is_kind = [](const Group& group, GroupKind kind) {
+  const auto is_kind = [](const RunGroup& group, RunGroupKind kind) {
     return group.kind == kind && !group.file;
   };
   const auto blocks =
       std::count_if(comparison.groups.begin(), comparison.groups.end(),
-                    [&](const Group& group) { return is_kind(group, GroupKind::kBlock); });
+                    [&](const RunGroup& group) { return is_kind(group, RunGroupKind::kBlock); });
   StopMarks result;
   result.by_block = static_cast<std::size_t>(blocks) <= kMaxBlocks;
-  const GroupKind kind = result.by_block ? GroupKind::kBlock : GroupKind::kGarcia;
+  const RunGroupKind kind = result.by_block ? RunGroupKind::kBlock : RunGroupKind::kGarcia;
   std::size_t compact = 0, others = kFirstOfOthers;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
-    const Group& group = comparison.groups[g];
+    const RunGroup& group = comparison.groups[g];
     if (!is_kind(group, kind)) continue;
     const std::string garcia = comparison.rows[group.rows.front()].block->garcia;
     std::size_t& next = garcia == "compact" ? compact : others;

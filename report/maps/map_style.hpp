@@ -11,15 +11,15 @@
 namespace clast::report_detail {
 
 /// Classified colour scale of a raster.
-struct ValueStyle {
-  std::string title;                 ///< such as "Kinetic energy, 95 %"
+struct ColourScale {
+  std::string title;                 ///< title of the layer, such as "Kinetic energy, 95 %"
   std::string unit;                  ///< displayed unit, such as "kJ"
-  double unit_size = 1.0;            ///< displayed unit in stored units, such as 1000 for kJ
+  double unit_size = 1.0;            ///< displayed unit divided by stored unit, such as 1000 for kJ
   std::vector<double> breaks;        ///< upper limits of the classes in stored units, ascending
-  std::vector<Rgb> colours;          ///< one per class
-  std::vector<std::string> numbers;  ///< breaks in the displayed unit, such as "0.3"
+  std::vector<Rgb> colours;          ///< colour of each class
+  std::vector<std::string> numbers;  ///< class limits as texts in the displayed unit, such as "0.3"
 
-  /// Returns the label of a class, such as "0.1 to 0.3 kJ", or "up to 0.1 kJ" for the first class.
+  /// Returns the label of a colour class, such as "0.1 to 0.3 kJ".
   std::string label(std::size_t class_index) const;
 };
 
@@ -27,22 +27,21 @@ struct ValueStyle {
 inline constexpr double kLayerOpacity = 0.85;
 inline constexpr double kPathOpacity = 0.6;
 
-/// Chooses the style of each layer. Energies have class limits at 1, 3, 10, 30, ..., because 30 and
-/// 300 kJ separate weak, medium and strong intensity in Swiss hazard maps. Counts and fractions
-/// have limits at 1, 2, 5, 10, ..., heights and speeds at equal steps. Layers of one quantity, such
-/// as E_mean and E_max, have the same limits.
+/// Chooses the colour scale of each raster layer. Energies have class limits at 1, 3, 10, 30, ...,
+/// because 30 and 300 kJ separate weak, medium and strong intensity in Swiss hazard maps. Layers of
+/// one quantity have the same limits.
 /// @cite jaboyedoff2005
-std::vector<ValueStyle> choose_value_styles(const MapRasterSet& rasters);
+std::vector<ColourScale> choose_colour_scales(const MapRasterSet& rasters);
 
-/// Names of a mark in plotly.js and in QGIS.
+/// Names of a mark shape in plotly.js and in QGIS.
 struct MarkShape {
   const char* plotly;
   const char* qgis;
   int qgis_angle = 0;  ///< clockwise rotation, degrees
 };
 
-inline constexpr MarkShape kMeasuredShape = {"cross-thin-open", "cross"};
-inline constexpr const char* kMeasuredColour = "#c0104a";
+inline constexpr MarkShape kMeasuredStopShape = {"cross-thin-open", "cross"};
+inline constexpr const char* kMeasuredStopColour = "#c0104a";
 inline constexpr const char* kBarrierColour = "#111111";
 
 /// Maximum number of stops that are drawn as single marks. More stops are drawn as a density.
@@ -58,11 +57,11 @@ struct StopMark {
 };
 
 struct StopMarks {
-  bool by_block = true;  ///< true: one mark per block; false: one mark per shape class
+  bool by_block = true;  ///< true for one mark per block; false for one mark per shape class
   std::vector<StopMark> marks;
 };
 
-/// Chooses marks. Classes differ in colour, and blocks of a class differ in mark shape.
+/// Chooses the marks of stops. Classes differ in colour, blocks of a class in mark shape.
 StopMarks choose_stop_marks(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -67,7 +67,7 @@ std::string choices(const PageMapContents& contents) {
   };
   if (contents.marks) add("stops", "stops");
   for (const MapRasterSet* rasters : contents.rasters) {
-    const std::vector<ValueStyle> styles = choose_value_styles(*rasters);
+    const std::vector<ColourScale> styles = choose_colour_scales(*rasters);
     for (std::size_t i = 0; i < styles.size(); ++i) {
       const std::string unit = styles[i].unit.empty() ? "" : ", " + styles[i].unit;
       add(rasters->layers[i].name, styles[i].title + unit);
@@ -76,7 +76,7 @@ std::string choices(const PageMapContents& contents) {
   return options;
 }
 
-std::string paths_box(const MapLayers& layers) {
+std::string paths_box(const MapLayerData& layers) {
   if (layers.paths == 0) return {};
   const std::string count =
       layers.paths == layers.stored_paths
@@ -91,14 +91,14 @@ std::string format_page_map(const Comparison& comparison, const PageMapContents&
   const std::string options = choices(contents);
   if (options.empty() || !plotly_is_installed()) return {};
   const SiteMap site = make_site_map(comparison);
-  const MapLayers layers =
-      make_map_layers(comparison, contents.rasters, site.window.low, contents.marks);
+  const MapLayerData layers =
+      make_map_layer_data(comparison, contents.rasters, site.window.low, contents.marks);
   Json traces = Json::array(), notes = Json::array();
-  if (contents.marks) add_stops(comparison, site.window, traces);
-  add_barriers(site, traces, notes);
+  if (contents.marks) add_stop_traces(comparison, site.window, traces);
+  add_barrier_traces(site, traces, notes);
   if (contents.marks) {
-    add_releases(site, traces);
-    add_zones(site, traces);
+    add_release_traces(site, traces);
+    add_zone_traces(site, traces);
   }
   const Json figure = {{"data", traces},
                        {"layout", layout_of(site, contents.height, notes)},
@@ -109,8 +109,9 @@ std::string format_page_map(const Comparison& comparison, const PageMapContents&
        {"choices", options},
        {"opacity", format_decimals(kLayerOpacity, 2)},
        {"paths", paths_box(layers)},
-       {"figure", plotly_figure(contents.label, "map",
-                                figure.dump(-1, ' ', false, Json::error_handler_t::replace))},
+       {"figure",
+        format_plotly_figure(contents.label, "map",
+                             figure.dump(-1, ' ', false, Json::error_handler_t::replace))},
        {"data", format_packed_element(contents.id, layers.json)}});
 }
 

@@ -167,7 +167,7 @@ std::string barriers_qml() {
 
 }  // namespace
 
-std::string format_raster_qml(const ValueStyle& style) {
+std::string format_raster_qml(const ColourScale& style) {
   std::string items;
   for (std::size_t i = 0; i < style.breaks.size(); ++i) {
     items += element("item", {{"value", exact(style.breaks[i])},
@@ -201,8 +201,9 @@ std::vector<LayerStyle> make_vector_styles(const Comparison& comparison) {
                                     {"barriers", barriers_qml()},
                                     {"trajectories", trajectories_qml(comparison)}};
   if (comparison.measured) {
-    styles.push_back({"measured", qml(single_symbol(marker(0, kMeasuredShape, kMeasuredColour,
-                                                           kMeasuredColour, 0.5)))});
+    styles.push_back(
+        {"measured", qml(single_symbol(marker(0, kMeasuredStopShape, kMeasuredStopColour,
+                                              kMeasuredStopColour, 0.5)))});
   }
   return styles;
 }

@@ -8,16 +8,15 @@
 
 namespace clast::report_detail {
 
-/// Formats the .qml file of a raster. QGIS applies NAME.qml to NAME.tif.
-std::string format_raster_qml(const ValueStyle& style);
+/// Formats the style of a raster as .qml file. QGIS applies NAME.qml to NAME.tif.
+std::string format_raster_qml(const ColourScale& style);
 
 struct LayerStyle {
   std::string layer;
   std::string qml;
 };
 
-/// Makes the styles of the vector layers. Stops are coloured by block, crossings and trajectories
-/// by shape class. Barriers have their names.
+/// Makes the QGIS styles of the vector layers of a comparison.
 std::vector<LayerStyle> make_vector_styles(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -8,8 +8,8 @@ namespace clast::report_detail {
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,
                                                  const MapRasterSet& rasters,
                                                  const std::string& crs) {
-  const Vec2 corner(rasters.corner.x(), rasters.corner.y() + rasters.cell * rasters.rows);
-  const std::vector<ValueStyle> styles = choose_value_styles(rasters);
+  const Vec2 corner(rasters.corner.x(), rasters.corner.y() + rasters.cell_size * rasters.rows);
+  const std::vector<ColourScale> styles = choose_colour_scales(rasters);
   std::vector<std::filesystem::path> written;
   for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
     const RasterLayer& layer = rasters.layers[i];
@@ -18,8 +18,8 @@ std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& fo
                                   {.columns = rasters.columns,
                                    .rows = rasters.rows,
                                    .corner = corner,
-                                   .cell = rasters.cell,
-                                   .values = layer.value,
+                                   .cell = rasters.cell_size,
+                                   .values = layer.values,
                                    .meaning = layer.meaning},
                                   crs);
     written.push_back(folder / (layer.name + ".qml"));

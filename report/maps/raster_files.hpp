@@ -8,8 +8,7 @@
 
 namespace clast::report_detail {
 
-/// Writes one GeoTIFF per layer, FOLDER/NAME.tif, and NAME.qml with the style of the report's map.
-/// The GeoTIFF has 32-bit floats, nodata -9999, tiles, compression, and the CRS if known.
+/// Writes each raster layer as GeoTIFF (32-bit floats, nodata -9999), with its QGIS style.
 /// @return the written files; empty if there are no layers
 /// @throws InputError  if GDAL cannot write a file
 std::vector<std::filesystem::path> write_rasters(const std::filesystem::path& folder,

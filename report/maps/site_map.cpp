@@ -42,7 +42,7 @@ void drop_repeats(std::vector<ReleasePosition>& places) {
   std::set<std::pair<double, double>> known;
   std::vector<ReleasePosition> kept;
   for (const ReleasePosition& release : places) {
-    if (known.emplace(release.place.x(), release.place.y()).second) kept.push_back(release);
+    if (known.emplace(release.position.x(), release.position.y()).second) kept.push_back(release);
   }
   places = std::move(kept);
 }
@@ -53,28 +53,30 @@ struct MassRelease {
   std::set<std::uint32_t> realisations;
 };
 
-void add_releases(const Comparison& comparison, SiteMap& site) {
+void add_release_traces(const Comparison& comparison, SiteMap& site) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, MassRelease> masses;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    if (results.stay && results.stay->at_once) {
+    if (results.persistent_blocks && results.persistent_blocks->at_once) {
       MassRelease& mass = masses[{row.file, row.record->point}];
       mass.starts.push_back(row.start.head<2>());
-      mass.realisations.insert(find_cluster(results, *row.record));
+      mass.realisations.insert(cluster_index_of_run(results, *row.record));
     } else {
-      site.places.push_back({row.start.head<2>(), row.record->point});
+      site.release_positions.push_back({row.start.head<2>(), row.record->point});
     }
   }
   for (const auto& [mass, release] : masses) {
-    std::vector<Vec2> corners = report_detail::convex_hull_of(release.starts);
+    std::vector<Vec2> corners = report_detail::plan_convex_hull(release.starts);
     if (corners.size() < 3) {
-      for (const Vec2& start : release.starts) site.places.push_back({start, mass.second});
+      for (const Vec2& start : release.starts)
+        site.release_positions.push_back({start, mass.second});
       continue;
     }
     const std::size_t blocks = release.starts.size() / release.realisations.size();
-    site.outlines.push_back({"release of " + format_count(blocks, "block"), std::move(corners)});
+    site.release_outlines.push_back(
+        {"release of " + format_count(blocks, "block"), std::move(corners)});
   }
-  drop_repeats(site.places);
+  drop_repeats(site.release_positions);
 }
 
 /// All of a terrain, with release points numbered in their order.
@@ -85,12 +87,12 @@ SiteMap whole_site(const Terrain& terrain, std::span<const Vec2> releases,
   site.barriers = std::move(barriers);
   MarkBox marks;
   for (std::uint32_t point = 0; point < releases.size(); ++point) {
-    site.places.push_back({releases[point], point});
+    site.release_positions.push_back({releases[point], point});
     marks.include(releases[point]);
   }
-  drop_repeats(site.places);
+  drop_repeats(site.release_positions);
   for (const BarrierLine& line : site.barriers) {
-    for (const Vec2& point : line.through) marks.include(point);
+    for (const Vec2& point : line.vertices) marks.include(point);
   }
   const Bounds ground = bounds(terrain.surface);
   const Vec3 low = terrain.frame.to_map(ground.low), high = terrain.frame.to_map(ground.high);
@@ -105,7 +107,7 @@ SiteMap whole_site(const Terrain& terrain, std::span<const Vec2> releases,
 }  // namespace
 
 double SiteMap::contour_interval() const {
-  return std::max(0.1, round_up_to_nice((highest - lowest) / 12.0));
+  return std::max(0.1, round_up_to_nice_number((highest - lowest) / 12.0));
 }
 
 SiteMap make_site_map(const Comparison& comparison) {
@@ -121,13 +123,13 @@ SiteMap make_site_map(const Comparison& comparison) {
     site.highest = std::max({site.highest, row.start.z(), row.stop.z()});
   }
   for (const BarrierLine& line : comparison.lines) {
-    for (const Vec2& point : line.through) marks.include(point);
+    for (const Vec2& point : line.vertices) marks.include(point);
   }
   if (comparison.measured) {
-    for (const MeasuredStop& stop : comparison.measured->stops) marks.include(stop.place);
+    for (const MeasuredStop& stop : comparison.measured->stops) marks.include(stop.position);
   }
   site.window = marks.window();
-  add_releases(comparison, site);
+  add_release_traces(comparison, site);
   return site;
 }
 
@@ -139,22 +141,22 @@ SiteMap make_site_map(const CampaignHeader& header) {
   std::vector<BarrierLine> lines;
   for (const Barrier& barrier : header.barriers) {
     using Counts = BarrierLine::Counts;
-    const Counts counts = is_ring(barrier.through)                        ? Counts::kEntries
+    const Counts counts = is_ring(barrier.vertices)                       ? Counts::kEntries
                           : barrier.counted == CountedDirection::kForward ? Counts::kForward
                                                                           : Counts::kEither;
-    lines.push_back({barrier.name, barrier.through, {0}, counts});
-    for (Vec2& point : lines.back().through) point += header.frame.origin.head<2>();
+    lines.push_back({barrier.name, barrier.vertices, {0}, counts});
+    for (Vec2& point : lines.back().vertices) point += header.frame.origin.head<2>();
   }
   return whole_site(header.terrain, releases, std::move(lines));
 }
 
 SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,
                       const std::vector<std::vector<Vec2>>& lines) {
-  check_near_ground(terrain, releases, "the release point");
+  check_positions_near_terrain(terrain, releases, "the release point");
   std::vector<BarrierLine> barriers;
   for (const std::vector<Vec2>& line : lines) {
-    check_near_ground(terrain, line, "the barrier");
-    barriers.push_back({.name = {}, .through = line, .files = {}});
+    check_positions_near_terrain(terrain, line, "the barrier");
+    barriers.push_back({.name = {}, .vertices = line, .files = {}});
   }
   SiteMap site = whole_site(terrain, releases, std::move(barriers));
   site.counts_crossings = false;

@@ -12,13 +12,13 @@
 namespace clast {
 
 struct ReleasePosition {
-  Vec2 place = Vec2::Zero();  ///< map coordinates, m
-  std::uint32_t point = 0;    ///< index of the release point
+  Vec2 position = Vec2::Zero();  ///< map coordinates, m
+  std::uint32_t point = 0;       ///< index of the release point
 };
 
 /// Plan outline of a multi-block release.
 struct ReleaseOutline {
-  std::string name;           ///< such as "release of 60 blocks"
+  std::string name;           ///< name, such as "release of 60 blocks"
   std::vector<Vec2> corners;  ///< convex hull of all starts, map coordinates, m; not closed
 };
 
@@ -26,28 +26,27 @@ struct ReleaseOutline {
 struct SiteMap {
   const Terrain* terrain = nullptr;
   PlanWindow window;  ///< drawn part of the plan, m
-  /// Height range of the contours, m.
+  /// Lowest height of the contours, m.
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
-  std::vector<ReleasePosition> places;   ///< positions, each once
-  std::vector<ReleaseOutline> outlines;  ///< ordered by file, then release
+  std::vector<ReleasePosition> release_positions;  ///< release positions, each once
+  std::vector<ReleaseOutline> release_outlines;    ///< outlines of simultaneous releases
   std::vector<BarrierLine> barriers;
-  bool counts_crossings = true;  ///< false: `barriers` are drawn as lines without names and arrows
+  bool counts_crossings = true;  ///< true if barriers are drawn with names and arrows
 
-  /// Returns the contour interval, m. It gives about a dozen contours.
+  /// Returns the contour interval, m, which gives about a dozen contours.
   double contour_interval() const;
 };
 
-/// Makes the map of a comparison. The window contains releases, stops, barriers and observed stops.
-/// Contours cover the heights of the runs. A multi-block release is shown by one outline over all
-/// realisations, unless its starts are collinear. The terrain is that of the first file.
+/// Makes the site map of a comparison. The window contains releases, stops, barriers and observed
+/// stops. The terrain is that of the first file.
 SiteMap make_site_map(const Comparison& comparison);
 
-/// Makes the map of a campaign. It shows the whole terrain.
+/// Makes the site map of a campaign, with the whole terrain.
 /// @param header  header of a campaign without runs
 SiteMap make_site_map(const CampaignHeader& header);
 
-/// Makes the map of a whole terrain with release points and barrier lines.
+/// Makes the site map of a whole terrain with release points and barrier lines.
 /// @param releases, lines  map coordinates, m
 /// @throws InputError  if the distance of a point from the terrain exceeds the size of the terrain
 SiteMap make_site_map(const Terrain& terrain, std::span<const Vec2> releases,

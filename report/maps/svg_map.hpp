@@ -6,8 +6,8 @@
 
 namespace clast {
 
-/// Draws the relief lit from the north-west, with contours, zone colours, release points, barriers,
-/// coordinates, legend, scale bar and north arrow.
+/// Draws a site map as SVG: shaded relief, contours, zones, release points, barriers, coordinates,
+/// legend, scale bar and north arrow.
 std::string draw_svg_map(const SiteMap& site);
 
 }  // namespace clast

@@ -19,10 +19,10 @@ constexpr const char* kDash = "\xE2\x80\x93";  // en dash, for ranges
 std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& comparison,
                                                         std::size_t line) {
   std::vector<const BarrierGroupStatistics*> shown;
-  for (const GroupKind kind :
-       {GroupKind::kGarcia, GroupKind::kBlock, GroupKind::kSneedFolk, GroupKind::kAll}) {
+  for (const RunGroupKind kind : {RunGroupKind::kGarcia, RunGroupKind::kBlock,
+                                  RunGroupKind::kSneedFolk, RunGroupKind::kAll}) {
     for (const BarrierGroupStatistics& group : comparison.barriers) {
-      const Group& runs = comparison.groups[group.group_index];
+      const RunGroup& runs = comparison.groups[group.group_index];
       if (group.line == line && runs.kind == kind &&
           runs.file.has_value() == has_several_files(comparison)) {
         shown.push_back(&group);
@@ -33,9 +33,9 @@ std::vector<const BarrierGroupStatistics*> shown_groups(const Comparison& compar
 }
 
 /// Appends the mean, p95 and maximum of a summary.
-void append_summary(std::vector<std::string>& cells, const Summary& summary, int decimals) {
+void append_summary(std::vector<std::string>& cells, const SampleSummary& summary, int decimals) {
   for (const double value : {summary.mean, summary.p95, summary.max}) {
-    cells.push_back(format_measured(value, summary, decimals));
+    cells.push_back(format_summary_value(value, summary, decimals));
   }
 }
 
@@ -54,7 +54,7 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
                  : "-"};
     append_summary(cells, group->height, 2);
     for (const double top : {group->top.p95, group->top.max}) {
-      cells.push_back(format_measured(top, group->top, 2));
+      cells.push_back(format_summary_value(top, group->top, 2));
     }
     append_summary(cells, group->clearance, 2);
     table.row(std::move(cells));
@@ -66,7 +66,7 @@ std::string crossing_table(const Comparison& comparison, std::size_t line) {
 std::string impact_table(const Comparison& comparison, std::size_t line) {
   bool any = false;
   HtmlTable table({"group", "speed mean, m/s", "speed p95, m/s", "speed max, m/s",
-                   "energy mean, kJ", "energy p95, kJ", "energy max, kJ", "rotational share",
+                   "energy mean, kJ", "energy p95, kJ", "energy max, kJ", "rotational fraction",
                    "rotation mean, rps", "rotation p95, rps", "rotation max, rps"},
                   1);
   for (const BarrierGroupStatistics* group : shown_groups(comparison, line)) {
@@ -79,7 +79,7 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
     }
     cells.push_back(
         group->total.mean > 0.0 ? format_percent(group->rotational.mean / group->total.mean) : "-");
-    const Summary& rate = group->rotation_rate;
+    const SampleSummary& rate = group->rotation_rate;
     for (const double value : {rate.mean, rate.p95, rate.max}) {
       cells.push_back(format_fixed(value / kTurn, 2));
     }
@@ -91,31 +91,31 @@ std::string impact_table(const Comparison& comparison, std::size_t line) {
 /// Describes which crossings of the line count, and how many had each direction.
 std::string directions_of(const Comparison& comparison, std::size_t line) {
   const BarrierLine& barrier = comparison.lines[line];
-  if (barrier.of_ring()) {
+  if (barrier.belongs_to_ring()) {
     return std::string(barrier.counts == BarrierLine::Counts::kEntries ? "entries" : "exits") +
            " are counted";
   }
   std::size_t crossed = 0, backward = 0;
   for (const BarrierGroupStatistics& group : comparison.barriers) {
-    if (group.line != line || comparison.groups[group.group_index].kind != GroupKind::kAll)
+    if (group.line != line || comparison.groups[group.group_index].kind != RunGroupKind::kAll)
       continue;
     if (comparison.groups[group.group_index].file) continue;
     crossed = group.crossed;
     backward = group.backward;
   }
   if (barrier.counts == BarrierLine::Counts::kForward) {
-    return "only crossings from the left of the line to the right are counted; " +
-           std::to_string(backward) + " runs crossed it the other way first";
+    return "only crossings from the left side of the line to the right side are counted; " +
+           std::to_string(backward) + " runs first crossed it in the opposite direction";
   }
   return "both directions are counted: " + std::to_string(crossed - backward) +
-         " runs crossed it first from its left to its right, " + std::to_string(backward) +
-         " the other way";
+         " runs first crossed it from the left side to the right side, " +
+         std::to_string(backward) + " in the opposite direction";
 }
 
 /// "from (16.25, 50) to (16.25, 110) m"
 std::string barrier_ends(const BarrierLine& barrier) {
   std::string points;
-  for (const Vec2& point : barrier.through) {
+  for (const Vec2& point : barrier.vertices) {
     points += (points.empty() ? "From (" : " to (") + format_fixed(point.x(), 2) + ", " +
               format_fixed(point.y(), 2) + ")";
   }
@@ -126,8 +126,8 @@ std::string barrier_charts(const Comparison& comparison, std::size_t line) {
   const std::vector<const Crossing*> first = find_counted_crossings(comparison, line);
   const auto chart = [&](const std::string& title, const std::string& label, auto value) {
     return draw_plotly_chart(
-        {title, label, "share of crossings", true},
-        make_cumulative_traces(make_value_series(comparison, GroupKind::kGarcia,
+        {title, label, "fraction of crossings", true},
+        make_cumulative_traces(make_value_series(comparison, RunGroupKind::kGarcia,
                                                  [&](std::size_t row) -> std::optional<double> {
                                                    if (first[row] == nullptr) {
                                                      return std::nullopt;
@@ -160,18 +160,17 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
   if (comparison.lines.empty()) return {};
   std::string html = format_paragraph(
-      "Each run counts at its first crossing. Height is of the centre of mass above the ground; "
-      "the "
-      "top is where the block's farthest corner would be if it pointed upwards. Energy is "
-      "translational plus rotational.");
+      "Only the first crossing of each run is counted. Height is the height of the centre of mass "
+      "above the ground; the top adds the distance from the centre of mass to the farthest corner "
+      "of the block. Energy is translational plus rotational.");
   const std::size_t draws = draws_of_ground(comparison);
   if (draws > 0) {
     html += format_paragraph(
-        "Figures combine the runs on all " + std::to_string(draws) +
-        " draws of the ground; their intervals come from release points "
-        "alone. The ranges at the top of the report show the effect of the ground.");
+        "The statistics combine the runs on all " + std::to_string(draws) +
+        " draws of the ground parameters; their intervals cover release points only. The ranges at "
+        "the top of the report show the effect of the ground parameters.");
   }
-  const std::vector<RealisationCrossings>& passages = analyses.passages();
+  const std::vector<RealisationCrossings>& passages = analyses.barrier_crossings();
   std::string charts, figures;
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     const BarrierLine& barrier = comparison.lines[line];
@@ -183,7 +182,7 @@ std::string format_barrier_section(const ComparisonAnalyses& analyses) {
     else
       figures += format_paragraph("No run crossed " + barrier.name + ".");
     figures += format_folded_section(
-        "Figures at " + barrier.name,
+        "Statistics at " + barrier.name,
         "<p class=\"note\">" + escape_html(barrier_ends(barrier)) + "; " +
             directions_of(comparison, line) + ".</p>\n" + crossing_table(comparison, line) +
             impact_table(comparison, line) + format_crossing_table(comparison, passages, line),

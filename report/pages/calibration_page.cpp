@@ -22,18 +22,19 @@ namespace {
 using Eigen::Index;
 using Json = nlohmann::ordered_json;
 
-std::string label_of(const Unknown& unknown) {
-  const std::string unit = parameter_range(unknown.parameter).unit;
+std::string label_of(const UnknownParameter& unknown) {
+  const std::string unit = calibratable_range(unknown.parameter).unit;
   return describe_unknown(unknown.parameter) + (unit.empty() ? "" : ", " + unit);
 }
 
 std::string calibration_head(const Calibration& calibration) {
   const CalibrationDesign& design = calibration.study.design;
-  std::string html = "<header id=\"answer\">\n<h1>Ground found from what was observed</h1>\n";
+  std::string html =
+      "<header id=\"answer\">\n<h1>Ground parameters estimated from observations</h1>\n";
   html += "<p class=\"lead\">" +
           escape_html(calibration.study.file.filename().string() + ": " +
-                      format_count(design.members, "member") + " of " +
-                      format_count(design.releases, "release") + " at " +
+                      format_count(design.member_count, "member") + " of " +
+                      format_count(design.releases_per_member, "release") + " at " +
                       format_count(calibration.study.sites.size(), "site")) +
           "</p>\n<p class=\"answer\">" + escape_html(describe_calibration_result(calibration)) +
           "</p>\n";
@@ -46,16 +47,16 @@ std::string calibration_head(const Calibration& calibration) {
 std::string marginal_chart(const Calibration& calibration, std::size_t unknown) {
   constexpr std::size_t kBins = 24;
   std::vector<double> shares(kBins, 0.0);
-  const auto row = calibration.posterior.shares.row(static_cast<Index>(unknown));
+  const auto row = calibration.posterior.probabilities.row(static_cast<Index>(unknown));
   for (const double share : row) {
     shares[std::min(kBins - 1, static_cast<std::size_t>(share * kBins))] +=
         1.0 / static_cast<double>(row.size());
   }
-  const Unknown& own = calibration.study.unknowns[unknown];
-  Trace posterior{"after", kDataColours[0], "", Trace::Kind::kSteps, {}, {}};
-  Trace prior{"before", kDataColours[3], "6 3", Trace::Kind::kLine, {}, {}};
+  const UnknownParameter& own = calibration.study.unknowns[unknown];
+  ChartTrace posterior{"after", kDataColours[0], "", ChartTrace::Kind::kSteps, {}, {}};
+  ChartTrace prior{"before", kDataColours[3], "6 3", ChartTrace::Kind::kLine, {}, {}};
   for (std::size_t bin = 0; bin <= kBins; ++bin) {
-    const double value = own.value(static_cast<double>(bin) / kBins);
+    const double value = own.prior_quantile(static_cast<double>(bin) / kBins);
     const double at = own.logarithmic ? std::log10(value) : value;
     posterior.x.push_back(at);
     posterior.y.push_back(shares[std::min(bin, kBins - 1)]);
@@ -64,7 +65,7 @@ std::string marginal_chart(const Calibration& calibration, std::size_t unknown) 
     prior.y.push_back(1.0 / kBins);
   }
   const std::string axis = (own.logarithmic ? "log10 of " : "") + label_of(own);
-  return draw_plotly_chart({describe_unknown(own.parameter), axis, "share of the draws", true},
+  return draw_plotly_chart({describe_unknown(own.parameter), axis, "fraction of the draws", true},
                            {posterior, prior});
 }
 
@@ -75,8 +76,8 @@ std::string unknowns_section(const Calibration& calibration) {
   std::string charts;
   const CalibrationPosterior& posterior = calibration.posterior;
   for (std::size_t i = 0; i < calibration.study.unknowns.size(); ++i) {
-    const Unknown& unknown = calibration.study.unknowns[i];
-    const Marginal& marginal = posterior.marginals[i];
+    const UnknownParameter& unknown = calibration.study.unknowns[i];
+    const MarginalPosterior& marginal = posterior.marginals[i];
     std::vector<std::string> row = {label_of(unknown),
                                     format_significant_digits(unknown.low),
                                     format_significant_digits(unknown.high),
@@ -97,10 +98,10 @@ std::string unknowns_section(const Calibration& calibration) {
       "Parameters",
       table.html() +
           format_paragraph(
-              "Before, all values of a range were as likely. Width left is that of the 95 % "
-              "interval against that of the range: above 80 % the observations do not determine "
-              "the parameter. The nearest members are those simulated sets whose own figures "
-              "lie closest to the observed ones.") +
+              "The prior is uniform within each range. Width left is the width of the 95 % "
+              "interval divided by the width of the range; above 80 %, the observations do not "
+              "determine the parameter. The nearest members are the simulated parameter sets whose "
+              "statistics are closest to the observed ones.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }
 
@@ -114,16 +115,16 @@ std::string pair_chart(const Calibration& calibration, Index a, Index b) {
     x.push_back(draws(a, i));
     y.push_back(draws(b, i));
   }
-  const Unknown& first = calibration.study.unknowns[static_cast<std::size_t>(a)];
-  const Unknown& second = calibration.study.unknowns[static_cast<std::size_t>(b)];
-  const auto axis = [](const Unknown& unknown) {
+  const UnknownParameter& first = calibration.study.unknowns[static_cast<std::size_t>(a)];
+  const UnknownParameter& second = calibration.study.unknowns[static_cast<std::size_t>(b)];
+  const auto axis = [](const UnknownParameter& unknown) {
     Json json = {{"title", {{"text", escape_html(label_of(unknown))}}},
                  {"gridcolor", "#e2e6ea"},
                  {"zeroline", false}};
     if (unknown.logarithmic) json["type"] = "log";
     return json;
   };
-  const Json figure = {
+  const Json statistic = {
       {"data",
        {{{"type", "scatter"},
          {"mode", "markers"},
@@ -140,7 +141,7 @@ std::string pair_chart(const Calibration& calibration, Index a, Index b) {
   const std::string title = describe_unknown(first.parameter) + " and " +
                             describe_unknown(second.parameter) + " (rank correlation " +
                             format_fixed(calibration.posterior.correlation(a, b), 2) + ")";
-  return plotly_figure(title, "pairs", figure.dump(), title);
+  return format_plotly_figure(title, "pairs", statistic.dump(), title);
 }
 
 /// The pairs of unknowns that go together most.
@@ -161,9 +162,9 @@ std::string ridges_section(const Calibration& calibration) {
   }
   return format_section(
       "Pairs of parameters",
-      format_paragraph("Draws from the posterior over the pairs that go together most. A narrow "
-                       "band means that the observations determine a combination better than "
-                       "either of the two.") +
+      format_paragraph("Draws from the posterior for the most strongly correlated pairs of "
+                       "parameters. A narrow band means that the observations determine a "
+                       "combination of the two better than either one alone.") +
           "<div class=\"charts\">\n" + charts + "</div>\n");
 }
 
@@ -171,53 +172,53 @@ std::string prediction_section(const Calibration& calibration) {
   HtmlTable table({"observation", "use", "figure", "observed", "predicted", "95 % from", "95 % to",
                    "prior from", "prior to"},
                   3);
-  std::vector<IntervalMark> marks;
-  for (const PredictedStatistic& one : calibration.posterior.predicted) {
+  std::vector<IntervalRow> marks;
+  for (const PredictedStatistic& one : calibration.posterior.predictions) {
     const Observation& observation = calibration.study.observations[one.observation];
-    const SummaryStatistic& figure = observation.figures[one.figure];
-    table.row({observation.name, observation.fitted ? "fit" : "keep", figure.name,
-               format_significant_digits(figure.observed, 4),
+    const SummaryStatistic& statistic = observation.statistics[one.statistic];
+    table.row({observation.name, observation.fitted ? "fit" : "keep", statistic.name,
+               format_significant_digits(statistic.observed, 4),
                format_significant_digits(one.median, 4), format_significant_digits(one.low, 4),
                format_significant_digits(one.high, 4), format_significant_digits(one.prior.low, 4),
                format_significant_digits(one.prior.high, 4)});
     const double half = std::max(0.5 * (one.high - one.low), 1e-300);
     constexpr double kFarthest = 5.0;  // of what would push the others together
     const auto scaled = [&](double value) {
-      return std::clamp((value - figure.observed) / half, -kFarthest, kFarthest);
+      return std::clamp((value - statistic.observed) / half, -kFarthest, kFarthest);
     };
-    const std::string name = observation.name + ": " + figure.name;
+    const std::string name = observation.name + ": " + statistic.name;
     marks.push_back({name, scaled(one.median), scaled(one.low), scaled(one.high),
-                     !one.covers(figure.observed),
+                     !one.covers(statistic.observed),
                      name + (observation.fitted ? " (fitted)" : " (kept)") + ": observed " +
-                         format_significant_digits(figure.observed, 4) + ", predicted " +
+                         format_significant_digits(statistic.observed, 4) + ", predicted " +
                          format_significant_digits(one.low, 4) + " to " +
                          format_significant_digits(one.high, 4)});
   }
   return format_section(
       "Observed against predicted",
-      draw_interval_chart("Predicted less observed",
-                          "predicted less observed, in half widths of the 95 % interval", marks) +
+      draw_interval_chart("Predicted minus observed",
+                          "predicted minus observed, in half widths of the 95 % interval", marks) +
           table.html() +
           format_paragraph(
-              "Intervals are of what would be observed: they hold the uncertainty of the "
-              "parameters, the chance of as many releases as there were in the field, and "
-              "the error of the surrogate. Those of the prior are of parameters anywhere in their "
-              "ranges: an interval that is hardly narrower owes little to what was fitted. "
-              "Kept figures had no part in the fit."));
+              "The intervals are predictions of an observation: they include the uncertainty of "
+              "the parameters, the random variation for the number of releases in the field, and "
+              "the error of the surrogate. The prior intervals are for parameters anywhere in "
+              "their ranges; if the posterior interval is hardly narrower, the fitted observations "
+              "constrain the statistic little. Kept statistics were not fitted."));
 }
 
 std::string sensitivity_table(const Calibration& calibration, double SobolIndices::*share) {
   std::vector<std::string> heads = {"figure"};
-  for (const Unknown& unknown : calibration.study.unknowns) {
+  for (const UnknownParameter& unknown : calibration.study.unknowns) {
     heads.push_back(describe_unknown(unknown.parameter));
   }
   HtmlTable table(heads, 1);
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
-    for (const SummaryStatistic& figure : observation.figures) {
+    for (const SummaryStatistic& statistic : observation.statistics) {
       const std::vector<SobolIndices>& shares = calibration.posterior.sensitivities[at++];
       if (shares.empty()) continue;
-      std::vector<std::string> row = {observation.name + ": " + figure.name};
+      std::vector<std::string> row = {observation.name + ": " + statistic.name};
       for (const SobolIndices& one : shares) row.push_back(format_percent(one.*share, 0));
       table.row(row);
     }
@@ -229,15 +230,16 @@ std::string surrogate_table(const Calibration& calibration) {
   HtmlTable table({"figure", "members", "error", "explained", "inflation", "roughness"}, 1);
   std::size_t at = 0;
   for (const Observation& observation : calibration.study.observations) {
-    for (const SummaryStatistic& figure : observation.figures) {
+    for (const SummaryStatistic& statistic : observation.statistics) {
       const std::optional<SurrogateQuality>& quality = calibration.posterior.surrogates[at++];
-      const std::string name = observation.name + ": " + figure.name;
+      const std::string name = observation.name + ": " + statistic.name;
       if (!quality) {
         table.row({name, "too few", "-", "-", "-", "-"});
         continue;
       }
-      table.row({name, std::to_string(quality->members), format_significant_digits(quality->error),
-                 format_percent(std::max(0.0, quality->explained), 0),
+      table.row({name, std::to_string(quality->members),
+                 format_significant_digits(quality->leave_one_out_error),
+                 format_percent(std::max(0.0, quality->explained_variance), 0),
                  format_fixed(quality->inflation, 2),
                  format_significant_digits(quality->roughness)});
     }
@@ -247,20 +249,21 @@ std::string surrogate_table(const Calibration& calibration) {
 
 std::string influence_section(const Calibration& calibration) {
   return format_section(
-      "What the figures depend on",
+      "Sensitivity of the statistics to the parameters",
       sensitivity_table(calibration, &SobolIndices::total) +
-          format_paragraph("Share of the variance of each figure over the ranges that goes with a "
-                           "parameter, alone or together with others (Sobol's total index).") +
-          format_folded_section("With a parameter alone",
+          format_paragraph("Fraction of the variance of each statistic, over the ranges of the "
+                           "parameters, that is explained by a parameter alone or in interaction "
+                           "with others (Sobol's total index).") +
+          format_folded_section("Fraction explained by a parameter alone",
                                 sensitivity_table(calibration, &SobolIndices::first_order)) +
           format_folded_section(
-              "How well the surrogates say members that they have not seen",
+              "Accuracy of the surrogates for members not used to fit them",
               surrogate_table(calibration) +
                   format_paragraph(
-                      "Error is the root mean square of leave-one-out errors, in the unit "
-                      "of the figure; explained is what is left of the variance without "
-                      "it. Their variances are multiplied by the inflation, and "
-                      "roughness, what is neither smooth nor chance, is added.")));
+                      "Error is the root mean square of the leave-one-out errors, in the unit of "
+                      "the statistic; explained is the fraction of the variance that the surrogate "
+                      "predicts. The variances of the surrogates are multiplied by the inflation, "
+                      "and the roughness is added: variation that is neither smooth nor random.")));
 }
 
 std::string format_provenance_section(const Calibration& calibration) {
@@ -270,14 +273,14 @@ std::string format_provenance_section(const Calibration& calibration) {
       format_fact("Study", calibration.study.file.string() + " " + calibration.study.sha256) +
       format_fact("Seed", std::to_string(calibration.study.design.seed)) +
       format_fact("Draws", std::to_string(calibration.posterior.draws.cols()) + " after " +
-                               std::to_string(calibration.posterior.temperatures) +
+                               std::to_string(calibration.posterior.temperature_count) +
                                " temperatures, " +
-                               format_percent(calibration.posterior.accepted, 0) +
-                               " of the last moves accepted");
+                               format_percent(calibration.posterior.acceptance_rate, 0) +
+                               " of the last Metropolis moves accepted");
   std::string inputs;
   for (const std::string& input : calibration.stored.inputs) inputs += format_paragraph(input);
   return format_section("For campaigns",
-                        "<pre>" + escape_html(format_ground_block(calibration)) + "</pre>\n") +
+                        "<pre>" + escape_html(format_ground_tables(calibration)) + "</pre>\n") +
          format_section(
              "Provenance",
              "<dl class=\"facts\">\n" + facts + "</dl>\n" +

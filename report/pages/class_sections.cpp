@@ -23,11 +23,13 @@ std::string format_class_section(const Comparison& comparison) {
                                     "lateral mean \xC2\xB1 std, deg"};
   for (const BarrierLine& line : comparison.lines) heads.push_back("past " + line.name);
   HtmlTable table(heads, 1);
-  std::vector<std::size_t> groups = select_groups(comparison, GroupKind::kGarcia);
-  for (const std::size_t g : select_groups(comparison, GroupKind::kSneedFolk)) groups.push_back(g);
-  for (const std::size_t g : select_groups(comparison, GroupKind::kAll)) groups.push_back(g);
+  std::vector<std::size_t> groups = select_groups_of_kind(comparison, RunGroupKind::kGarcia);
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kSneedFolk))
+    groups.push_back(g);
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kAll))
+    groups.push_back(g);
   for (const std::size_t g : groups) {
-    const Group& group = comparison.groups[g];
+    const RunGroup& group = comparison.groups[g];
     const DepositStatistics& deposit = comparison.deposits[g];
     std::set<std::string> blocks;
     double mass = 0.0;
@@ -42,9 +44,9 @@ std::string format_class_section(const Comparison& comparison) {
         std::to_string(deposit.stops.rest),
         format_significant_digits(mass / static_cast<double>(group.rows.size()), 4),
         format_mean_and_deviation(deposit.runout, 1),
-        format_measured(deposit.runout.median, deposit.runout, 1),
-        format_measured(deposit.runout.p95, deposit.runout, 1),
-        format_measured(deposit.runout.max, deposit.runout, 1),
+        format_summary_value(deposit.runout.median, deposit.runout, 1),
+        format_summary_value(deposit.runout.p95, deposit.runout, 1),
+        format_summary_value(deposit.runout.max, deposit.runout, 1),
         format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian)};
     for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
       std::string cell = "-";
@@ -58,8 +60,9 @@ std::string format_class_section(const Comparison& comparison) {
   }
   return format_section(
       "Shape classes side by side",
-      format_paragraph("Compact and elongated by s_c. Runout and lateral angle of runs at rest, "
-                       "shares past barriers of all runs.") +
+      format_paragraph("Compact and elongated blocks are distinguished by s_c. Runout and lateral "
+                       "angle are statistics of the runs that came to rest; the fractions that "
+                       "pass barriers refer to all runs.") +
           table.html());
 }
 
@@ -71,8 +74,8 @@ std::string format_block_section(const Comparison& comparison) {
                    "runout mean \xC2\xB1 std, m", "runout p95, m", "lateral mean \xC2\xB1 std, deg",
                    "fastest, m/s"},
                   1);
-  for (const std::size_t g : select_groups(comparison, GroupKind::kBlock)) {
-    const Group& group = comparison.groups[g];
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kBlock)) {
+    const RunGroup& group = comparison.groups[g];
     const DepositStatistics& deposit = comparison.deposits[g];
     const BlockSummary& block = *comparison.rows[group.rows.front()].block;
     double fastest = 0.0;
@@ -86,7 +89,7 @@ std::string format_block_section(const Comparison& comparison) {
                std::to_string(deposit.stops.rest), std::to_string(deposit.stops.left_terrain),
                std::to_string(deposit.stops.max_time), std::to_string(deposit.stops.error),
                format_mean_and_deviation(deposit.runout, 1),
-               format_measured(deposit.runout.p95, deposit.runout, 1),
+               format_summary_value(deposit.runout.p95, deposit.runout, 1),
                format_mean_and_deviation(deposit.lateral, 1, kDegreesPerRadian),
                format_fixed(fastest, 1)});
   }
@@ -108,26 +111,28 @@ std::string format_runout_section(const Comparison& comparison) {
     return at_rest(row) ? std::optional(comparison.rows[row].lateral * kDegreesPerRadian)
                         : std::nullopt;
   };
-  const std::vector<Series> by_class = make_value_series(comparison, GroupKind::kGarcia, along);
+  const std::vector<ChartSeries> by_class =
+      make_value_series(comparison, RunGroupKind::kGarcia, along);
   std::string charts = "<div class=\"charts\">\n";
-  charts += draw_plotly_chart({"Runout by class", "runout, m", "share of runs", true},
+  charts += draw_plotly_chart({"Runout by class", "runout, m", "fraction of runs", true},
                               make_histogram_traces(by_class));
   charts += draw_plotly_chart(
-      {"Lateral angle by class", "angle, deg (+ to the right)", "share of runs", true},
-      make_histogram_traces(make_value_series(comparison, GroupKind::kGarcia, lateral)));
-  charts +=
-      draw_plotly_chart({"Share of runs that stop before, by class", "runout, m", "share", true},
-                        make_cumulative_traces(by_class));
+      {"Lateral angle by class", "angle, deg (+ to the right)", "fraction of runs", true},
+      make_histogram_traces(make_value_series(comparison, RunGroupKind::kGarcia, lateral)));
+  charts += draw_plotly_chart(
+      {"Fraction of runs that stop before a runout, by class", "runout, m", "fraction", true},
+      make_cumulative_traces(by_class));
   // Shades and dashes distinguish a dozen curves of either class.
   constexpr std::size_t kMaxCurves = 24;
-  if (select_groups(comparison, GroupKind::kBlock).size() <= kMaxCurves) {
+  if (select_groups_of_kind(comparison, RunGroupKind::kBlock).size() <= kMaxCurves) {
     charts += draw_plotly_chart(
-        {"Share of runs that stop before, by block", "runout, m", "share", true},
-        make_cumulative_traces(make_value_series(comparison, GroupKind::kBlock, along)));
+        {"Fraction of runs that stop before a runout, by block", "runout, m", "fraction", true},
+        make_cumulative_traces(make_value_series(comparison, RunGroupKind::kBlock, along)));
   }
   return format_section(
-      "Runout", format_paragraph("Runout of the runs at rest, their number in brackets.") + charts +
-                    "</div>\n");
+      "Runout",
+      format_paragraph("Runout of the runs that came to rest; the number of runs is in brackets.") +
+          charts + "</div>\n");
 }
 
 }  // namespace clast::report_detail

@@ -20,9 +20,9 @@ std::string make_comparison_page(const ComparisonAnalyses& analyses) {
     title += " and " + std::to_string(comparison.results.size() - 1) + " more";
   }
   const std::string sections = link_glossary_terms(
-      "<div class=\"opening\">\n" + format_head_section(comparison, analyses.answer()) +
-      format_map_section(comparison, analyses.paths(), analyses.deposits().rasters) + "</div>\n" +
-      format_class_section(comparison) + format_differences_section(comparison) +
+      "<div class=\"opening\">\n" + format_head_section(comparison, analyses.key_results()) +
+      format_map_section(comparison, analyses.path_rasters(), analyses.deposit_results().rasters) +
+      "</div>\n" + format_class_section(comparison) + format_differences_section(comparison) +
       format_measured_section(comparison) + format_runout_section(comparison) +
       format_barrier_section(analyses) + format_slope_section(comparison, analyses.profiles()) +
       format_deposit_section(analyses) + format_energy_section(analyses) +

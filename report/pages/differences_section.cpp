@@ -15,19 +15,19 @@ namespace {
 /// Kinds of groups that are too many to be compared pair by pair.
 std::string too_many_groups(const Comparison& comparison) {
   std::map<std::string, std::size_t> count;
-  for (const Group& group : comparison.groups) {
-    if (group.file || group.kind == GroupKind::kAll) continue;
-    ++count[group.kind == GroupKind::kBlock    ? "blocks"
-            : group.kind == GroupKind::kColumn ? "values of " + group.column
-                                               : "classes"];
+  for (const RunGroup& group : comparison.groups) {
+    if (group.file || group.kind == RunGroupKind::kAll) continue;
+    ++count[group.kind == RunGroupKind::kBlock    ? "blocks"
+            : group.kind == RunGroupKind::kColumn ? "values of " + group.column
+                                                  : "classes"];
   }
   std::string html;
   for (const auto& [kind, number_of] : count) {
-    if (number_of <= kMaxGroups) continue;
-    html += format_paragraph(
-        std::to_string(number_of) + " " + kind + " are more than the " +
-        std::to_string(kMaxGroups) +
-        " that are compared pair by pair. Compare a selection, or group by a column.");
+    if (number_of <= kMaxComparedGroups) continue;
+    html +=
+        format_paragraph(std::to_string(number_of) + " " + kind + " are too many: at most " +
+                         std::to_string(kMaxComparedGroups) +
+                         " are compared pair by pair. Compare a selection, or group by a column.");
   }
   return html;
 }
@@ -35,17 +35,17 @@ std::string too_many_groups(const Comparison& comparison) {
 /// One picture: the pairs of one kind, each quantity a row.
 struct Picture {
   std::string title;  ///< "compact against elongated"
-  std::vector<const Difference*> rows;
+  std::vector<const GroupDifference*> rows;
 };
 
 /// Classes in all quantities, values of columns in runout.
 std::vector<Picture> pictures_of(const Comparison& comparison) {
   std::vector<Picture> pictures;
-  for (const Difference& one : comparison.differences) {
-    const Group& first = comparison.groups[one.first];
-    const Group& second = comparison.groups[one.second];
-    const bool classes = first.kind == GroupKind::kGarcia;
-    if (!classes && !(first.kind == GroupKind::kColumn && one.quantity == "runout_m")) continue;
+  for (const GroupDifference& one : comparison.differences) {
+    const RunGroup& first = comparison.groups[one.first];
+    const RunGroup& second = comparison.groups[one.second];
+    const bool classes = first.kind == RunGroupKind::kGarcia;
+    if (!classes && !(first.kind == RunGroupKind::kColumn && one.quantity == "runout_m")) continue;
     const std::string title =
         classes ? first.key + " against " + second.key : "runout by " + first.column;
     if (pictures.empty() || pictures.back().title != title) pictures.push_back({title, {}});
@@ -54,21 +54,21 @@ std::vector<Picture> pictures_of(const Comparison& comparison) {
   return pictures;
 }
 
-std::string row_name(const Comparison& comparison, const Difference& one) {
-  const Group &first = comparison.groups[one.first], &second = comparison.groups[one.second];
-  return first.kind == GroupKind::kGarcia ? quantity_text(one.quantity).name
-                                          : first.key + " against " + second.key;
+std::string row_name(const Comparison& comparison, const GroupDifference& one) {
+  const RunGroup &first = comparison.groups[one.first], &second = comparison.groups[one.second];
+  return first.kind == RunGroupKind::kGarcia ? quantity_label(one.quantity).name
+                                             : first.key + " against " + second.key;
 }
 
 std::string difference_chart(const Comparison& comparison, const Picture& picture) {
-  std::vector<IntervalMark> marks;
-  for (const Difference* one : picture.rows) {
+  std::vector<IntervalRow> marks;
+  for (const GroupDifference* one : picture.rows) {
     // An angle to either side has no size to be a share of.
     const double size = 0.5 * (std::abs(one->first_mean) + std::abs(one->second_mean));
     if (one->quantity == "lateral_deg" || !one->interval || !(size > 0.0)) continue;
     const double unit = 100.0 / size;
     marks.push_back({row_name(comparison, *one), unit * one->estimate, unit * one->interval->low,
-                     unit * one->interval->high, one->verdict() == Verdict::kSignificant,
+                     unit * one->interval->high, one->verdict() == ContrastVerdict::kSignificant,
                      describe_effect(*one, comparison)});
   }
   return draw_interval_chart(picture.title, "difference, % of the mean, with 95 % interval", marks);
@@ -76,35 +76,39 @@ std::string difference_chart(const Comparison& comparison, const Picture& pictur
 
 /// "More than chance: runout 13 m more (10 to 17 m), ..."
 std::string words_for(const Comparison& comparison, const Picture& picture) {
-  std::map<Verdict, std::string> lists;
+  std::map<ContrastVerdict, std::string> lists;
   std::size_t tests = 0;
-  for (const Difference* one : picture.rows) {
-    const Verdict verdict = one->verdict();
-    const bool with_gap = verdict == Verdict::kSignificant || verdict == Verdict::kUntested;
-    append_item(lists[verdict], row_name(comparison, *one) +
-                                    (with_gap ? " " + describe_difference(*one) : std::string()));
+  for (const GroupDifference* one : picture.rows) {
+    const ContrastVerdict verdict = one->verdict();
+    const bool with_gap =
+        verdict == ContrastVerdict::kSignificant || verdict == ContrastVerdict::kUntested;
+    append_list_item(
+        lists[verdict],
+        row_name(comparison, *one) + (with_gap ? " " + describe_difference(*one) : std::string()));
     tests = std::max(tests, one->tests);
   }
-  return format_headed_list(picture.title + ", more than chance:", lists[Verdict::kSignificant]) +
-         format_headed_list("Equal on average, but spread differently:",
-                            lists[Verdict::kDistributionDiffers]) +
-         format_headed_list("Not clear, since one of " + std::to_string(tests) +
-                                " differences tested can be as large by chance:",
-                            lists[Verdict::kInsignificantAfterCorrection]) +
-         format_headed_list("No clear difference:", lists[Verdict::kInsignificant]) +
-         format_headed_list(picture.title + ", of one realisation, not tested for chance:",
-                            lists[Verdict::kUntested]);
+  return format_headed_list(picture.title + ", significant differences:",
+                            lists[ContrastVerdict::kSignificant]) +
+         format_headed_list("Means do not differ significantly, but distributions do:",
+                            lists[ContrastVerdict::kDistributionDiffers]) +
+         format_headed_list("Not significant after the correction, because one of " +
+                                std::to_string(tests) +
+                                " differences tested can be this large by chance:",
+                            lists[ContrastVerdict::kInsignificantAfterCorrection]) +
+         format_headed_list("No significant difference:", lists[ContrastVerdict::kInsignificant]) +
+         format_headed_list(picture.title + ", from one realisation, without a test:",
+                            lists[ContrastVerdict::kUntested]);
 }
 
 std::string make_table(const Comparison& comparison) {
   HtmlTable table(
       {"first", "second", "quantity", "first mean", "second mean", "difference", "95 % from",
-       "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "found"},
+       "95 % to", "Cliff's delta", "Hedges' g", "KS distance", "p (Holm)", "significant"},
       3);
-  for (const Difference& one : comparison.differences) {
-    const Group& first = comparison.groups[one.first];
+  for (const GroupDifference& one : comparison.differences) {
+    const RunGroup& first = comparison.groups[one.first];
     // Pairs of blocks are many; the table differences.csv has them.
-    if (first.kind != GroupKind::kGarcia && first.kind != GroupKind::kColumn) continue;
+    if (first.kind != RunGroupKind::kGarcia && first.kind != RunGroupKind::kColumn) continue;
     table.row({first.name, comparison.groups[one.second].name, one.quantity,
                format_significant(one.first_mean, 3), format_significant(one.second_mean, 3),
                format_significant(one.estimate, 3),
@@ -113,8 +117,8 @@ std::string make_table(const Comparison& comparison) {
                format_significant(one.cliffs_delta, 3),
                one.hedges_g ? format_significant(*one.hedges_g, 3) : "-",
                format_significant(one.ks_distance, 3),
-               one.p_holm ? format_significant(*one.p_holm, 2) : "-",
-               !one.p_holm            ? "-"
+               one.holm_p_value ? format_significant(*one.holm_p_value, 2) : "-",
+               !one.holm_p_value      ? "-"
                : one.is_significant() ? "yes"
                                       : "no"});
   }
@@ -123,32 +127,32 @@ std::string make_table(const Comparison& comparison) {
 
 /// Describes the methods of intervals and tests.
 std::string method_of(const Comparison& comparison) {
-  const bool stay = std::any_of(comparison.results.begin(), comparison.results.end(),
-                                [](const CampaignResults& results) { return results.stay; });
-  const bool tested = std::any_of(comparison.differences.begin(), comparison.differences.end(),
-                                  [](const Difference& one) { return one.p_holm.has_value(); });
+  const bool stay =
+      std::any_of(comparison.results.begin(), comparison.results.end(),
+                  [](const CampaignResults& results) { return results.persistent_blocks; });
+  const bool tested =
+      std::any_of(comparison.differences.begin(), comparison.differences.end(),
+                  [](const GroupDifference& one) { return one.holm_p_value.has_value(); });
   if (!tested) {
     return format_paragraph(
-        "One realisation does not show whether this is chance, so there are neither intervals "
-        "nor tests. Pairs of blocks are in differences.csv.");
+        "With one realisation, significance cannot be tested, so there are no intervals and no "
+        "tests. Pairs of blocks are in differences.csv.");
   }
   const bool one_point = !stay && std::all_of(comparison.results.begin(), comparison.results.end(),
                                               [](const CampaignResults& results) {
                                                 return results.release_points.size() == 1;
                                               });
   const std::string drawn =
-      one_point
-          ? "Intervals are from drawing runs again and again; there is one release point, so they "
-            "say nothing about others. "
-          : "Intervals are from drawing whole " +
-                std::string(stay ? "realisations" : "release points") +
-                " again and again, since runs of one depend on each other. ";
+      one_point ? "The intervals are from bootstrap resampling of runs; because there is only one "
+                  "release point, they do not cover other release points. "
+                : "The intervals are from bootstrap resampling of whole " +
+                      std::string(stay ? "realisations" : "release points") +
+                      ", because runs of the same one depend on each other. ";
   return format_paragraph(
       drawn +
-      "A difference counts "
-      "as found where shuffling the runs gives as large a KS distance in less than "
-      "5 % of the cases, after Holm's correction for all tests of the same kind. "
-      "Pairs of blocks are in differences.csv.");
+      "A difference is significant if random permutations of the runs give an equal or larger KS "
+      "distance in less than 5 % of the cases, after Holm's correction for all tests of the same "
+      "kind. Pairs of blocks are in differences.csv.");
 }
 
 }  // namespace

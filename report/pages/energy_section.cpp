@@ -21,9 +21,9 @@ struct Use {
   const char* words;
   const char* colour;
   const char* blend;  ///< that the colour is mixed with: paler between blocks
-  double Dissipation::*part;
-  Dissipation EnergySample::*place;
-  Dissipation EnergyFractions::*share;
+  double DissipatedEnergy::*part;
+  DissipatedEnergy EnergySample::*place;
+  DissipatedEnergy EnergyFractions::*share;
 };
 
 constexpr double kPaler = 0.5;
@@ -32,16 +32,17 @@ const std::vector<Use>& uses() {
   static const std::vector<Use> kUses = [] {
     std::vector<Use> uses;
     const auto add = [&](const char* ground, const char* blocks, std::size_t colour,
-                         double Dissipation::*part) {
+                         double DissipatedEnergy::*part) {
       uses.push_back({ground, kDataColours[colour], kDataColours[colour], part,
                       &EnergySample::on_ground, &EnergyFractions::on_ground});
       uses.push_back({blocks, kDataColours[colour], "#ffffff", part, &EnergySample::between_bodies,
                       &EnergyFractions::between_blocks});
     };
-    add("friction on the ground", "friction between blocks", 0, &Dissipation::friction);
-    add("normal forces on the ground", "normal forces between blocks", 1, &Dissipation::normal);
+    add("friction on the ground", "friction between blocks", 0, &DissipatedEnergy::friction);
+    add("normal forces on the ground", "normal forces between blocks", 1,
+        &DissipatedEnergy::normal);
     add("rolling resistance on the ground", "rolling resistance between blocks", 2,
-        &Dissipation::rolling);
+        &DissipatedEnergy::rolling);
     return uses;
   }();
   return kUses;
@@ -59,12 +60,12 @@ std::vector<EnergyRealisations> energies_by_file(const std::vector<RealisationEn
 }
 
 std::string of_file(const Comparison& comparison, std::uint32_t file) {
-  return has_several_files(comparison) ? ", " + file_name(comparison, file) : "";
+  return has_several_files(comparison) ? ", " + results_file_label(comparison, file) : "";
 }
 
 /// Draws the energy of a mass against time: its uses stacked, the kinetic energy on top.
 std::string uses_chart(const Comparison& comparison, const EnergyRealisations& realisations) {
-  std::vector<Trace> traces;
+  std::vector<ChartTrace> traces;
   std::vector<double> below;
   const auto add = [&](const std::string& words, const std::string& colour,
                        const EnergyValue& value) {
@@ -73,12 +74,12 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
         [&](const EnergySample& sample) { return kKilojoulesPerJoule * value(sample); });
     if (below.empty()) {
       below.assign(curve.time.size(), 0.0);
-      Trace zero{words, colour, "", Trace::Kind::kLine, curve.time, below};
+      ChartTrace zero{words, colour, "", ChartTrace::Kind::kLine, curve.time, below};
       zero.named = false;
       traces.push_back(std::move(zero));
     }
     for (std::size_t i = 0; i < below.size(); ++i) below[i] += curve.mean[i];
-    Trace top{words, colour, "", Trace::Kind::kLine, curve.time, below};
+    ChartTrace top{words, colour, "", ChartTrace::Kind::kLine, curve.time, below};
     top.filled = true;
     traces.push_back(std::move(top));
   };
@@ -88,7 +89,8 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
   }
   add("kinetic energy", "#555555", kinetic);
   return draw_plotly_chart(
-      {"Where the energy has gone, against time" + of_file(comparison, realisations.front()->file),
+      {"Dissipated and kinetic energy against time" +
+           of_file(comparison, realisations.front()->file),
        "time since the first release, s",
        realisations.size() > 1 ? "energy, mean of realisations, kJ" : "energy, kJ"},
       traces);
@@ -96,12 +98,13 @@ std::string uses_chart(const Comparison& comparison, const EnergyRealisations& r
 
 std::string kinetic_chart(const Comparison& comparison,
                           const std::vector<EnergyRealisations>& masses) {
-  std::vector<Trace> traces;
+  std::vector<ChartTrace> traces;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const std::string name =
-        (has_several_files(comparison) ? file_name(comparison, masses[i].front()->file) : "mean") +
+        (has_several_files(comparison) ? results_file_label(comparison, masses[i].front()->file)
+                                       : "mean") +
         " of " + format_count(masses[i].size(), "realisation");
-    add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kLine,
+    add_realisation_curve(traces, name, series_colour(i), ChartTrace::Kind::kLine,
                           compute_energy_curve(masses[i],
                                                [](const EnergySample& sample) {
                                                  return kKilojoulesPerJoule * kinetic(sample);
@@ -120,7 +123,7 @@ std::string shares_table(const Comparison& comparison,
     const std::string file = has_several_files(comparison)
                                  ? "file " + std::to_string(realisations.front()->file + 1) + ": "
                                  : "";
-    for (const char* head : {"mean, kJ", "share", "smallest share", "largest share"}) {
+    for (const char* head : {"mean, kJ", "fraction", "smallest fraction", "largest fraction"}) {
       heads.push_back(file + head);
     }
   }
@@ -134,8 +137,8 @@ std::string shares_table(const Comparison& comparison,
         energies.push_back(kKilojoulesPerJoule * energy(one->samples.back()));
         shares.push_back(share(compute_energy_fractions(one->samples)));
       }
-      const Summary summary = summarise(shares);
-      cells.push_back(format_significant_digits(summarise(energies).mean));
+      const SampleSummary summary = summarise_sample(shares);
+      cells.push_back(format_significant_digits(summarise_sample(energies).mean));
       cells.push_back(format_percent(summary.mean));
       cells.push_back(format_percent(*std::min_element(shares.begin(), shares.end())));
       cells.push_back(format_percent(summary.max));
@@ -161,9 +164,9 @@ std::string describe_dissipation(const Comparison& comparison,
     for (const RealisationEnergies* one : realisations) {
       shares.push_back(share(compute_energy_fractions(one->samples)));
     }
-    return summarise(shares).mean;
+    return summarise_sample(shares).mean;
   };
-  const auto by = [&](double Dissipation::*part) {
+  const auto by = [&](double DissipatedEnergy::*part) {
     return mean([part](const EnergyFractions& shares) {
       return shares.on_ground.*part + shares.between_blocks.*part;
     });
@@ -172,27 +175,27 @@ std::string describe_dissipation(const Comparison& comparison,
       mean([](const EnergyFractions& shares) { return shares.between_blocks.sum(); });
   if (!std::isfinite(between)) return "";
   const std::string of = has_several_files(comparison)
-                             ? " of " + file_name(comparison, realisations.front()->file)
+                             ? " of " + results_file_label(comparison, realisations.front()->file)
                              : "";
-  return format_paragraph("Of the energy dissipated in contacts" + of + ", friction took " +
-                          format_percentage(by(&Dissipation::friction)) + ", normal forces " +
-                          format_percentage(by(&Dissipation::normal)) + " and rolling resistance " +
-                          format_percentage(by(&Dissipation::rolling)) + "; " +
-                          format_percentage(between) +
-                          " was dissipated between blocks, the rest on the ground.");
+  return format_paragraph(
+      "Of the energy dissipated in contacts" + of + ", friction took " +
+      format_percentage(by(&DissipatedEnergy::friction)) + ", normal forces " +
+      format_percentage(by(&DissipatedEnergy::normal)) + " and rolling resistance " +
+      format_percentage(by(&DissipatedEnergy::rolling)) + "; " + format_percentage(between) +
+      " was dissipated in contacts between blocks, the rest in contacts with the ground.");
 }
 
 }  // namespace
 
 std::string format_energy_section(const ComparisonAnalyses& analyses) {
-  const std::vector<EnergyRealisations> files = energies_by_file(analyses.energies());
+  const std::vector<EnergyRealisations> files = energies_by_file(analyses.realisation_energies());
   if (files.empty()) return "";
   const Comparison& comparison = analyses.comparison();
   std::vector<EnergyRealisations> masses;
   std::string body;
   for (const EnergyRealisations& realisations : files) {
     body += describe_dissipation(comparison, realisations);
-    if (comparison.results[realisations.front()->file].stay->at_once) {
+    if (comparison.results[realisations.front()->file].persistent_blocks->at_once) {
       masses.push_back(realisations);
     }
   }
@@ -200,16 +203,14 @@ std::string format_energy_section(const ComparisonAnalyses& analyses) {
   for (const EnergyRealisations& realisations : masses)
     body += uses_chart(comparison, realisations);
   return format_section(
-      "Where the energy goes",
-      body +
-          format_folded_section(
-              "How the energy was dissipated",
-              format_paragraph(
-                  "Totals at the end of each realisation; means, smallest and largest shares over "
-                  "realisations. Shares are of the energy dissipated in contacts. Energies against "
-                  "time are in "
-                  "energies.csv.") +
-                  shares_table(comparison, files)));
+      "Dissipation of energy",
+      body + format_folded_section(
+                 "Energy dissipated by each mechanism",
+                 format_paragraph("Energies are totals at the end of each realisation, averaged "
+                                  "over the realisations. Fractions refer to the energy dissipated "
+                                  "in contacts; their mean, smallest and largest values are over "
+                                  "the realisations. Energies against time are in energies.csv.") +
+                     shares_table(comparison, files)));
 }
 
 }  // namespace clast::report_detail

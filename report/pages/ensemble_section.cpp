@@ -28,7 +28,7 @@ std::string runs_of(const Comparison& comparison, const ParameterEffect& effect)
 }
 
 std::string describe_parameter(const std::string& parameter) {
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     if (parameter == field.name) return field.words;
   }
   return parameter;
@@ -40,25 +40,26 @@ std::string effect_sentence(const Comparison& comparison,
   const ParameterEffect& any = effects.front();
   const std::string unit = is_share(any) ? " %" : " m";
   std::string text = runs_of(comparison, any) + "over " + std::to_string(any.members) +
-                     " draws of the ground the " +
-                     (is_share(any) ? "share of runs " + any.outcome : any.outcome) + " is " +
+                     " draws of the ground parameters, the " +
+                     (is_share(any) ? "fraction of runs " + any.outcome : any.outcome) + " is " +
                      effect_number(any, any.outcome_median) + unit + " (" +
                      effect_number(any, any.outcome_p5) + " to " +
-                     effect_number(any, any.outcome_p95) + unit + " in nine draws of ten)";
+                     effect_number(any, any.outcome_p95) + unit + " in nine draws in ten)";
   const auto size = [](const ParameterEffect& effect) {
     return effect.correlation ? std::abs(effect.correlation->statistic) : 0.0;
   };
-  const auto most = std::max_element(
+  const auto maximum = std::max_element(
       effects.begin(), effects.end(),
       [&](const ParameterEffect& a, const ParameterEffect& b) { return size(a) < size(b); });
   // Bonferroni correction for several parameters.
   const double limit = kSignificanceLevel / static_cast<double>(effects.size());
-  if (!most->correlation || most->correlation->p_value > limit) {
-    text += "; no single parameter is seen to move it";
+  if (!maximum->correlation || maximum->correlation->p_value > limit) {
+    text += "; no single parameter has a significant effect on it";
   } else {
-    text += std::string("; it ") + (most->correlation->statistic > 0.0 ? "grows" : "falls") +
-            " most clearly with the " + describe_parameter(most->parameter) + " of " + most->zone +
-            " (rank correlation " + format_fixed(most->correlation->statistic, 2) + ")";
+    text += std::string("; it ") + (maximum->correlation->statistic > 0.0 ? "grows" : "falls") +
+            " most strongly with the " + describe_parameter(maximum->parameter) + " of " +
+            maximum->zone + " (rank correlation " +
+            format_fixed(maximum->correlation->statistic, 2) + ")";
   }
   return capitalized(text) + ".";
 }
@@ -67,10 +68,10 @@ std::string effect_sentence(const Comparison& comparison,
 
 std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
   const Comparison& comparison = analyses.comparison();
-  const std::vector<ParameterEffect>& effects = analyses.ensemble();
+  const std::vector<ParameterEffect>& effects = analyses.ensemble_effects();
   if (effects.empty()) return "";
   HtmlTable table({"outcome", "zone", "parameter", "drawn from", "to", "rank correlation", "p",
-                   "share of variance"},
+                   "fraction of variance"},
                   3);
   std::string sentences;
   for (std::size_t i = 0; i < effects.size();) {
@@ -94,11 +95,13 @@ std::string format_ensemble_section(const ComparisonAnalyses& analyses) {
   }
   return format_section(
       "Uncertain ground",
-      sentences + format_folded_section(
-                      "Every parameter",
-                      table.html() + format_paragraph(
-                                         "Every run was simulated on each draw of the ground. The "
-                                         "share of variance is given from 40 draws on.")));
+      sentences +
+          format_folded_section(
+              "Every parameter",
+              table.html() +
+                  format_paragraph(
+                      "Every run was simulated with each draw of the ground parameters. The "
+                      "fraction of variance is given for 40 or more draws.")));
 }
 
 }  // namespace clast::report_detail

@@ -67,9 +67,10 @@ std::string format_head_section(const Comparison& comparison, const KeyResults& 
     html += "<p class=\"answer\">" + unbroken(sentence) + "</p>\n";
   }
   html += figures_of(comparison, answer);
-  html += "<p class=\"note\">" +
-          escape_html(describe_intervals(answer) + " " + describe_limits(comparison, answer)) +
-          "</p>\n";
+  html +=
+      "<p class=\"note\">" +
+      escape_html(describe_intervals(answer) + " " + describe_validity_limits(comparison, answer)) +
+      "</p>\n";
   return html + cautions_of(comparison) + "</header>\n";
 }
 

@@ -19,21 +19,22 @@ std::string format_map_section(const Comparison& comparison, const MapRasterSet&
   const bool density = comparison.rows.size() > kMaxSingleStops;
   const std::string stops =
       density ? "The " + std::to_string(comparison.rows.size()) +
-                    " stops are shown by their density; stops.gpkg has each of them. "
-              : "A click on a name in the legend hides or shows its stops, a double click shows "
-                "only these; open symbols: still moving at the end. ";
-  const std::string rasters =
-      paths.layers.empty()
-          ? ""
-          : "The other maps show every path, cell by cell; rasters/ has them for a GIS. ";
+                    " stops are too many to show one by one, so the map shows their density; "
+                    "stops.gpkg contains every stop. "
+              : "Click a name in the legend to hide or show its stops; double-click it to show "
+                "only these stops. Open symbols are blocks that were still moving at the end. ";
+  const std::string rasters = paths.layers.empty()
+                                  ? ""
+                                  : "The other maps combine all paths cell by cell; the folder "
+                                    "rasters/ contains them for a GIS. ";
   const std::string reading =
-      "Centres of mass at the end of each run, in map coordinates. The wheel zooms, dragging moves "
-      "the map. " +
-      stops + rasters + "Relief lit from the north-west, contours every " +
+      "The map shows the centres of mass at the end of each run, in map coordinates. Use the mouse "
+      "wheel to zoom and drag to move the map. " +
+      stops + rasters + "The relief is lit from the north-west; contours are every " +
       format_significant_digits(make_site_map(comparison).contour_interval(), 2) + " m" +
       (has_several_files(comparison) ? "; the surface is that of file 1." : ".");
   return format_section(
-      "Where the blocks stop",
+      "Stops of the blocks",
       format_page_map(comparison, {.id = "map",
                                    .label = "map of stops, release points and barriers",
                                    .rasters = {&paths, &deposits}}) +

@@ -12,24 +12,25 @@ constexpr const char* kSimulatedColour = kDataColours[0];
 constexpr const char* kFieldColour = kDataColours[3];
 
 /// A curve over its band, if it has one.
-void add_curve(const StopCurve& curve, const std::string& name, const std::string& colour,
-               const std::string& dash, std::vector<Trace>& traces) {
+void add_curve(const RunoutDistributionCurve& curve, const std::string& name,
+               const std::string& colour, const std::string& dash,
+               std::vector<ChartTrace>& traces) {
   if (!curve.low.empty()) {
-    Trace low{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.low};
+    ChartTrace low{name, colour, "", ChartTrace::Kind::kSteps, curve.runout, curve.low};
     low.named = false;
-    Trace high{name, colour, "", Trace::Kind::kSteps, curve.runout, curve.high};
+    ChartTrace high{name, colour, "", ChartTrace::Kind::kSteps, curve.runout, curve.high};
     high.named = false;
     high.filled = true;
     traces.push_back(std::move(low));
     traces.push_back(std::move(high));
   }
-  traces.push_back({name, colour, dash, Trace::Kind::kSteps, curve.runout, curve.share});
+  traces.push_back({name, colour, dash, ChartTrace::Kind::kSteps, curve.runout, curve.fraction});
 }
 
-std::string group_title(const Group& group) {
-  return group.kind == GroupKind::kAll      ? "All blocks"
-         : group.kind == GroupKind::kGarcia ? group.key + " blocks"
-                                            : "Block " + group.key;
+std::string group_title(const RunGroup& group) {
+  return group.kind == RunGroupKind::kAll      ? "All blocks"
+         : group.kind == RunGroupKind::kGarcia ? group.key + " blocks"
+                                               : "Block " + group.key;
 }
 
 std::string measured_table(const Comparison& comparison) {
@@ -38,17 +39,17 @@ std::string measured_table(const Comparison& comparison) {
        "measured median, m", "simulated median, m", "difference of medians, m", "95 % from",
        "95 % to", "Cliff's delta", "KS distance", "p (Holm)"},
       1);
-  for (const MeasuredGroup& group : comparison.measured->groups) {
+  for (const MeasuredStopGroup& group : comparison.measured->groups) {
     const std::optional<Interval>& interval = group.medians.interval;
-    table.row({comparison.groups[group.group].name, std::to_string(group.measured),
-               std::to_string(group.simulated), format_fixed(group.runout.mean, 1),
-               format_fixed(group.simulated_runout, 1), format_fixed(group.quartiles.median, 1),
-               format_fixed(group.simulated_quartiles.median, 1),
-               format_fixed(group.medians.estimate, 1),
-               interval ? format_fixed(interval->low, 1) : "-",
-               interval ? format_fixed(interval->high, 1) : "-",
-               format_significant(group.cliffs_delta, 3), format_significant(group.ks_distance, 3),
-               group.medians.p_holm ? format_significant(*group.medians.p_holm, 2) : "-"});
+    table.row(
+        {comparison.groups[group.group].name, std::to_string(group.measured),
+         std::to_string(group.simulated), format_fixed(group.runout.mean, 1),
+         format_fixed(group.simulated_runout, 1), format_fixed(group.quartiles.median, 1),
+         format_fixed(group.simulated_quartiles.median, 1), format_fixed(group.medians.estimate, 1),
+         interval ? format_fixed(interval->low, 1) : "-",
+         interval ? format_fixed(interval->high, 1) : "-",
+         format_significant(group.cliffs_delta, 3), format_significant(group.ks_distance, 3),
+         group.medians.holm_p_value ? format_significant(*group.medians.holm_p_value, 2) : "-"});
   }
   return table.html();
 }
@@ -60,28 +61,28 @@ std::string format_measured_section(const Comparison& comparison) {
   const std::string title = "Measured against simulated";
   if (comparison.measured->groups.empty()) {
     return format_section(
-        title, format_paragraph("No simulated run came to rest to compare the measured stops "
-                                "with."));
+        title, format_paragraph(
+                   "No simulated run came to rest, so the measured stops cannot be compared."));
   }
   std::string html;
   for (const std::string& sentence : describe_measured_stops(comparison)) {
     html += "<p class=\"verdict\">" + escape_html(sentence) + "</p>\n";
   }
   html += "<div class=\"charts\">\n";
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    std::vector<Trace> traces;
+  for (const MeasuredStopGroup& group : comparison.measured->groups) {
+    std::vector<ChartTrace> traces;
     add_curve(group.simulated_curve, "simulated (" + std::to_string(group.simulated) + ")",
               kSimulatedColour, "", traces);
     add_curve(group.curve, "measured (" + std::to_string(group.measured) + ")", kFieldColour, "6 3",
               traces);
     html += draw_plotly_chart(
-        {group_title(comparison.groups[group.group]) + ": share that stops before", "runout, m",
-         "share of stops", true},
+        {group_title(comparison.groups[group.group]) + ": fraction that stops before a runout",
+         "runout, m", "fraction of stops", true},
         traces);
   }
-  html += "</div>\n" + format_paragraph("Bands are 95 % intervals of each curve.");
+  html += "</div>\n" + format_paragraph("The bands are the 95 % intervals of the curves.");
   return format_section(
-      title, html + format_folded_section("Figures and tests", measured_table(comparison)));
+      title, html + format_folded_section("Statistics and tests", measured_table(comparison)));
 }
 
 }  // namespace clast::report_detail

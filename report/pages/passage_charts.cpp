@@ -32,7 +32,7 @@ RealisationCurve with_end(RealisationCurve curve) {
   constexpr double kFarther = 1.03;
   if (curve.time.empty()) return curve;
   curve.time.push_back(kFarther * curve.time.back());
-  for (std::vector<double>* values : {&curve.mean, &curve.least, &curve.most}) {
+  for (std::vector<double>* values : {&curve.mean, &curve.minimum, &curve.maximum}) {
     values->push_back(values->back());
   }
   return curve;
@@ -41,13 +41,14 @@ RealisationCurve with_end(RealisationCurve curve) {
 std::string passage_chart(const Comparison& comparison,
                           const std::vector<PassageRealisations>& files, const ChartAxes& axes,
                           const CrossingValue& value) {
-  std::vector<Trace> traces;
+  std::vector<ChartTrace> traces;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const RealisationCurve curve = with_end(passage_curve(files[i], value));
     const std::string name =
-        (has_several_files(comparison) ? file_name(comparison, files[i].front()->file) : "mean") +
+        (has_several_files(comparison) ? results_file_label(comparison, files[i].front()->file)
+                                       : "mean") +
         " of " + format_count(files[i].size(), "realisation");
-    add_realisation_curve(traces, name, series_colour(i), Trace::Kind::kSteps, curve,
+    add_realisation_curve(traces, name, series_colour(i), ChartTrace::Kind::kSteps, curve,
                           files[i].size());
   }
   return draw_plotly_chart(axes, traces);
@@ -72,12 +73,12 @@ const std::vector<PassageFigure>& figures() {
       {"energy, kJ", kKilojoulesPerJoule,
        [](const Row& row) { return row.sum([](const BlockCrossing& one) { return one.energy; }); }},
       {"first passage, s", 1.0, &Row::first},
-      {"from the first to the last, s", 1.0,
+      {"time from the first to the last passage, s", 1.0,
        [](const Row& row) { return row.last() - row.first(); }},
-      {"most blocks in 1 s", 1.0, [](const Row& row) { return row.most_blocks.value; }},
-      {"most mass in 1 s, kg", 1.0, [](const Row& row) { return row.most_mass.value; }},
+      {"most blocks in 1 s", 1.0, [](const Row& row) { return row.max_blocks_in_window.value; }},
+      {"most mass in 1 s, kg", 1.0, [](const Row& row) { return row.max_mass_in_window.value; }},
       {"most energy in 1 s, kJ", kKilojoulesPerJoule,
-       [](const Row& row) { return row.most_energy.value; }},
+       [](const Row& row) { return row.max_energy_in_window.value; }},
       {"largest energy of a block, kJ", kKilojoulesPerJoule, &Row::largest_energy}};
   static_assert(kPassageWindow == 1.0, "the heads say so");
   return kFigures;
@@ -105,22 +106,22 @@ std::string describe_crossings(const Comparison& comparison,
   for (const PassageRealisations& realisations : passages_by_file(all, line)) {
     double blocks = 0.0, mass = 0.0, energy = 0.0, single = 0.0;
     for (const RealisationCrossings* one : realisations) {
-      blocks = std::max(blocks, one->most_blocks.value);
-      mass = std::max(mass, one->most_mass.value);
-      energy = std::max(energy, one->most_energy.value);
+      blocks = std::max(blocks, one->max_blocks_in_window.value);
+      mass = std::max(mass, one->max_mass_in_window.value);
+      energy = std::max(energy, one->max_energy_in_window.value);
       single = std::max(single, one->largest_energy);
     }
     if (blocks == 0.0) continue;
     const std::uint32_t file = realisations.front()->file;
-    const bool at_once = comparison.results[file].stay->at_once;
+    const bool at_once = comparison.results[file].persistent_blocks->at_once;
     html += format_paragraph(
         comparison.lines[line].name +
-        (has_several_files(comparison) ? ", " + file_name(comparison, file) : "") +
+        (has_several_files(comparison) ? ", " + results_file_label(comparison, file) : "") +
         ": within 1 s at most " + format_count(static_cast<std::size_t>(blocks), "block") +
         ", at most " + format_mass(std::ceil(mass)) + " and at most " +
         format_energy_limit(energy) + " pass; the largest energy of a " + "single block is " +
         format_energy_limit(single) + ". From " + format_count(realisations.size(), "realisation") +
-        (at_once ? "." : " of blocks that were released one after the other."));
+        (at_once ? "." : " with blocks released one after another."));
   }
   return html;
 }
@@ -146,7 +147,7 @@ std::string format_crossing_table(const Comparison& comparison,
         const double value = figure.unit * figure.value(*one);
         if (std::isfinite(value)) values.push_back(value);
       }
-      const Summary summary = summarise(values);
+      const SampleSummary summary = summarise_sample(values);
       const bool any = !values.empty();
       cells.push_back(any ? format_significant_digits(summary.mean) : "-");
       cells.push_back(values.size() > 1 ? format_significant_digits(summary.std) : "-");
@@ -157,9 +158,9 @@ std::string format_crossing_table(const Comparison& comparison,
     table.row(std::move(cells));
   }
   return format_paragraph(
-             "Over realisations. Each block counts once; what passes within 1 s counts as "
-             "together. Each realisation is a row of passages.csv, each passage of "
-             "passage_curves.csv.") +
+             "The statistics are over realisations. Each block is counted once; blocks that pass "
+             "within 1 s of each other are counted together. Each realisation is a row of "
+             "passages.csv, and each passage is a row of passage_curves.csv.") +
          table.html();
 }
 

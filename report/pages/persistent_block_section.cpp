@@ -15,7 +15,7 @@ std::vector<const PersistentBlockRecord*> stays_of_rows(const Comparison& compar
   std::vector<const PersistentBlockRecord*> stays;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    const bool one_by_one = results.stay && !results.stay->at_once;
+    const bool one_by_one = results.persistent_blocks && !results.persistent_blocks->at_once;
     stays.push_back(one_by_one ? results.find_persistent_block(row.record->run) : nullptr);
   }
   return stays;
@@ -27,7 +27,7 @@ std::string count_and_share(std::size_t count, std::size_t all) {
 }
 
 /// The cells of a group without its name; empty where none of its blocks stayed among others.
-std::vector<std::string> cells_of(const Comparison& comparison, const Group& group,
+std::vector<std::string> cells_of(const Comparison& comparison, const RunGroup& group,
                                   const std::vector<const PersistentBlockRecord*>& stays) {
   std::size_t runs = 0, hitting = 0, removed = 0;
   bool known = true;  // whether blocks that were hit are
@@ -46,13 +46,13 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
     }
   }
   if (runs == 0) return {};
-  const Summary summary = summarise(moved);
+  const SampleSummary summary = summarise_sample(moved);
   return {std::to_string(runs),
           known ? count_and_share(hitting, runs) : "not known",
           known ? format_fixed(hit / static_cast<double>(runs), 2) : "not known",
           count_and_share(moved.size(), runs),
-          format_measured(summary.median, summary, 2),
-          format_measured(summary.max, summary, 2),
+          format_summary_value(summary.median, summary, 2),
+          format_summary_value(summary.max, summary, 2),
           count_and_share(removed, runs)};
 }
 
@@ -60,12 +60,13 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Group& gro
 
 std::string format_persistent_blocks_section(const Comparison& comparison) {
   const std::vector<const PersistentBlockRecord*> stays = stays_of_rows(comparison);
-  HtmlTable table({"class", "runs", "hit others", "others hit, mean", "moved on later",
-                   "moved on, median, m", "moved on, max, m", "removed"},
+  HtmlTable table({"class", "runs", "hit others", "others hit, mean", "displaced later",
+                   "displacement, median, m", "displacement, max, m", "removed"},
                   1);
   bool any = false;
-  for (const GroupKind kind : {GroupKind::kGarcia, GroupKind::kSneedFolk, GroupKind::kAll}) {
-    for (const std::size_t g : select_groups(comparison, kind)) {
+  for (const RunGroupKind kind :
+       {RunGroupKind::kGarcia, RunGroupKind::kSneedFolk, RunGroupKind::kAll}) {
+    for (const std::size_t g : select_groups_of_kind(comparison, kind)) {
       std::vector<std::string> cells = cells_of(comparison, comparison.groups[g], stays);
       if (cells.empty()) continue;
       any = true;
@@ -75,10 +76,10 @@ std::string format_persistent_blocks_section(const Comparison& comparison) {
   }
   if (!any) return "";
   return format_section(
-      "Blocks in each other's way",
-      format_paragraph(
-          "How many others a block hit, and how far later blocks moved it on, from a tenth "
-          "of its S. Stops are those at the end.") +
+      "Contacts with persistent blocks",
+      format_paragraph("The table gives how many other blocks a block hit, and how far later "
+                       "blocks displaced it; displacements below a tenth of its S are not counted. "
+                       "Stops are the positions at the end of the realisation.") +
           table.html());
 }
 

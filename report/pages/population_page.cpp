@@ -28,8 +28,8 @@ std::string population_head(const PopulationReport& report) {
   for (const ReportedPopulation& reported : report.populations) {
     title += (title.empty() ? "" : " and ") + reported.population.name;
     std::string text = format_count(reported.summary.blocks, "block");
-    if (reported.summary.with_mass > 0) {
-      text += ", " + std::to_string(reported.summary.with_mass) + " with a mass, " +
+    if (reported.summary.blocks_with_mass > 0) {
+      text += ", " + std::to_string(reported.summary.blocks_with_mass) + " with a mass, " +
               format_block_mass(reported.summary.size.total_mass) + " kg";
     }
     facts += format_fact(reported.population.name, text);
@@ -38,20 +38,21 @@ std::string population_head(const PopulationReport& report) {
       notes.push_back(reported.population.name + ": " + reported.notes[i]);
     }
     if (reported.notes.size() > kMaxNotes) {
-      notes.push_back(reported.population.name + ": and " +
+      notes.push_back(reported.population.name + ": there are " +
                       std::to_string(reported.notes.size() - kMaxNotes) +
-                      " more notes, all in provenance.json");
+                      " more notes; all are in provenance.json");
     }
     if (reported.population.blocks.size() > kMaxSingleBlocks) {
       notes.push_back(
           reported.population.name + ": with " + format_count(reported.summary.blocks, "block") +
-          " the diagrams show densities, not single blocks; every block is in classes.csv");
+          ", the diagrams show densities instead of single blocks; every block is in classes.csv");
     }
   }
-  facts += format_fact("Size", name_of(report.options.size) +
-                                   (report.options.size == SizeMeasure::kIntermediate
-                                        ? ", the axis that decides which sieve lets a block through"
-                                        : ", the side of a cube as large as the block's box"));
+  facts +=
+      format_fact("Size", name_of(report.options.size) +
+                              (report.options.size == SizeMeasure::kIntermediate
+                                   ? ", the axis that determines whether a block passes a sieve"
+                                   : ", the side of a cube with the volume of the block's box"));
   facts += format_fact("Report by", std::string("clast ") + version());
   return "<h1>Shapes and sizes of blocks</h1>\n<p class=\"lead\">" + escape_html(title) + "</p>\n" +
          (notes.empty() ? std::string() : format_note_box("Read this first", notes)) +
@@ -62,37 +63,37 @@ std::string comparison_section(const PopulationReport& report) {
   if (!report.comparison) return {};
   const PopulationComparison& comparison = *report.comparison;
   std::string html = "<ul>\n";
-  for (const ClassDifference& one : comparison.schemes)
+  for (const ClassFractionDifference& one : comparison.schemes)
     html += "<li>" + escape_html(one.description) + "</li>\n";
-  for (const MeasureDifference& one : comparison.measures) {
+  for (const ShapeMeasureDifference& one : comparison.measures) {
     html += "<li>" + escape_html(one.description) + "</li>\n";
   }
   const std::size_t tests = comparison.schemes.size() + comparison.measures.size();
   html +=
-      "</ul>\n" + format_paragraph(
-                      "These are " + std::to_string(tests) +
-                      " looks at the same blocks: of twenty looks at equal deposits one shows a "
-                      "chance below 0.05. Where no difference can be shown, the samples may be too "
-                      "small to show it.");
+      "</ul>\n" +
+      format_paragraph(
+          "These are " + std::to_string(tests) +
+          " tests of the same blocks: among twenty tests of equal deposits, one gives p < 0.05 on "
+          "average. If no difference is significant, the samples may be too small to detect it.");
   return format_section(comparison.name_a + " against " + comparison.name_b, html);
 }
 
-std::string classes_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string classes_section(const PopulationReport& report, const PopulationDiagrams& diagrams) {
   std::string html;
   const std::size_t schemes = report.populations.front().summary.schemes.size();
   for (std::size_t scheme = 0; scheme < schemes; ++scheme) {
     html += "<h3>" + escape_html(report.populations[0].summary.schemes[scheme].scheme) + "</h3>\n";
     html += "<div class=\"beside\">" +
-            format_figure(diagrams.at(fractions_file_name(report, scheme))) + "<div>";
+            format_figure(diagrams.at(class_fractions_diagram_name(report, scheme))) + "<div>";
     for (const ReportedPopulation& reported : report.populations) {
-      const bool weighed = reported.summary.with_mass > 0;
-      std::vector<std::string> heads = {"class", "blocks", "share", "95 % interval"};
+      const bool weighed = reported.summary.blocks_with_mass > 0;
+      std::vector<std::string> heads = {"class", "blocks", "fraction", "95 % interval"};
       if (weighed) {
         for (const char* name : {"mass, kg", "by mass", "95 % interval"}) heads.push_back(name);
       }
       if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
       HtmlTable table(heads, 1);
-      for (const ClassFraction& share : reported.summary.schemes[scheme].shares) {
+      for (const ClassFraction& share : reported.summary.schemes[scheme].fractions) {
         std::vector<std::string> cells = {share.name, std::to_string(share.count),
                                           format_percent(share.fraction),
                                           range_text(share.low, share.high)};
@@ -109,13 +110,13 @@ std::string classes_section(const PopulationReport& report, const Diagrams& diag
   }
   return format_section(
       "Classes",
-      format_paragraph("Intervals are Wilson's: the shares of the deposit that a sample of this "
-                       "size does not contradict. Shares by mass count a few heavy blocks as "
-                       "much as many light ones, so their intervals are wider.") +
+      format_paragraph(
+          "The intervals are Wilson's 95 % intervals of the fraction in the whole deposit. "
+          "Fractions by mass depend on a few heavy blocks, so their intervals are wider.") +
           html);
 }
 
-std::string diagrams_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string diagrams_section(const PopulationReport& report, const PopulationDiagrams& diagrams) {
   std::string html = "<div class=\"charts\">\n";
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     html += format_figure(diagrams.at("sneed_folk" + population_file_suffix(report, i)));
@@ -123,8 +124,8 @@ std::string diagrams_section(const PopulationReport& report, const Diagrams& dia
   }
   html += format_figure(diagrams.at("s_c"));
   return format_section(
-      "Forms", format_paragraph("The pointer on a mark names its block and lights it up in all "
-                                "diagrams; the darker a field, the more blocks are in it.") +
+      "Forms", format_paragraph("Point at a mark to see the name of its block and highlight it in "
+                                "all diagrams. Darker fields contain more blocks.") +
                    html + "</div>\n");
 }
 
@@ -136,13 +137,13 @@ std::string boxes_section(const PopulationReport& report) {
     std::string words;
     for (const BoxConventionEffect& effect : compare_box_conventions(
              blocks, report.options.selected_schemes(), report.options.limits)) {
-      words += "<li>" + escape_html(describe_box_effect(effect)) + "</li>\n";
+      words += "<li>" + escape_html(describe_box_convention_effect(effect)) + "</li>\n";
     }
     if (words.empty()) continue;
     if (report.populations.size() > 1) html += format_paragraph(reported.population.name);
     html += "<ul>\n" + words + "</ul>\n";
     if (blocks.size() > kMaxRows) continue;
-    std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_text(reported.population.name, kMaxHeadLength)};
     for (const BoxConvention box : kBoxConventions) heads.push_back("s_c, " + name_of(box));
     for (const BoxConvention box : kBoxConventions) heads.push_back("S/L, " + name_of(box));
     HtmlTable table(heads, 1);
@@ -158,9 +159,9 @@ std::string boxes_section(const PopulationReport& report) {
   }
   if (html.empty()) return {};
   return format_section(
-      "Boxes", format_paragraph("L, I and S are sides of a box, and the convention for the box "
-                                "decides the class of blocks near a limit. Compare only what "
-                                "was measured on the same box.") +
+      "Boxes", format_paragraph("L, I and S are the sides of a box, and the convention for the box "
+                                "can change the class of blocks near a class limit. Compare only "
+                                "blocks that were measured with the same convention.") +
                    html);
 }
 
@@ -171,13 +172,13 @@ std::string blocks_section(const PopulationReport& report) {
     if (blocks.size() > kMaxRows) {
       html +=
           format_paragraph(reported.population.name + ": " + format_count(blocks.size(), "block") +
-                           ", all of them in classes.csv.");
+                           "; all of them are in classes.csv.");
       continue;
     }
-    std::vector<std::string> heads = {shorten_text(reported.population.name, kMostHead)};
+    std::vector<std::string> heads = {shorten_text(reported.population.name, kMaxHeadLength)};
     for (const SchemeFractions& scheme : reported.summary.schemes) heads.push_back(scheme.scheme);
     const std::string& first = reported.summary.schemes.front().scheme;
-    heads.push_back("how sure (" + first + ")");
+    heads.push_back("certainty (" + first + ")");
     const std::size_t text = heads.size();
     for (const char* name : {"L, m", "I, m", "S, m", "mass, kg", "s_c", "S/L"})
       heads.push_back(name);
@@ -185,17 +186,19 @@ std::string blocks_section(const PopulationReport& report) {
     for (const MeasuredBlock& block : blocks) {
       std::vector<std::string> cells = {block.name};
       for (const SchemeFractions& scheme : reported.summary.schemes) {
-        cells.push_back(shape_class(scheme.scheme, block.axes_as_written, report.options.limits));
+        cells.push_back(
+            shape_class(scheme.scheme, block.axes_in_table_unit, report.options.limits));
       }
       const ClassCertainty certainty =
-          class_certainty(first, block.axes, block.axis_error, report.options.limits);
-      cells.push_back(certainty.near_limit ? describe_certainty(certainty) : "clear of limits");
+          assess_class_certainty(first, block.axes, block.axis_error, report.options.limits);
+      cells.push_back(certainty.near_limit ? describe_certainty(certainty)
+                                           : "far from class limits");
       for (const double axis : {block.axes.L, block.axes.I, block.axes.S}) {
         cells.push_back(format_significant_digits(axis, 3) + (block.unscaled ? " u" : ""));
       }
       cells.push_back(block.mass ? format_significant_digits(*block.mass, 4) : "-");
-      cells.push_back(format_fixed(elongation_index(block.axes_as_written), 2));
-      cells.push_back(format_fixed(block.axes_as_written.S / block.axes_as_written.L, 2));
+      cells.push_back(format_fixed(elongation_index(block.axes_in_table_unit), 2));
+      cells.push_back(format_fixed(block.axes_in_table_unit.S / block.axes_in_table_unit.L, 2));
       table.row(std::move(cells));
     }
     html += table.html();
@@ -213,13 +216,14 @@ std::string sources_section(const PopulationReport& report) {
   return format_section("Inputs", html + "</ul>\n") + "<footer>Made by clast " +
          escape_html(version()) + ", random samples from seed " +
          std::to_string(report.options.seed) +
-         ". Every figure here is in classes.csv, shares.csv, sizes.csv and tests.csv beside this "
-         "page; every diagram is there as .svg.</footer>\n";
+         ". All numbers of this page are in classes.csv, shares.csv, sizes.csv and tests.csv in "
+         "the same folder; every diagram is there as an .svg file.</footer>\n";
 }
 
 }  // namespace
 
-std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams) {
+std::string make_population_page(const PopulationReport& report,
+                                 const PopulationDiagrams& diagrams) {
   std::string title = "Blocks";
   for (const ReportedPopulation& reported : report.populations) {
     title += (&reported == &report.populations.front() ? ": " : ", ") + reported.population.name;

@@ -6,8 +6,9 @@
 
 namespace clast::report_detail {
 
-/// Makes the page.
+/// Makes the report page of one or two populations.
 /// @param diagrams  result of `draw_population_diagrams`
-std::string make_population_page(const PopulationReport& report, const Diagrams& diagrams);
+std::string make_population_page(const PopulationReport& report,
+                                 const PopulationDiagrams& diagrams);
 
 }  // namespace clast::report_detail

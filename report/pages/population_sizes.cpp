@@ -22,14 +22,15 @@ void law_rows(HtmlTable& table, const std::string& weighting, const SizeCurve& c
 
 }  // namespace
 
-std::string format_size_section(const PopulationReport& report, const Diagrams& diagrams) {
+std::string format_size_section(const PopulationReport& report,
+                                const PopulationDiagrams& diagrams) {
   std::string html;
   if (diagrams.contains("sizes")) {
     std::string medians;
     for (const ReportedPopulation& reported : report.populations) {
-      if (!has_sizes(reported)) continue;
+      if (!has_scaled_blocks(reported)) continue;
       medians += format_paragraph(
-          "Half of the blocks of " + reported.population.name + " are below " +
+          "Half of the blocks of " + reported.population.name + " are smaller than " +
           format_significant_digits(reported.summary.size.by_number.d50, 3) + " m.");
     }
     html += "<div class=\"charts\">" + format_figure(diagrams.at("sizes")) + "<div>" + medians +
@@ -38,14 +39,14 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
   for (std::size_t i = 0; i < report.populations.size(); ++i) {
     const ReportedPopulation& reported = report.populations[i];
     const SizeDistribution& size = reported.summary.size;
-    if (!has_sizes(reported)) {
+    if (!has_scaled_blocks(reported)) {
       html += format_paragraph(reported.population.name +
-                               ": every block is unscaled; there are no sizes.");
+                               ": all blocks are unscaled, so there are no sizes.");
       continue;
     }
-    HtmlTable percentiles(
-        {shorten_text(reported.population.name, kMostHead), "blocks", "d10, m", "d50, m", "d90, m"},
-        1);
+    HtmlTable percentiles({shorten_text(reported.population.name, kMaxHeadLength), "blocks",
+                           "d10, m", "d50, m", "d90, m"},
+                          1);
     const auto add = [&](const std::string& name, const SizeCurve& curve) {
       percentiles.row({name, std::to_string(curve.blocks), format_significant_digits(curve.d10, 3),
                        format_significant_digits(curve.d50, 3),
@@ -60,29 +61,29 @@ std::string format_size_section(const PopulationReport& report, const Diagrams& 
             format_figure(diagrams.at("size" + population_file_suffix(report, i))) + "<div>" +
             percentiles.html() + "</div></div>\n";
     html += size.by_number.laws.empty()
-                ? format_paragraph("All blocks are of one size: no law is fitted.")
+                ? format_paragraph("All blocks have the same size, so no law is fitted.")
                 : laws.html();
     if (size.step > 0.0) {
       html += format_paragraph("Sizes were read in steps of " +
                                format_significant_digits(size.step, 2) +
-                               " m; fits are judged with samples read in the same steps.");
+                               " m; the p-values use samples rounded to the same steps.");
     }
     html += "<ul>\n";
     for (const SizeShapeCorrelation& one : reported.summary.size_shape_correlations) {
       html += "<li>" + escape_html(describe_size_shape(one, size.measure)) + "</li>\n";
     }
     html += "<li>" +
-            escape_html("C40, the share of blocks with S/L at most 0.4: " +
+            escape_html("C40, the fraction of blocks with S/L at most 0.4: " +
                         format_percent(reported.summary.c40) + ".") +
             "</li>\n</ul>\n";
   }
   return format_section(
       "Sizes",
-      format_paragraph(
-          "Laws are fitted by maximum likelihood, with standard errors. p is the chance that a "
-          "sample of the law lies as far from its own fit: a small p speaks against the law, "
-          "a large one does not prove it. By mass there is no p, since the kilograms of one "
-          "block are not independent of each other.") +
+      format_paragraph("The laws are fitted by maximum likelihood, with standard errors. p is the "
+                       "probability that a sample drawn from the law has an equal or larger KS "
+                       "distance to its own fit: a small p is evidence against the law, but a "
+                       "large p does not prove it. There is no p for the distribution by mass, "
+                       "because the kilograms of one block are not independent of each other.") +
           html);
 }
 

@@ -17,17 +17,18 @@ namespace {
 
 /// Stiffness and time step of every block.
 std::string stiffness_table(const CampaignResults& results) {
-  const std::vector<BlockStiffness> blocks = collect_stiffness_by_block(results, results.runs);
+  const std::vector<BlockStiffnessRanges> blocks =
+      collect_stiffness_by_block(results, results.runs);
   if (blocks.empty()) return "";
   std::vector<std::string> heads = {"block"};
   for (const StiffnessRange& value : blocks.front().values) heads.push_back(value.heading);
   HtmlTable table(heads, 1);
-  const auto add = [&](const BlockStiffness& block) {
+  const auto add = [&](const BlockStiffnessRanges& block) {
     std::vector<std::string> row = format_stiffness_cells(block);
     row.insert(row.begin(), block.block);
     table.row(row);
   };
-  for (const BlockStiffness& block : blocks) add(block);
+  for (const BlockStiffnessRanges& block : blocks) add(block);
   if (blocks.size() > 1) add(combine_stiffness(blocks));
   return table.html();
 }
@@ -50,8 +51,8 @@ std::string ground_table(const CampaignResults& results) {
   if (sets_of[""].empty()) sets_of[""] = {&central};
   std::vector<std::string> heads = {"ground zone"};
   std::vector<GroundParameterField> fields;
-  for (const GroundParameterField& field : ground_fields()) {
-    if (field.of_soil && !any_states(results, field)) continue;
+  for (const GroundParameterField& field : ground_parameter_fields()) {
+    if (field.is_soil_parameter && !any_states(results, field)) continue;
     fields.push_back(field);
     heads.emplace_back(field.heading);
   }
@@ -79,15 +80,15 @@ std::string ground_table(const CampaignResults& results) {
     }
   }
   const std::uint32_t members = count_ensemble_members(results);
-  return table.html() + (members > 1
-                             ? format_paragraph("Ranges are of the " + std::to_string(members) +
-                                                " draws; each draw is in ground_sets.csv.")
-                             : "");
+  return table.html() +
+         (members > 1 ? format_paragraph("The ranges are over the " + std::to_string(members) +
+                                         " draws; each draw is in ground_sets.csv.")
+                      : "");
 }
 
 std::string released(const CampaignResults& results) {
   const std::size_t points = results.release_points.size();
-  if (!results.stay) {
+  if (!results.persistent_blocks) {
     const std::size_t members = count_ensemble_members(results);
     const std::size_t sets = results.blocks.size() * points * members;
     return format_count(results.blocks.size(), "block") + " \xC3\x97 " +
@@ -96,17 +97,19 @@ std::string released(const CampaignResults& results) {
            (members > 1 ? " \xC3\x97 " + format_count(members, "draw") + " of the ground" : "");
   }
   const auto removed = static_cast<std::size_t>(std::count_if(
-      results.stays.begin(), results.stays.end(),
+      results.persistent_block_records.begin(), results.persistent_block_records.end(),
       [](const PersistentBlockRecord& stay) { return std::isfinite(stay.removed_at); }));
-  return format_count(results.planned_runs / results.stay->blocks_each, "realisation") + " of " +
-         format_count(results.stay->blocks_each, "block") +
-         (results.stay->at_once
-              ? ", released " + (points > 1 ? "as " + format_count(points, "mass", "masses")
-                                            : "at once as one mass")
-              : ", released one after the other from " + format_count(points, "point")) +
-         " and left where they stop" +
-         (removed > 0 ? ", but for " + format_count(removed, "block that was removed",
-                                                    "blocks that were removed")
+  return format_count(results.planned_runs / results.persistent_blocks->blocks_per_realisation,
+                      "realisation") +
+         " of " + format_count(results.persistent_blocks->blocks_per_realisation, "block") +
+         (results.persistent_blocks->at_once
+              ? ", released " + (points > 1
+                                     ? "as " + format_count(points, "block mass", "block masses")
+                                     : "at once as one block mass")
+              : ", released one after another from " + format_count(points, "point")) +
+         " and left at their stops" +
+         (removed > 0 ? ", except for " + format_count(removed, "block that was removed",
+                                                       "blocks that were removed")
                       : "");
 }
 
@@ -116,7 +119,7 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
   html += format_fact("Runs", std::to_string(results.runs.size()) + " of " +
                                   std::to_string(results.planned_runs) + " planned");
   html += format_fact("Released", released(results));
-  html += format_fact("Contact law", "energy restitution, weights " + name_of(results.weights));
+  html += format_fact("Contact law", "energy restitution, weights " + name_of(results.weighting));
   const std::vector<std::string> cells =
       format_stiffness_cells(combine_stiffness(collect_stiffness_by_block(results, results.runs)));
   html +=
@@ -124,7 +127,7 @@ std::string settings_of(const Comparison& comparison, const CampaignResults& res
   html += format_fact(
       "Downslope (x, y)",
       format_fixed(comparison.downslope.x(), 4) + ", " + format_fixed(comparison.downslope.y(), 4) +
-          (comparison.downslope_asked ? " (as specified)" : " (mean release to stop)"));
+          (comparison.downslope_given ? " (as specified)" : " (mean release to stop)"));
   html += format_fact("Coordinates", results.frame.crs.empty()
                                          ? "map frame of the terrain, no CRS given"
                                          : reference_system_name(results.frame.crs));
@@ -140,7 +143,7 @@ std::string scales_of(const CampaignResults& results) {
   for (const BlockSummary& block : results.blocks) {
     if (block.scale == 1.0) continue;
     if (block.library_block() != block.id) return "";  // drawn ones are too many
-    text += (text.empty() ? "As asked, " : ", ") + describe_block_scale(block);
+    text += (text.empty() ? "As requested, " : ", ") + describe_block_scale(block);
   }
   return text.empty() ? "" : format_paragraph(text + ".");
 }
@@ -186,7 +189,8 @@ std::string format_provenance_section(const Comparison& comparison) {
   }
   return format_section("What was run", html + notes_of(comparison)) + "<footer>Made by clast " +
          escape_html(version()) +
-         ". All figures are in the tables beside this page, map layers in stops.gpkg.</footer>\n";
+         ". All numbers are in the tables in the same folder; map layers are in "
+         "stops.gpkg.</footer>\n";
 }
 
 }  // namespace clast::report_detail

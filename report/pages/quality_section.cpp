@@ -26,7 +26,7 @@ std::vector<std::string> extreme(const Comparison& comparison, const std::string
     }
   }
   if (worst == nullptr) return {what + unit, "not known", "-", "-", "-"};
-  const Summary summary = summarise(values);
+  const SampleSummary summary = summarise_sample(values);
   const std::string run =
       (has_several_files(comparison) ? "file " + std::to_string(worst->file + 1) + ", run "
                                      : "run ") +
@@ -68,15 +68,17 @@ std::string lost_runs(const Comparison& comparison) {
 
 std::string format_quality_section(const Comparison& comparison) {
   HtmlTable table({"measure", "worst run", "mean", "p95", "largest"}, 2);
-  table.row(extreme(comparison, "energy not accounted for, share of the dissipated", "",
-                    [](const RunRow& row) { return row.record->result.energy.error; }));
-  table.row(extreme(comparison, "energy where contacts or weights change, share of the dissipated",
-                    "", [](const RunRow& row) {
-                      return reassigned_energy_fraction(row.record->result.energy).value_or(NAN);
-                    }));
+  table.row(extreme(comparison, "error of the energy balance, fraction of the dissipated energy",
+                    "", [](const RunRow& row) { return row.record->result.energy.error; }));
+  table.row(extreme(
+      comparison,
+      "energy gained or lost when contacts or weights change, fraction of the dissipated energy",
+      "", [](const RunRow& row) {
+        return reassigned_energy_fraction(row.record->result.energy).value_or(NAN);
+      }));
   table.row(extreme(comparison, "largest penetration", ", mm",
                     [](const RunRow& row) { return row.record->result.max_penetration * 1000.0; }));
-  table.row(extreme(comparison, "largest penetration, share of S", "", [](const RunRow& row) {
+  table.row(extreme(comparison, "largest penetration, fraction of S", "", [](const RunRow& row) {
     return row.record->result.max_penetration / row.block->axes.S;
   }));
   table.row(extreme(comparison, "penetration at the end", ", mm", [](const RunRow& row) {
@@ -90,10 +92,10 @@ std::string format_quality_section(const Comparison& comparison) {
   std::string without;
   for (const CampaignResults& results : comparison.results) {
     if (results.has_contacts()) continue;
-    without = format_paragraph(
-        "Runs that " + results.engine +
-        " computed do not report energy balance and penetration: the figures below "
-        "are without them.");
+    without =
+        format_paragraph("Runs computed by " + results.engine +
+                         " do not report energy balance and penetration; the statistics below "
+                         "do not include them.");
   }
   return format_section(
       "Quality of the runs",

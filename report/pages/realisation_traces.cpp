@@ -4,12 +4,12 @@
 
 namespace clast::report_detail {
 
-void add_realisation_curve(std::vector<Trace>& traces, const std::string& name,
-                           const std::string& colour, Trace::Kind kind,
+void add_realisation_curve(std::vector<ChartTrace>& traces, const std::string& name,
+                           const std::string& colour, ChartTrace::Kind kind,
                            const RealisationCurve& curve, std::size_t realisations) {
-  Trace low{name, colour, "", kind, curve.time, curve.least};
+  ChartTrace low{name, colour, "", kind, curve.time, curve.minimum};
   low.named = false;
-  Trace high{name, colour, "", kind, curve.time, curve.most};
+  ChartTrace high{name, colour, "", kind, curve.time, curve.maximum};
   high.named = false;
   high.filled = true;
   if (realisations > 1) {

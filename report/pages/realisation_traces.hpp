@@ -10,9 +10,9 @@ namespace clast::report_detail {
 
 inline constexpr double kKilojoulesPerJoule = 1e-3;
 
-/// Adds the mean curve and, for several realisations, the band between minimum and maximum.
-void add_realisation_curve(std::vector<Trace>& traces, const std::string& name,
-                           const std::string& colour, Trace::Kind kind,
+/// Adds the mean curve over realisations and the band between minimum and maximum.
+void add_realisation_curve(std::vector<ChartTrace>& traces, const std::string& name,
+                           const std::string& colour, ChartTrace::Kind kind,
                            const RealisationCurve& curve, std::size_t realisations);
 
 }  // namespace clast::report_detail

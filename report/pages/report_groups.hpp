@@ -13,39 +13,40 @@
 namespace clast::report_detail {
 
 bool has_several_files(const Comparison& comparison);
-/// Selects the groups of one kind. With several files, selects those of each file.
-std::vector<std::size_t> select_groups(const Comparison& comparison, GroupKind kind);
-/// Returns the group name without its kind.
-std::string short_group_name(const Group& group);
+/// Selects the groups of runs of one kind, by file if there are several files.
+std::vector<std::size_t> select_groups_of_kind(const Comparison& comparison, RunGroupKind kind);
+/// Returns the name of a group without its kind, such as "compact" for "class compact".
+std::string short_group_name(const RunGroup& group);
 
 /// Formats mean and standard deviation; "-" for an empty sample.
-std::string format_mean_and_deviation(const Summary& summary, int decimals, double unit = 1.0);
-/// Formats a value of a summary; "-" for an empty sample.
-std::string format_measured(double value, const Summary& summary, int decimals);
+std::string format_mean_and_deviation(const SampleSummary& summary, int decimals,
+                                      double unit = 1.0);
+/// Formats a value of a sample summary; "-" for an empty sample.
+std::string format_summary_value(double value, const SampleSummary& summary, int decimals);
 
 /// Appends an item to a list such as "runout; largest speed".
-void append_item(std::string& list, const std::string& item);
-/// Formats a line with a bold head. Empty if the list is empty.
+void append_list_item(std::string& list, const std::string& item);
+/// Formats a list as a paragraph with a bold head. Empty if the list is empty.
 std::string format_headed_list(const std::string& head, const std::string& list);
 
 /// Returns the class of a group with a single block; empty for several blocks.
-std::string block_class_of_group(const Comparison& comparison, const Group& group);
+std::string block_class_of_group(const Comparison& comparison, const RunGroup& group);
 
-/// Chooses colour and dash of the curve of a group. Classes differ in colour, blocks in dash or
-/// shade. They repeat after twelve blocks of a class.
+/// Chooses colour and dash pattern of the curve of a group. Classes differ in colour, blocks in
+/// dash pattern or shade.
 /// @param classes_before  classes of the previously drawn groups
 std::pair<std::string, std::string> choose_curve_style(
-    const Comparison& comparison, const Group& group,
+    const Comparison& comparison, const RunGroup& group,
     const std::vector<std::string>& classes_before);
 
 template <class Value>
-std::vector<Series> make_value_series(const Comparison& comparison, GroupKind kind,
-                                      Value value_of) {
-  std::vector<Series> series;
+std::vector<ChartSeries> make_value_series(const Comparison& comparison, RunGroupKind kind,
+                                           Value value_of) {
+  std::vector<ChartSeries> series;
   std::vector<std::string> classes;
-  for (const std::size_t g : select_groups(comparison, kind)) {
-    const Group& group = comparison.groups[g];
-    Series one;
+  for (const std::size_t g : select_groups_of_kind(comparison, kind)) {
+    const RunGroup& group = comparison.groups[g];
+    ChartSeries one;
     one.name = short_group_name(group);
     std::tie(one.colour, one.dash) = choose_curve_style(comparison, group, classes);
     classes.push_back(block_class_of_group(comparison, group));

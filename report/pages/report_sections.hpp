@@ -6,12 +6,12 @@
 
 namespace clast::report_detail {
 
-/// Formats title, key results, key figures and warnings.
+/// Formats the head of the report: title, key results, key figures and warnings.
 std::string format_head_section(const Comparison& comparison, const KeyResults& answer);
 std::string format_class_section(const Comparison& comparison);
 /// Formats the map of deposit rasters. Empty if there are no layers.
 std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters);
-/// Formats position, size and thickness of deposits. Empty without persistent blocks.
+/// Formats the section on deposits: position, size and thickness. Empty without persistent blocks.
 std::string format_deposit_section(const ComparisonAnalyses& analyses);
 /// Formats the energy balance of persistent blocks against time. Empty if there are no data.
 std::string format_energy_section(const ComparisonAnalyses& analyses);
@@ -37,9 +37,11 @@ std::string format_ensemble_section(const ComparisonAnalyses& analyses);
 std::string format_effects_section(const ComparisonAnalyses& analyses);
 /// Formats a table and exceedance curves for each barrier.
 std::string format_barrier_section(const ComparisonAnalyses& analyses);
-/// Formats energy balance, penetration and all runs that did not come to rest.
+/// Formats the section on the quality of the runs: energy balance, penetration, and runs that did
+/// not come to rest.
 std::string format_quality_section(const Comparison& comparison);
-/// Formats settings, ground parameters, inputs with digests, campaign files and minor warnings.
+/// Formats the section on provenance: settings, ground parameters, inputs with digests, and
+/// campaign files.
 std::string format_provenance_section(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -39,7 +39,7 @@ std::vector<LabelledLine> barrier_places(const Comparison& comparison,
       distances.push_back(comparison.downslope.dot(way.head<2>()));
     }
     if (distances.empty()) continue;
-    places.push_back({summarise(distances).median, comparison.lines[line].name});
+    places.push_back({summarise_sample(distances).median, comparison.lines[line].name});
   }
   return places;
 }
@@ -48,11 +48,11 @@ std::vector<LabelledLine> barrier_places(const Comparison& comparison,
 std::string share_against_distance(const Comparison& comparison,
                                    const std::vector<ProfileBin>& bins,
                                    std::optional<std::uint32_t> file, const ChartAxes& axes) {
-  std::vector<Trace> traces;
-  for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
-    const Group& group = comparison.groups[g];
+  std::vector<ChartTrace> traces;
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kGarcia)) {
+    const RunGroup& group = comparison.groups[g];
     if (group.file != file) continue;
-    Trace trace{group.key, class_colour(group.key), {}, Trace::Kind::kSteps, {}, {}};
+    ChartTrace trace{group.key, class_colour(group.key), {}, ChartTrace::Kind::kSteps, {}, {}};
     const Bins along = bins_of_group(bins, g);
     for (const ProfileBin* bin : along) {
       trace.x.push_back(bin->from);
@@ -64,11 +64,11 @@ std::string share_against_distance(const Comparison& comparison,
   return draw_plotly_chart(axes, traces);
 }
 
-/// Tabulates the passages at each distance, over all runs of a group.
+/// Values at a barrier at every distance, over all runs of a group.
 std::string barrier_table(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                           std::size_t group) {
-  HtmlTable table({"distance, m", "runs that come by", "share", "energy p95, kJ", "energy max, kJ",
-                   "height p95, m", "height max, m", "speed p95, m/s"},
+  HtmlTable table({"distance, m", "runs that reach it", "fraction", "energy p95, kJ",
+                   "energy max, kJ", "height p95, m", "height max, m", "speed p95, m/s"},
                   1);
   const auto runs = static_cast<double>(comparison.groups[group].rows.size());
   for (const ProfileBin* bin : bins_of_group(bins, group)) {
@@ -76,40 +76,43 @@ std::string barrier_table(const Comparison& comparison, const std::vector<Profil
                std::to_string(bin->runs), format_percent(static_cast<double>(bin->runs) / runs, 0),
                format_significant_digits(bin->energy.p95 / 1000.0),
                format_significant_digits(bin->energy.max / 1000.0),
-               format_measured(bin->height.p95, bin->height, 2),
-               format_measured(bin->height.max, bin->height, 2),
-               format_measured(bin->speed.p95, bin->speed, 1)});
+               format_summary_value(bin->height.p95, bin->height, 2),
+               format_summary_value(bin->height.max, bin->height, 2),
+               format_summary_value(bin->speed.p95, bin->speed, 1)});
   }
   return table.html();
 }
 
-/// "Where at least half of the 192 runs arrive, energy is lowest 16 to 18 m from the release: ..."
+/// "Where at least half of the 192 runs arrive, the energy is lowest 16 to 18 m from the release:
+/// ..."
 std::string least_demand(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                          std::size_t group) {
   const std::size_t runs = comparison.groups[group].rows.size();
-  const ProfileBin* place = find_least_energy_position(bins, group, runs);
+  const ProfileBin* place = find_least_energy_bin(bins, group, runs);
   if (place == nullptr || runs < kMinPassages) return {};
-  return "Where at least half of the " + std::to_string(runs) + " runs arrive, energy is lowest " +
-         format_significant(place->from, 4) + " to " + format_significant(place->to, 4) +
-         " m from the release: 95 % of the " + std::to_string(place->runs) +
-         " runs there stay below " + format_energy_limit(place->energy.p95) +
-         ", and the centres of 95 % below " + format_height_limit(place->height.p95) + ". ";
+  return "Where at least half of the " + std::to_string(runs) +
+         " runs arrive, the energy is lowest " + format_significant(place->from, 4) + " to " +
+         format_significant(place->to, 4) + " m from the release: for 95 % of the " +
+         std::to_string(place->runs) + " runs there, it is below " +
+         format_energy_limit(place->energy.p95) + ", and the centre of mass is below " +
+         format_height_limit(place->height.p95) + ". ";
 }
 
 /// Mean, 95th percentile and largest of a quantity of every class.
 std::string against_distance(const Comparison& comparison, const std::vector<ProfileBin>& bins,
                              std::optional<std::uint32_t> file, const ChartAxes& axes,
-                             Summary ProfileBin::*quantity, double unit) {
-  std::vector<Trace> traces;
-  for (const std::size_t g : select_groups(comparison, GroupKind::kGarcia)) {
-    const Group& group = comparison.groups[g];
+                             SampleSummary ProfileBin::*quantity, double unit) {
+  std::vector<ChartTrace> traces;
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kGarcia)) {
+    const RunGroup& group = comparison.groups[g];
     if (group.file != file) continue;
     const Bins along = bins_of_group(bins, g);
-    const auto add = [&](const char* name, const char* dash, double Summary::*value, bool shown) {
-      Trace trace{
-          group.key + ", " + name, class_colour(group.key), dash, Trace::Kind::kLine, {}, {}};
+    const auto add = [&](const char* name, const char* dash, double SampleSummary::*value,
+                         bool shown) {
+      ChartTrace trace{
+          group.key + ", " + name, class_colour(group.key), dash, ChartTrace::Kind::kLine, {}, {}};
       for (const ProfileBin* bin : along) {
-        const Summary& summary = bin->*quantity;
+        const SampleSummary& summary = bin->*quantity;
         trace.x.push_back(0.5 * (bin->from + bin->to));
         trace.y.push_back(summary.count > 0 ? summary.*value * unit : NAN);
       }
@@ -117,9 +120,9 @@ std::string against_distance(const Comparison& comparison, const std::vector<Pro
       trace.shown = shown;
       traces.push_back(std::move(trace));
     };
-    add("95 % below", "", &Summary::p95, true);
-    add("mean", "6 3", &Summary::mean, true);
-    add("largest", "2 2", &Summary::max, false);
+    add("95 % below", "", &SampleSummary::p95, true);
+    add("mean", "6 3", &SampleSummary::mean, true);
+    add("largest", "2 2", &SampleSummary::max, false);
   }
   return draw_plotly_chart(axes, traces);
 }
@@ -131,30 +134,32 @@ std::string cut_along_the_mean_path(const Comparison& comparison,
   const CampaignResults& results = comparison.results[comparison.groups[group].file.value_or(0)];
   const TerrainSurface surface = make_terrain_surface(results.terrain);
   const double highest = bounds(results.terrain.surface).high.z();
-  Trace ground{"ground", "#7a6245", {}, Trace::Kind::kLine, {}, {}};
-  Trace most{"95 % of the runs pass below", "#0072B2", {}, Trace::Kind::kLine, {}, {}};
-  Trace all{"highest passage", "#0072B2", "2 2", Trace::Kind::kLine, {}, {}};
+  ChartTrace ground{"ground", "#7a6245", {}, ChartTrace::Kind::kLine, {}, {}};
+  ChartTrace maximum{
+      "height that 95 % of the runs pass below", "#0072B2", {}, ChartTrace::Kind::kLine, {}, {}};
+  ChartTrace all{"highest passage", "#0072B2", "2 2", ChartTrace::Kind::kLine, {}, {}};
   const Bins along = bins_of_group(bins, group);
   for (const ProfileBin* bin : along) {
-    const Vec2 place = bin->place - results.frame.origin.head<2>();
+    const Vec2 place = bin->position - results.frame.origin.head<2>();
     const double z =
         surface.height_at(place.x(), place.y(), highest).value_or(NAN) + results.frame.origin.z();
-    for (Trace* trace : {&ground, &most, &all}) trace->x.push_back(0.5 * (bin->from + bin->to));
+    for (ChartTrace* trace : {&ground, &maximum, &all})
+      trace->x.push_back(0.5 * (bin->from + bin->to));
     ground.y.push_back(z);
-    most.y.push_back(bin->height.count > 0 ? z + bin->height.p95 : NAN);
+    maximum.y.push_back(bin->height.count > 0 ? z + bin->height.p95 : NAN);
     all.y.push_back(bin->height.count > 0 ? z + bin->height.max : NAN);
   }
-  most.filled = true;
-  most.notes = all.notes = bin_counts(along);
+  maximum.filled = true;
+  maximum.notes = all.notes = bin_counts(along);
   ChartAxes axes{title, "distance along downslope, m", "elevation, m"};
   axes.equal_scales = true;
-  return draw_plotly_chart(axes, {ground, most, all});
+  return draw_plotly_chart(axes, {ground, maximum, all});
 }
 
 /// Groups of which each has a path of its own: one for each file, or for each release set of one.
 std::vector<std::size_t> groups_with_a_path(const Comparison& comparison) {
   std::vector<std::size_t> found;
-  for (const std::size_t g : select_groups(comparison, GroupKind::kAll)) {
+  for (const std::size_t g : select_groups_of_kind(comparison, RunGroupKind::kAll)) {
     const CampaignResults& results = comparison.results[comparison.groups[g].file.value_or(0)];
     if (results.release_sets.size() < 2) found.push_back(g);
   }
@@ -172,12 +177,12 @@ std::string format_slope_section(const Comparison& comparison,
   const std::string title = "Along the slope";
   if (bins.empty()) {
     return format_section(
-        title, format_paragraph("The results hold no trajectories: set [run] "
-                                "trajectory_interval_s above zero to see energies and passing "
-                                "heights against distance."));
+        title,
+        format_paragraph("The results contain no trajectories; set [run] trajectory_interval_s "
+                         "above zero to see energies and passing heights against distance."));
   }
   std::string words, charts, tables;
-  for (const std::size_t all : select_groups(comparison, GroupKind::kAll)) {
+  for (const std::size_t all : select_groups_of_kind(comparison, RunGroupKind::kAll)) {
     const std::optional<std::uint32_t> file = comparison.groups[all].file;
     const std::string where = file ? ", file " + std::to_string(*file + 1) : std::string();
     const auto axes = [&](const std::string& what, const std::string& label) {
@@ -185,10 +190,10 @@ std::string format_slope_section(const Comparison& comparison,
       chart.places = barrier_places(comparison, file);
       return chart;
     };
-    const std::string least = least_demand(comparison, bins, all);
-    if (!least.empty())
-      words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + least;
-    ChartAxes share = axes("Runs that reach a distance", "share of runs");
+    const std::string minimum = least_demand(comparison, bins, all);
+    if (!minimum.empty())
+      words += (file ? short_group_name(comparison.groups[all]) + ": " : "") + minimum;
+    ChartAxes share = axes("Runs that reach a distance", "fraction of runs");
     share.y_in_percent = true;
     charts += share_against_distance(comparison, bins, file, share);
     charts +=
@@ -199,7 +204,7 @@ std::string format_slope_section(const Comparison& comparison,
                                &ProfileBin::height, 1.0);
     charts += against_distance(comparison, bins, file, axes("Speed against distance", "speed, m/s"),
                                &ProfileBin::speed, 1.0);
-    tables += format_folded_section("What a barrier would meet at every distance" + where,
+    tables += format_folded_section("Values at a barrier at every distance" + where,
                                     barrier_table(comparison, bins, all));
   }
   for (const std::size_t group : groups_with_a_path(comparison)) {
@@ -210,9 +215,9 @@ std::string format_slope_section(const Comparison& comparison,
   const std::string width = format_significant(bins.front().to - bins.front().from, 3);
   return format_section(
       title, format_paragraph(words + "In every " + width +
-                              " m a run counts with its largest value there; distances are from "
-                              "its release, heights of the centre. The section follows the mean "
-                              "path.") +
+                              " m of distance, the largest value of each run is used. Distances "
+                              "are measured from the release point, and heights are those of the "
+                              "centre of mass. The section follows the mean path.") +
                  "<div class=\"charts by-three\">\n" + charts + "</div>\n" + tables);
 }
 

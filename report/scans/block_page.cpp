@@ -36,7 +36,7 @@ std::string with_bounds(double value, double low, const std::optional<double>& h
 /// Bounds of the axes and every class they allow.
 std::string range_facts(const Block& block, const std::string& unit) {
   const BlockBracket range = derive_block_bracket(block);
-  const std::string not_known = "not known: too much of the block was not seen";
+  const std::string not_known = "not known: too much of the block was not scanned";
   if (!range.axes) return format_fact("bounds of L, I, S; possible shapes", not_known);
   const auto& [low, high] = *range.axes;
   const auto between = [](double from, double to) {
@@ -81,11 +81,11 @@ std::string facts(const Block& block, const std::string& scale) {
   html += format_fact("vertices of the block", std::to_string(block.body.vertices.size()));
   html += format_fact("radius of its rounding, " + unit,
                       format_significant_digits(block.body.radius, 3));
-  html += format_fact("surface not seen but filled in",
+  html += format_fact("filled surface, not scanned",
                       block.volume_bracket ? format_percent(block.volume_bracket->filled_fraction)
-                                           : "none, or small holes alone");
+                                           : "none, or only small holes");
   if (!block.from_core) {
-    html += format_fact("farthest from the scan",
+    html += format_fact("largest distance to the scan",
                         format_significant_digits(block.deviation.hausdorff, 2) + " " + unit +
                             " (" + format_percent(block.deviation.hausdorff / axes.L) + " of L)");
   }
@@ -94,7 +94,8 @@ std::string facts(const Block& block, const std::string& scale) {
 
 std::string notes(const Block& block) {
   if (!block.warnings.empty()) return format_note_box("Notes", block.warnings);
-  return "<div class=\"fine\">The scan was closed and sound; nothing was repaired.</div>\n";
+  return "<div class=\"fine\">The scan was closed and without defects; nothing was "
+         "repaired.</div>\n";
 }
 
 /// Formats the deviation of the block from the scan: the map and its numbers.
@@ -112,17 +113,16 @@ std::string certificate(const Block& block, const FieldBlock& found) {
   html +=
       format_fact("block to scan, at most", format_significant_digits(d.body_to_scan, 3) + unit);
   html += format_fact("mean distance", format_significant_digits(d.mean, 3) + unit);
-  html += format_fact("volume against the scan",
+  html += format_fact("volume difference to the scan",
                       format_significant_digits(100.0 * d.volume_relative, 2) + " %");
-  html += format_fact("area against the scan",
+  html += format_fact("area difference to the scan",
                       format_significant_digits(100.0 * d.area_relative, 2) + " %");
-  html += format_fact("principal moments, at most",
+  html += format_fact("principal moments, largest difference",
                       format_significant_digits(100.0 * d.moments_relative, 2) + " %");
-  return format_section(
-      "The block against the scan",
-      html + "</dl>\n" +
-          format_paragraph("Both largest distances are upper bounds over the whole of either "
-                           "surface, not of samples."));
+  return format_section("The block against the scan",
+                        html + "</dl>\n" +
+                            format_paragraph("Both largest distances are upper bounds for the "
+                                             "whole surface, not only for sampled points."));
 }
 
 std::string mass_check(const Block& block, bool density_given) {
@@ -137,7 +137,7 @@ std::string mass_check(const Block& block, bool density_given) {
         format_paragraph(
             "No weighed mass was given: " + format_significant_digits(block.mass.mass, 4) +
             " kg is volume times a density of " + format_significant_digits(block.density, 4) +
-            " kg/m3. A weighed mass would check the volume."));
+            " kg/m3. A weighed mass would be a check of the volume."));
   }
   if (!density_given) {
     return format_section(
@@ -155,11 +155,11 @@ std::string mass_check(const Block& block, bool density_given) {
     const double low = block.density * block.volume_bracket->lower_volume;
     const std::optional<double>& upper = block.volume_bracket->upper_volume;
     const bool inside = low <= *weighed && (!upper || *weighed <= block.density * *upper);
-    text += " The unseen side allows " +
+    text += " With the unscanned side, the mass can be " +
             (upper ? format_significant_digits(low, 4) + " to " +
                          format_significant_digits(block.density * *upper, 4)
                    : format_significant_digits(low, 4) + " or more") +
-            " kg, which the weighed mass is " + (inside ? "within." : "outside of.");
+            " kg; the weighed mass is " + (inside ? "within this range." : "outside this range.");
   }
   return format_section("Mass check", format_paragraph(text));
 }
@@ -170,44 +170,48 @@ std::string provenance(const Block& block) {
   table.row({"SHA-256 of the file", block.source.sha256});
   table.row({"options", block.source.options});
   table.row({"made by", "clast " + block.source.program_version});
-  return format_section("Where it comes from", table.html());
+  return format_section("Source", table.html());
 }
 
 /// The surface as it was read beside what it became, what was repaired, and the photographs.
-std::string scan_sections(const Block& block, const ScanOfBlock& scan) {
-  if (scan.found == nullptr) return {};
+std::string scan_sections(const Block& block, const BlockPageContents& scan) {
+  if (scan.field_block == nullptr) return {};
   const std::string unit = is_unscaled(block) ? "u" : "m";
-  const RepairReport& report = scan.found->scan.report;
+  const RepairReport& report = scan.field_block->scan.report;
   ScanOptions options = scan.options;
   options.up = scan.up;
-  std::string html = draw_before_and_after(*scan.raw, options, *scan.found,
+  std::string html = draw_before_and_after(*scan.raw, options, *scan.field_block,
                                            find_repair_marks(report), !is_unscaled(block));
   html += format_repair_section(report, scan.raw->triangles.empty(),
-                                scan.found->underside.has_value(), unit);
-  if (scan.found->underside) html += format_underside_section(*scan.found->underside, unit);
+                                scan.field_block->underside.has_value(), unit);
+  if (scan.field_block->underside)
+    html += format_underside_section(*scan.field_block->underside, unit);
   if (scan.photos != nullptr) {
-    html += format_photo_section(
-        *scan.photos,
-        scan.evidence ? *scan.evidence : summarise_photos(*scan.photos, *scan.found, scan.up),
-        scan.found->scan.mesh);
+    html += format_photo_section(*scan.photos,
+                                 scan.photo_summary
+                                     ? *scan.photo_summary
+                                     : summarise_photos(*scan.photos, *scan.field_block, scan.up),
+                                 scan.field_block->scan.mesh);
   }
   return html;
 }
 
 }  // namespace
 
-std::string make_block_page(const Block& block, const ScanOfBlock& scan) {
+std::string make_block_page(const Block& block, const BlockPageContents& scan) {
   std::string body = "<h1>Block " + escape_html(block.id) +
                      "</h1>\n<p class=\"lead\">from the scan " + escape_html(block.source.file) +
                      "</p>\n";
   if (is_unscaled(block)) {
-    body += format_note_box("Unscaled",
-                            {explain_unscaled_block() +
-                             ". u is a unit of that model; where notes say m they mean it too"});
+    body += format_note_box(
+        "Unscaled",
+        {explain_unscaled_block() +
+         ". u is the unit of that model; lengths in m in the notes are in this unit too"});
   }
   body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
   body += notes(block) + format_turntable_section(block) + scan_sections(block, scan);
-  if (scan.found != nullptr && !block.from_core) body += certificate(block, *scan.found);
+  if (scan.field_block != nullptr && !block.from_core)
+    body += certificate(block, *scan.field_block);
   body += mass_check(block, scan.density_given) + provenance(block);
   body += "<footer>clast " + escape_html(version()) + "</footer>\n";
   return make_scan_page("Block " + block.id, body);

@@ -8,22 +8,20 @@
 
 namespace clast {
 
-/// Data for the page of a block. Blocks from .shp files have no scan and no images of it.
-struct ScanOfBlock {
-  const TriangleMesh* raw =
-      nullptr;  ///< mesh as read, in units and axes of the file; null without a scan
-  const FieldBlock* found = nullptr;
-  ScanOptions options = {};  ///< options used for reading the scan
-  std::string up = "z";      ///< up axis of the file
-  std::string scale = {};    ///< text on the origin of the scale; not used for photo scans
-  bool density_given =
-      false;  ///< true if the density was given; false if it follows from a weighed mass
-  const PhotoScan* photos =
-      nullptr;  ///< photo scan; null if the block was not made from photographs
-  const PhotoSummary* evidence = nullptr;  ///< summary of the photos; if null, it is computed
+/// Scan and options of a block, from which its page is made.
+struct BlockPageContents {
+  /// Unrepaired mesh, in units and axes of the file; null without a scan.
+  const TriangleMesh* raw = nullptr;
+  const FieldBlock* field_block = nullptr;
+  ScanOptions options = {};    ///< options used for reading the scan
+  std::string up = "z";        ///< up axis of the file
+  std::string scale = {};      ///< description of the origin of the scale
+  bool density_given = false;  ///< true if the density was given; false if a weighed mass was given
+  const PhotoScan* photos = nullptr;            ///< photo scan; null for other blocks
+  const PhotoSummary* photo_summary = nullptr;  ///< summary of the photos; if null, it is computed
 };
 
 /// Makes the self-contained page of a block.
-std::string make_block_page(const Block& block, const ScanOfBlock& scan);
+std::string make_block_page(const Block& block, const BlockPageContents& scan);
 
 }  // namespace clast

@@ -24,7 +24,7 @@ constexpr const char* kOrange = "#C77700";
 
 /// Colours of triangles by how many photos see them, and the words for them.
 struct ViewColour {
-  std::uint16_t least;
+  std::uint16_t minimum;
   Rgb colour;
   const char* words;
 };
@@ -82,7 +82,7 @@ std::string wedge(const Plan& plan, const AzimuthGap& gap, double reach) {
 
 std::string state_of(const CameraPosition& seat) {
   if (seat.blurred) return "blurred, skipped";
-  return seat.pairs > 0 ? "compared" : "no partner to compare with";
+  return seat.pairs > 0 ? "compared" : "no matching photo at a suitable angle";
 }
 
 std::string mark(const Vec2& at, const CameraPosition& seat) {
@@ -122,11 +122,11 @@ std::string ring_plan(const PhotoSummary& evidence, const TriangleMesh& surface,
   svg += format_svg_line(x, y, x + 34, y, axis) + format_svg_line(x, y, x, y - 34, axis) +
          svg_text(x + 38, y + 5, "x", "font-size=\"13\"") +
          svg_text(x - 3, y - 39, "y", "font-size=\"13\"");
-  return format_figure(
-      svg + "</svg>",
-      "Cameras from above, in the frame of the block. Filled: compared with others. Open: "
-      "without a partner. Crossed out: blurred. Orange: no compared photo for more than " +
-          degrees(kWideAzimuthGap) + ".");
+  return format_figure(svg + "</svg>",
+                       "Cameras seen from above, in the frame of the block. Filled circles: photos "
+                       "matched with others. Open circles: photos without a matching photo. "
+                       "Crosses: blurred photos. Orange sectors: no matched photo over more than " +
+                           degrees(kWideAzimuthGap) + ".");
 }
 
 std::string gap_words(const CameraRing& ring) {
@@ -135,7 +135,7 @@ std::string gap_words(const CameraRing& ring) {
     text += (text.empty() ? "" : "; ") + degrees(gap.width) + " from azimuth " + degrees(gap.from) +
             ", between " + ring.cameras[gap.first].name + " and " + ring.cameras[gap.second].name;
   }
-  return "Gaps round the block: " + text +
+  return "Gaps around the block: " + text +
          ". Take photos there, one every 10 to 15 degrees, for a better surface.";
 }
 
@@ -155,13 +155,14 @@ std::string coverage_map(const PhotoSummary& evidence, const TriangleMesh& surfa
   const auto colour = [&](std::uint32_t triangle) {
     Rgb found = kViewColours[0].colour;
     for (const ViewColour& one : kViewColours) {
-      if (evidence.views.photos[triangle] >= one.least) found = one.colour;
+      if (evidence.views.photos[triangle] >= one.minimum) found = one.colour;
     }
     return found;
   };
   std::string html = draw_coloured_views(
-      surface, colour, "The closed scan by how many compared photos see each part.", metric);
-  std::string key = open_svg(560, 26, "colours of numbers of photos");
+      surface, colour,
+      "The closed scan, coloured by the number of matched photos that see each part.", metric);
+  std::string key = open_svg(560, 26, "colour scale of the number of photos");
   double x = 4.0;
   for (const ViewColour& one : kViewColours) {
     const auto& [r, g, b] = one.colour;
@@ -192,9 +193,9 @@ std::string marker_table(const PhotoSummary& evidence, const std::string& unit) 
 
 std::string scale_table(const PhotoScale& scale) {
   HtmlTable table({"length", "for the scale", "stated, m", "in the model, m", "scale, m per unit",
-                   "off by the others, %"},
+                   "error against the others, %"},
                   2);
-  for (const ScaleMeasure& one : scale.measures) {
+  for (const ComparedLength& one : scale.measures) {
     table.row({one.name, one.used ? "used" : "left out", format_significant_digits(one.length, 6),
                format_significant_digits(one.length / one.factor * scale.metres_per_unit, 6),
                format_significant_digits(one.factor, 7),
@@ -203,13 +204,13 @@ std::string scale_table(const PhotoScale& scale) {
   std::string words = "One unit of the cameras' model is " +
                       format_significant_digits(scale.metres_per_unit, 7) + " m";
   if (scale.spread > 0.0)
-    words += "; the lengths used differ by " + format_fixed(100.0 * scale.spread, 3) +
+    words += "; the lengths that set the scale differ by " + format_fixed(100.0 * scale.spread, 3) +
              " % (standard deviation)";
-  words += ". The last column is the error of a length when the others alone set the scale.";
-  if (scale.side_check) {
-    words += " By these distances the markers' sides are " +
-             format_fixed(100.0 * std::abs(*scale.side_check), 2) + " % " +
-             (*scale.side_check > 0.0 ? "longer" : "shorter") + " than stated.";
+  words += ". The last column is the error of a length if only the others set the scale.";
+  if (scale.marker_side_ratio) {
+    words += " With this scale, the sides of the markers are " +
+             format_fixed(100.0 * std::abs(*scale.marker_side_ratio), 2) + " % " +
+             (*scale.marker_side_ratio > 0.0 ? "longer" : "shorter") + " than stated.";
   }
   return table.html() + format_paragraph(words) +
          (scale.notes.empty() ? "" : format_note_box("About the scale", scale.notes));
@@ -232,11 +233,11 @@ std::string scale_part(const PhotoScan& scan, const PhotoSummary& evidence,
   }
   if (scan.scale) return html + scale_table(*scan.scale);
   return html + format_paragraph(scan.metric
-                                     ? "The scale is that of: " + scan.scale_source +
-                                           ". No marker in the photos checks it."
-                                     : "None: lengths are in units of the cameras' model, and the "
-                                       "block has no mass. Give a scale bar, a board, the "
-                                       "size of the markers or a measured length.");
+                                     ? "Source of the scale: " + scan.scale_source +
+                                           ". There is no marker in the photos to check it."
+                                     : "There is no scale: lengths are in units of the camera "
+                                       "model, and the block has no mass. Give a scale bar, a "
+                                       "board, the size of the markers or a measured length.");
 }
 
 }  // namespace
@@ -261,18 +262,18 @@ std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evid
                       comma_separated(names));
     }
   };
-  left_out("without a camera", scan.without_camera);
+  left_out("without a camera", scan.photos_without_camera);
   left_out("blurred and skipped", blurred);
-  left_out("without a partner 6 to 32 degrees away", alone);
+  left_out("without a matching photo 6 to 32 degrees away", alone);
   const std::size_t compared = ring.cameras.size() - blurred.size() - alone.size();
-  std::string html =
-      format_paragraph(format_count(ring.cameras.size(), "photo") + " with a camera, by " +
-                       scan.model.source + "; " + std::to_string(compared) + " compared, in " +
-                       format_count(scan.cloud.pairs.size(), "pair") + ", which gave " +
-                       format_count(scan.cloud.points.size(), "point") + ".");
+  std::string html = format_paragraph(
+      format_count(ring.cameras.size(), "photo") + " with a camera position from " +
+      scan.model.source + "; " + std::to_string(compared) + " matched, in " +
+      format_count(scan.cloud.pairs.size(), "pair") + ", which gave " +
+      format_count(scan.cloud.points.size(), "point") + ".");
   if (!notes.empty()) html += format_note_box("Photos", notes);
-  html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.middle) + "</div>\n" +
-          photo_table(ring, unit) + "<h3>What was seen</h3>\n" +
+  html += "<div class=\"plan\">" + ring_plan(evidence, surface, ring.block_centre) + "</div>\n" +
+          photo_table(ring, unit) + "<h3>Coverage of the surface</h3>\n" +
           coverage_map(evidence, surface, scan.metric) + scale_part(scan, evidence, unit);
   return format_section("Photographs", html);
 }

@@ -6,7 +6,8 @@
 
 namespace clast {
 
-/// Formats the section "Photographs": camera positions, coverage, scale, and omitted photos.
+/// Formats the section on the photographs of a block: camera positions, coverage, scale and omitted
+/// photos.
 std::string format_photo_section(const PhotoScan& scan, const PhotoSummary& evidence,
                                  const TriangleMesh& surface);
 

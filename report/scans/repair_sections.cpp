@@ -21,8 +21,8 @@ std::string share(double value) {
 }
 
 std::string closing(const FilledHole& hole) {
-  if (!hole.is_fan) return "a smooth filling";
-  return hole.border_edges <= 4 ? "a fan" : "its corners";
+  if (!hole.is_fan) return "a smooth surface";
+  return hole.border_edges <= 4 ? "a fan" : "triangles between its border points";
 }
 
 }  // namespace
@@ -32,19 +32,19 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
   std::string html = format_paragraph(
       (!cloud       ? "As read and welded: "
        : !open_side ? "The surface fitted to the points: "
-                    : "The surface fitted to the points, its open side filled in: ") +
+                    : "The surface fitted to the points, with its open side filled: ") +
       std::to_string(report.as_read.vertices) + " vertices, " +
       std::to_string(report.as_read.triangles) + " triangles; " + report.as_read.summary() + ".");
   if (report.defects.empty()) {
     return format_section(
         "Defects found and repaired",
-        html + format_paragraph(report.as_read.is_closed() && !open_side
-                                    ? "None: the surface was closed and sound, and was not "
-                                      "changed."
-                                    : "None beside the open side, of which more below."));
+        html + format_paragraph(
+                   report.as_read.is_closed() && !open_side
+                       ? "None: the surface was closed and without defects, and was not changed."
+                       : "None except the open side, which is described below."));
   }
   HtmlTable defects(
-      {"what", "no.", "count", "share of surface", "largest " + unit, "at (file's x, y, z)"}, 2);
+      {"what", "no.", "count", "fraction of surface", "largest " + unit, "at (file's x, y, z)"}, 2);
   std::size_t number = 0;
   for (const Defect& defect : report.defects) {
     defects.row({name_of(defect.kind), std::to_string(++number), std::to_string(defect.count),
@@ -52,14 +52,15 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
                  defect.position ? format_point(*defect.position) : ""});
   }
   html += defects.html();
-  if (report.wrap_bias) {
+  if (report.relative_wrap_excess) {
     html += format_paragraph(
-        "The surface could not be freed of its crossings and was wrapped anew; the " +
-        format_percent(*report.wrap_bias) + " of volume that added is scaled away.");
+        "The self-intersections of the surface could not be removed, so it was wrapped; the " +
+        format_percent(*report.relative_wrap_excess) +
+        " of volume added by wrapping is removed by scaling.");
   }
   if (!report.holes.empty()) {
     HtmlTable holes({"hole", "closed by", "border edges", "length round " + unit, "radius " + unit,
-                     "area " + unit + "2", "share of surface", "middle (file's x, y, z)"},
+                     "area " + unit + "2", "fraction of surface", "middle (file's x, y, z)"},
                     2);
     for (std::size_t i = 0; i < std::min(kMaxHoles, report.holes.size()); ++i) {
       const FilledHole& hole = report.holes[i];
@@ -68,7 +69,7 @@ std::string format_repair_section(const RepairReport& report, bool cloud, bool o
                  format_significant(hole.area, 3), share(hole.area_fraction),
                  format_point(hole.centre)});
     }
-    html += "<h3>Holes that were filled, the largest first</h3>\n" + holes.html();
+    html += "<h3>Filled holes, largest first</h3>\n" + holes.html();
     if (report.holes.size() > kMaxHoles) {
       html += format_paragraph("and " + std::to_string(report.holes.size() - kMaxHoles) +
                                " smaller ones.");
@@ -94,16 +95,17 @@ std::vector<PositionMark> find_repair_marks(const RepairReport& report) {
 }
 
 std::string format_underside_section(const Underside& side, const std::string& unit) {
-  HtmlTable table({"shape", "how", "volume " + unit + "3", "against best"}, 2);
+  HtmlTable table({"shape", "how", "volume " + unit + "3", "difference to best"}, 2);
   const auto row = [&](const char* name, const char* how, double volume) {
     const double change = volume / side.estimated_volume - 1.0;
     table.row({name, how, format_significant(volume, 4),
                (change > 0.0 ? "+" : "") + format_percent(change)});
   };
-  row("lower", "filled straight across the rim, with hollows as deep as the seen ones",
+  row("lower", "filled flat across the rim, with hollows as deep as those of the scanned surface",
       side.lower_volume);
-  row("best", "likeliest depth below the rim; the block is made of this", side.estimated_volume);
-  std::string text = "The scan was open on the unseen side: a rim of " +
+  row("best", "most likely depth below the rim; the block is made from this shape",
+      side.estimated_volume);
+  std::string text = "The scan is open on the unscanned side: its rim has " +
                      std::to_string(side.rim_edges) + " edges, " +
                      format_significant(side.rim_length, 3) + " " + unit + " round";
   if (side.open_sides > 1) {
@@ -111,23 +113,23 @@ std::string format_underside_section(const Underside& side, const std::string& u
     text += ", and " + std::to_string(others) +
             (others == 1 ? " other large hole" : " other large holes");
   }
-  text += ". " + format_percent(side.filled_fraction) + " of the closed surface is invented. ";
+  text += ". " + format_percent(side.filled_fraction) + " of the closed surface is filled. ";
   if (side.upper_volume) {
-    row("upper", "flanks continued as they were seen", *side.upper_volume);
+    row("upper", "scanned flanks continued downwards", *side.upper_volume);
     const double width = (*side.upper_volume - side.lower_volume) / side.estimated_volume;
-    text += "The true volume is expected between the lower and the upper one, which are " +
-            format_percent(width) + " of the best volume apart, if " + side.assumption + ".";
+    text += "The true volume is expected between the lower and the upper volume, which differ by " +
+            format_percent(width) + " of the best volume, if " + side.assumption + ".";
   } else {
     text +=
-        "Too much of the block was not seen to give an upper bound of its volume, lengths and "
+        "Too much of the block was not scanned to give an upper bound of its volume, lengths and "
         "classes; scan more of it.";
   }
   std::string html = format_paragraph(text);
   if (side.ground_clearance > 0.0) {
-    html += format_paragraph("The rim stands " + format_significant(side.ground_clearance, 3) +
-                             " " + unit + " above the ground.");
+    html += format_paragraph("The rim is " + format_significant(side.ground_clearance, 3) + " " +
+                             unit + " above the ground.");
   }
-  return format_section("The side nobody saw", html + table.html());
+  return format_section("The unscanned side", html + table.html());
 }
 
 }  // namespace clast::report_detail

@@ -8,18 +8,18 @@
 
 namespace clast::report_detail {
 
-/// Formats tables of defects and holes with counts, sizes and positions.
+/// Formats the section on the repair of a scan: tables of defects and holes.
 /// @param cloud  true if the surface was fitted to a point cloud
 /// @param open_side  true if the scan had an unobserved side that was filled
 /// @param unit  displayed unit of lengths
 std::string format_repair_section(const RepairReport& report, bool cloud = false,
                                   bool open_side = false, const std::string& unit = "m");
 
-/// Returns the numbered positions in the tables of `format_repair_section`: "1", "2", ... for
-/// defects, and "H1", ... for the largest holes.
+/// Finds the labelled positions of repaired defects ("1", "2", ...) and of the largest holes ("H1",
+/// ...).
 std::vector<PositionMark> find_repair_marks(const RepairReport& report);
 
-/// Formats the bounds of an unobserved underside.
+/// Formats the section on the unobserved underside of a scan, with bounds of its volume.
 std::string format_underside_section(const Underside& side, const std::string& unit = "m");
 
 }  // namespace clast::report_detail

@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-/// Formats a page with the styles of images and 3-D views.
+/// Makes a page about scans, with the styles of images and 3-D views.
 std::string make_scan_page(std::string_view title, std::string_view body);
 
 }  // namespace clast::report_detail

@@ -61,7 +61,7 @@ std::string length_text(double metres, bool metric) {
 }
 
 std::string scale_bar(const Camera& camera, bool metric) {
-  const double length = round_down_to_nice(kMaxBar * camera.width * camera.pixel);
+  const double length = round_down_to_nice_number(kMaxBar * camera.width * camera.pixel);
   const double left = 14.0, y = camera.height - 14.0, right = left + length / camera.pixel;
   const char* const stroke = "stroke=\"#1d2733\" stroke-width=\"2\"";
   return format_svg_line(left, y, right, y, stroke) +
@@ -82,8 +82,8 @@ std::string view(const Canvas& canvas, const std::string& name,
   svg += "<image " + size + " href=\"" +
          png_data_uri(encode_rgb_png(camera.width, camera.height, canvas.picture())) + "\"/>";
   for (const PositionMark& mark : marks) {
-    if (!canvas.is_visible(mark.place)) continue;
-    const Vec3 at = camera.seen(mark.place);
+    if (!canvas.is_visible(mark.position)) continue;
+    const Vec3 at = camera.projected(mark.position);
     svg += "<circle cx=\"" + format_fixed(at.x(), 1) + "\" cy=\"" + format_fixed(at.y(), 1) +
            "\" r=\"10\" fill=\"#fff\" fill-opacity=\".85\" stroke=\"#0072B2\" "
            "stroke-width=\"2\"/>" +
@@ -188,7 +188,7 @@ class Invented {
 std::string colour_bar(double reach, bool metric) {
   constexpr int kPieces = 64;
   constexpr double kLeft = 40.0, kLength = 360.0, kThick = 14.0;
-  std::string svg = open_svg(440, 44, "colours of distances");
+  std::string svg = open_svg(440, 44, "colour scale of distances");
   for (int i = 0; i < kPieces; ++i) {
     const std::string colour = format_colour(deviation_colour(2.0 * (i + 0.5) / kPieces - 1.0));
     svg += "<rect x=\"" + format_fixed(kLeft + i * kLength / kPieces, 2) + "\" y=\"2\" width=\"" +
@@ -219,21 +219,23 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   TriangleMesh read = raw;
   for (Vec3& v : read.vertices) v = to_block(v);
   std::vector<PositionMark> placed = marks;
-  for (PositionMark& mark : placed) mark.place = to_block(mark.place);
+  for (PositionMark& mark : placed) mark.position = to_block(mark.position);
   const bool cloud = read.triangles.empty();
   if (!cloud) read = weld_vertices(read, options.repair.weld_tolerance * bounds(read).diagonal());
 
   const std::vector<std::array<Vec3, 2>> border = border_of(read);
   const auto draw_read = [&](Canvas& canvas) {
     if (cloud) return canvas.draw(read.vertices, kPoints);
-    canvas.draw(read,
-                [](std::uint32_t, const Vec3&, bool behind) { return behind ? kInside : kRock; });
+    canvas.draw(read, [](std::uint32_t, const Vec3&, bool behind) {
+      return behind ? kInside : kBlockColour;
+    });
     canvas.draw(border, kBorder);
   };
   const std::string colours =
       cloud ? "Nearer points are darker."
-            : "Blue grey: the back of the surface, seen through holes. Red: open borders.";
-  const std::string numbers = placed.empty() ? "" : " Numbers: places in the tables below.";
+            : "Blue-grey: inside of the surface, visible through holes. Red: open borders.";
+  const std::string numbers =
+      placed.empty() ? "" : " Numbers: positions of the defects in the tables below.";
 
   const std::vector<Vec3> framed = without_strays(read.vertices);
   const Cameras wide = cameras_on(framed), near = cameras_on(block.scan.mesh.vertices);
@@ -241,19 +243,20 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   html +=
       three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, metric, placed);
   if (wide[0].pixel > kMuchLarger * near[0].pixel) {
-    html += three_views(near, draw_read, "The same around the block. " + colours + numbers, metric,
-                        placed);
+    html +=
+        three_views(near, draw_read, "The part of the scan around the block. " + colours + numbers,
+                    metric, placed);
   }
   Invented invented(read, block);
   html += three_views(
       near,
       [&](Canvas& canvas) {
         canvas.draw(block.scan.mesh, [&](std::uint32_t t, const Vec3&, bool) {
-          return invented(t) ? kFilled : kRock;
+          return invented(t) ? kFilled : kBlockColour;
         });
       },
-      "The scan closed and repaired. Orange: surface that no scan saw, filled in or moved by more "
-      "than " +
+      "The closed and repaired scan. Orange: surface that was not scanned but filled, or moved by "
+      "more than " +
           length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
       metric);
   return format_section("Before and after", html);

@@ -1,6 +1,6 @@
 #pragma once
-/// Images of a scan as read and closed, and of its deviation from the block. If `metric` is false,
-/// lengths are labelled as units of an unscaled model.
+/// Images of a scan before and after its repair, and of its deviation from the block. If `metric`
+/// is false, the scan is unscaled.
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,12 +13,12 @@ namespace clast::report_detail {
 /// Label at a position of the scan, in file coordinates.
 struct PositionMark {
   std::string label;
-  Vec3 place = Vec3::Zero();
+  Vec3 position = Vec3::Zero();
 };
 
-/// Draws the scan as read and the closed scan side by side from three directions. Shows borders of
-/// holes, filled surface and numbered `marks`.
-/// @param raw  scan as read
+/// Draws a scan before and after its repair from three directions, with borders of holes, filled
+/// surface and labelled positions.
+/// @param raw  scan before its repair
 /// @param options  options used for reading the scan
 std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
                                   const FieldBlock& block, const std::vector<PositionMark>& marks,

@@ -40,9 +40,9 @@ struct ScanReport::Impl {
   fs::path folder;
   bool replace = false;  ///< pages of an earlier batch
   HtmlTable blocks = {{"block and its scan", "picture", "class", "mass kg", "L m", "I m", "S m",
-                       "s_c", "volume m3", "filled in %", "off scan, % of L", "notes"},
+                       "s_c", "volume m3", "filled in %", "deviation from scan, % of L", "notes"},
                       3};
-  HtmlTable failures = {{"scan", "why there is no block"}, 2};
+  HtmlTable failures = {{"scan", "reason for failure"}, 2};
   CsvWriter csv = {};
   std::size_t made = 0, earlier = 0, failed = 0;
   std::mutex mutex = {};                          ///< of `pages`
@@ -52,12 +52,12 @@ struct ScanReport::Impl {
 ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<Impl>()) {
   impl_->folder = std::move(folder);
   impl_->replace = replace;
-  impl_->blocks.as_cards();
+  impl_->blocks.show_as_cards();
   const fs::path summary = impl_->folder / "summary.csv";
   std::error_code code;
   if (fs::is_regular_file(summary, code) && !read_text_file(summary).starts_with(kSummary)) {
     throw InputError(summary.string() +
-                     ": already exists and is not a summary of such pages, so it is not replaced; "
+                     ": already exists and is not a summary of scan pages, so it is not replaced; "
                      "name another folder");
   }
   check_output_target(summary, {.kind = "text", .replace = replace});
@@ -70,7 +70,7 @@ ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<I
 
 ScanReport::~ScanReport() = default;
 
-void ScanReport::prepare(const Block& block, const ScanOfBlock& scan) {
+void ScanReport::prepare(const Block& block, const BlockPageContents& scan) {
   std::string page = make_block_page(block, scan);
   const std::lock_guard lock(impl_->mutex);
   impl_->pages[block.id] = std::move(page);
@@ -114,17 +114,17 @@ void ScanReport::Impl::add_page_row(const Block& block) {
     volume += "<div class=\"range\">" + cubed(unseen->lower_volume) + " to " +
               (unseen->upper_volume ? cubed(*unseen->upper_volume) : "not known") + "</div>";
   }
-  blocks.html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
-                   render_thumbnail(block.surface, block.id),
-                   escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
-                   metric ? format_significant_digits(block.mass.mass, 4) : "-",
-                   format_significant_digits(axes.L, 3) + u,
-                   format_significant_digits(axes.I, 3) + u,
-                   format_significant_digits(axes.S, 3) + u,
-                   format_significant_digits(elongation_index(axes), 3), volume,
-                   unseen ? format_fixed(100.0 * unseen->filled_fraction, 1) : "",
-                   format_fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
-                   std::to_string(block.warnings.size())});
+  blocks.add_html_row({name + "<div class=\"file\">" + escape_html(block.source.file) + "</div>",
+                       render_thumbnail(block.surface, block.id),
+                       escape_html(garcia_class(axes) + ", " + sneed_folk_class(axes)),
+                       metric ? format_significant_digits(block.mass.mass, 4) : "-",
+                       format_significant_digits(axes.L, 3) + u,
+                       format_significant_digits(axes.I, 3) + u,
+                       format_significant_digits(axes.S, 3) + u,
+                       format_significant_digits(elongation_index(axes), 3), volume,
+                       unseen ? format_fixed(100.0 * unseen->filled_fraction, 1) : "",
+                       format_fixed(100.0 * block.deviation.hausdorff / axes.L, 2),
+                       std::to_string(block.warnings.size())});
 }
 
 void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcome) {
@@ -182,14 +182,15 @@ void ScanReport::finish() {
   if (impl_->failed > 0) body += format_section("Scans that gave no block", impl_->failures.html());
   if (impl_->made + impl_->earlier > 0) {
     body += format_section(
-        "Blocks", format_paragraph("A click on a column's head sorts by it. L, I, S are the "
-                                   "sides of the smallest box; a second line of volumes has the "
-                                   "bounds of a block whose underside was not seen. Lengths marked "
-                                   "u are in units of an unscaled model.") +
-                      impl_->blocks.html());
+        "Blocks",
+        format_paragraph(
+            "Click the heading of a column to sort by it. L, I, S are the sides of the smallest "
+            "box; the second line in the volume column gives the bounds for a block whose "
+            "underside was not scanned. Lengths marked u are in units of an unscaled model.") +
+            impl_->blocks.html());
   }
   body += "<footer>clast " + escape_html(version()) +
-          "; the same as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
+          "; this page as a table: <a href=\"summary.csv\">summary.csv</a></footer>\n";
   write_output(impl_->folder / "summary.csv", impl_->csv.take_text(),
                {.kind = "text", .replace = impl_->replace});
   write_output(impl_->folder / "index.html", make_scan_page("Blocks from scans", body),

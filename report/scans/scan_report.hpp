@@ -8,26 +8,26 @@
 
 namespace clast {
 
-/// Writes FOLDER/index.html, FOLDER/summary.csv and FOLDER/blocks/ID.html.
+/// Report folder of a batch of scans, with one page per block and a summary.
 class ScanReport {
  public:
-  /// Opens the folder.
-  /// @param replace  true: an existing summary is replaced
+  /// Opens the report folder.
+  /// @param replace  true if an existing summary is replaced
   /// @throws InputError  if the folder cannot be created or written, a summary exists and `replace`
   ///                     is false, or summary.csv or index.html is of another kind
   ScanReport(std::filesystem::path folder, bool replace);
   ~ScanReport();
 
   /// Makes the page of a block while its scan is in memory. Thread-safe.
-  void prepare(const Block& block, const ScanOfBlock& scan);
+  void prepare(const Block& block, const BlockPageContents& scan);
   /// Writes the prepared page of a block and adds the block to the summary.
   /// @throws InputError  if the page cannot be written
   void add(const Block& block);
   /// Adds a block of an earlier batch to the summary, with a link to its page if the page exists.
   void add_earlier(const Block& block);
   void add_failure(const std::string& scan, const std::string& reason);
-  /// Writes the summary.
-  /// @throws InputError  if it cannot be written
+  /// Writes the summary page and table.
+  /// @throws InputError  if the summary cannot be written
   void finish();
 
  private:

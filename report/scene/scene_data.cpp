@@ -34,7 +34,8 @@ Json scene_mesh_json(const TriangleMesh& mesh, const Vec3& shift) {
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     corners.insert(corners.end(), t.begin(), t.end());
   }
-  return {{"vertices", packed<float>(vertices)}, {"triangles", packed<std::uint32_t>(corners)}};
+  return {{"vertices", encode_packed_array<float>(vertices)},
+          {"triangles", encode_packed_array<std::uint32_t>(corners)}};
 }
 
 /// The middle of starts and stops, on the map.
@@ -85,7 +86,7 @@ Json terrain_json(const Terrain& terrain, const Vec3& shift, const SceneLimits& 
     return terrain_json(resampled(terrain, limits.grid), shift, {.triangles = SIZE_MAX});
   }
   Json json = scene_mesh_json(terrain.surface, shift);
-  json["zones"] = packed<std::uint16_t>(terrain.zone);
+  json["zones"] = encode_packed_array<std::uint16_t>(terrain.zone);
   return json;
 }
 
@@ -128,8 +129,8 @@ struct SceneRuns {
   double duration = 0.0;      ///< s, of the longest
 };
 
-SceneRuns scene_runs(const Comparison& comparison, const DrawnRuns& all, const Bodies& bodies,
-                     const Vec3& origin, std::size_t most_frames) {
+SceneRuns scene_runs(const Comparison& comparison, const RunsWithTrajectories& all,
+                     const Bodies& bodies, const Vec3& origin, std::size_t most_frames) {
   SceneRuns scene;
   const std::size_t every = (all.frames + most_frames - 1) / most_frames;
   for (std::size_t i = 0; i < all.rows.size(); i += every) {
@@ -169,7 +170,7 @@ Json barriers_json(const std::vector<BarrierLine>& lines, const Vec3& origin) {
   Json barriers = Json::array();
   for (const BarrierLine& line : lines) {
     Json through = Json::array();
-    for (const Vec2& point : line.through) {
+    for (const Vec2& point : line.vertices) {
       through.push_back({point.x() - origin.x(), point.y() - origin.y()});
     }
     barriers.push_back({{"name", line.name}, {"through", through}});
@@ -189,7 +190,7 @@ SceneData make_scene_data(const Comparison& comparison, const SceneLimits& limit
   limits.check();
   const Vec3 origin = scene_origin(comparison);
   const CampaignResults& first = comparison.results.front();
-  const DrawnRuns all = select_drawn_runs(comparison);
+  const RunsWithTrajectories all = find_runs_with_trajectories(comparison);
   SceneData scene;
   scene.runs = all.rows.size();
   if (all.rows.empty()) return scene;
@@ -201,7 +202,7 @@ SceneData make_scene_data(const Comparison& comparison, const SceneLimits& limit
                     {"tints", tints_json(first.zone_names)},
                     {"bodies", bodies.json},
                     {"runs", drawn.runs},
-                    {"frames", packed<float>(drawn.frames)},
+                    {"frames", encode_packed_array<float>(drawn.frames)},
                     {"barriers", barriers_json(comparison.lines, origin)},
                     {"duration", drawn.duration}}
                    .dump();

@@ -7,11 +7,11 @@
 
 namespace clast::report_detail {
 
-/// Limits of the amount of data in a page. Beyond them, data are reduced, and the page states it.
+/// Limits of the amount of data of the 3-D view of a report. Larger data are reduced.
 struct SceneLimits {
   std::size_t frames = 100'000;  ///< maximum number of states of all runs, 32 bytes each
-  std::size_t triangles =
-      120'000;  ///< maximum number of terrain triangles; larger terrains are drawn as a grid
+  /// Maximum number of terrain triangles; larger terrains are drawn as a grid.
+  std::size_t triangles = 120'000;
   std::size_t grid = 240;  ///< number of columns of that grid
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -23,9 +23,8 @@ struct SceneData {
   std::size_t runs = 0;        ///< number of runs with a stored trajectory
 };
 
-/// Makes the data of the view: terrain of the first file, bodies, barriers and every n-th
-/// trajectory, where n is as small as the limits allow. Positions are map coordinates minus
-/// `origin`, the centre of starts and stops.
+/// Makes the data of the 3-D view of a report: terrain, bodies, barriers and as many trajectories
+/// as the limits allow. Positions are map coordinates minus `origin`.
 ///
 /// JSON: `origin` [3]; `terrain` {vertices float32 [n][3], triangles uint32 [m][3], zones uint16
 /// [m]}, `tints` of the zones; `bodies` list of {name, group, colour, vertices, triangles}; `runs`

@@ -33,7 +33,7 @@ std::string format_scene_section(const Comparison& comparison, const SceneLimits
   const SceneData data = make_scene_data(comparison, limits);
   if (data.runs_drawn == 0) {
     return format_section(
-        title, format_paragraph("The results hold no trajectories: set [run] "
+        title, format_paragraph("The results contain no trajectories; set [run] "
                                 "trajectory_interval_s above zero to see the blocks move."));
   }
   const std::string drawn =
@@ -43,11 +43,11 @@ std::string format_scene_section(const Comparison& comparison, const SceneLimits
                 " runs are drawn, one in " +
                 std::to_string((data.runs + data.runs_drawn - 1) / data.runs_drawn) + ".";
   return format_section(
-             title, format_paragraph(
-                        "Drag to turn, use the wheel to come closer, drag with the right button to "
-                        "move. " +
-                        drawn + " Between stored states positions are interpolated.") +
-                        scene_view(comparison) + format_packed_element("scene-data", data.json)) +
+             title,
+             format_paragraph(
+                 "Drag to rotate, use the wheel to zoom, drag with the right button to move. " +
+                 drawn + " Positions between stored states are interpolated.") +
+                 scene_view(comparison) + format_packed_element("scene-data", data.json)) +
          three_scripts() + format_script_element(assets::scene_js);
 }
 

@@ -7,8 +7,8 @@
 
 namespace clast::report_detail {
 
-/// Formats the section, including three.js. If three.js is not installed, or no trajectories are
-/// stored, it has a note instead.
+/// Formats the section with the 3-D view of a report. If three.js is not installed, or no
+/// trajectories are stored, it has a note instead.
 std::string format_scene_section(const Comparison& comparison, const SceneLimits& limits = {});
 
 }  // namespace clast::report_detail

@@ -4,8 +4,8 @@
 
 namespace clast::report_detail {
 
-DrawnRuns select_drawn_runs(const Comparison& comparison) {
-  DrawnRuns stored;
+RunsWithTrajectories find_runs_with_trajectories(const Comparison& comparison) {
+  RunsWithTrajectories stored;
   for (const CampaignResults& results : comparison.results) {
     std::error_code code;
     stored.files.emplace_back();

@@ -8,18 +8,18 @@
 
 namespace clast::report_detail {
 
-/// Runs with stored trajectories. Their files are kept open.
-struct DrawnRuns {
+/// Runs of a comparison with stored trajectories, and their open results files.
+struct RunsWithTrajectories {
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
   std::size_t frames = 0;         ///< total number of stored states
-  std::vector<std::optional<TrajectoryFile>>
-      files;  ///< one per results file; empty if the file no longer exists
+  /// Open results files; empty for files that no longer exist.
+  std::vector<std::optional<TrajectoryFile>> files;
 
   Trajectory trajectory(const RunRow& row) const { return files[row.file]->read(row.record->run); }
 };
 
 /// Finds all runs with stored trajectories.
 /// @throws InputError  if a results file can no longer be read
-DrawnRuns select_drawn_runs(const Comparison& comparison);
+RunsWithTrajectories find_runs_with_trajectories(const Comparison& comparison);
 
 }  // namespace clast::report_detail

@@ -14,7 +14,7 @@ std::filesystem::path orbit() {
 }  // namespace
 
 std::filesystem::path find_three_folder() {
-  return installed_folder("CLAST_THREE", CLAST_THREE_FOLDER);
+  return find_javascript_folder("CLAST_THREE", CLAST_THREE_FOLDER);
 }
 
 bool three_is_installed() {
@@ -28,7 +28,7 @@ std::string three_scripts() {
 }
 
 std::string explain_missing_three(const std::string& again) {
-  return "The 3-D view was left out: three.js is not in " + find_three_folder().string() +
+  return "The 3-D view is omitted, because three.js is not in " + find_three_folder().string() +
          ". Install it (on Debian: apt install libjs-three), or name its folder in CLAST_THREE, "
          "and " +
          again + ".";

@@ -5,7 +5,8 @@
 
 namespace clast::report_detail {
 
-/// Folder of three.js (Debian package libjs-three): CLAST_THREE, or found at configuration.
+/// Finds the folder of three.js (Debian package libjs-three): that named by CLAST_THREE, or found
+/// at configuration.
 std::filesystem::path find_three_folder();
 bool three_is_installed();
 
@@ -14,7 +15,7 @@ bool three_is_installed();
 /// @pre  three_is_installed()
 std::string three_scripts();
 
-/// Explains that the view was omitted, and how to install three.js.
+/// Explains that a 3-D view was omitted, and how to install three.js.
 /// @param again  last step of the advice, such as "compare again"
 std::string explain_missing_three(const std::string& again);
 

@@ -8,10 +8,8 @@
 
 namespace clast {
 
-/// Writes an animation for ParaView. FOLDER/animation.pvd refers to one frame_NNNN.vtp with the
-/// blocks per stored time, and to one terrain_N.vtp per results file. Blocks are cores with
-/// vertices moved outwards by the radius. Points are map coordinates in doubles; cell data are
-/// file, run and speed_m_s.
+/// Writes an animation of runs for ParaView: one file with the blocks per stored time, and one
+/// terrain per results file, in map coordinates.
 /// @param count  number of runs, selected evenly from those with a trajectory
 /// @return the .pvd file; empty if no run has a trajectory
 /// @throws InputError  if the folder cannot be written

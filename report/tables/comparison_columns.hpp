@@ -1,5 +1,5 @@
 #pragma once
-/// Columns and rows of the tables of a comparison. Columns of runs.csv: see `run_columns`.
+/// Columns and rows of the tables of a comparison.
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace clast::report_detail {
 
-/// Returns columns that are also attributes of map layers.
+/// Returns the columns of the table of barrier statistics.
 const TableColumns<BarrierGroupStatistics>& barrier_table_columns();
 const TableColumns<ComparisonRow<BarrierCrossing>>& crossing_columns();
 
-/// Makes the tables of `comparison_tables`.
+/// Makes the tables of the runs of a comparison.
 std::vector<ComparisonTable> make_run_tables();
 std::vector<ComparisonTable> make_group_tables();
 std::vector<ComparisonTable> make_effect_tables();
@@ -24,8 +24,8 @@ std::vector<ComparisonTable> make_crossing_tables();
 std::vector<ComparisonTable> make_deposit_tables();
 std::vector<ComparisonTable> make_energy_tables();
 
-/// Returns both ends of an interval. They are NaN if it is empty.
-inline Vec2 bounds_of(const std::optional<Interval>& interval) {
+/// Returns lower and upper end of an interval; NaN if there is no interval.
+inline Vec2 interval_bounds(const std::optional<Interval>& interval) {
   return interval ? Vec2(interval->low, interval->high) : Vec2(Vec2::Constant(NAN));
 }
 
@@ -50,12 +50,12 @@ std::vector<ComparisonRow<Item>> select_rows(const TableColumns<ComparisonRow<It
   return make_comparison_rows(comparison, items);
 }
 
-/// Makes a table from columns and items.
+/// Makes a table of a comparison from its columns and a function that gives its rows.
 /// @param columns  must outlive the table
-/// @param items  function or member of the analyses or comparison that gives one item per row
+/// @param items  function that returns one item per row from the analyses or the comparison
 template <class Row, class Items>
-ComparisonTable make_table(const std::string& name, const TableColumns<Row>& columns,
-                           const Items& items) {
+ComparisonTable make_comparison_table(const std::string& name, const TableColumns<Row>& columns,
+                                      const Items& items) {
   const auto filled = [&columns, items](const auto& fill) {
     return [&columns, items, fill](const ComparisonAnalyses& of) {
       if constexpr (std::is_invocable_v<const Items&, const ComparisonAnalyses&>) {
@@ -66,7 +66,7 @@ ComparisonTable make_table(const std::string& name, const TableColumns<Row>& col
       }
     };
   };
-  return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
+  return {name, filled(format_csv<Row>), filled(to_table_values<Row>)};
 }
 
 }  // namespace clast::report_detail

@@ -12,7 +12,7 @@ namespace {
 // Lowest and highest of every quantity over the runs of a block; null where results have none.
 nlohmann::ordered_json stiffness_json(const CampaignResults& results) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const BlockStiffness& block : collect_stiffness_by_block(results, results.runs)) {
+  for (const BlockStiffnessRanges& block : collect_stiffness_by_block(results, results.runs)) {
     nlohmann::ordered_json row = {{"block", block.block}};
     for (const StiffnessRange& value : block.values) {
       row[value.name] = nullptr;
@@ -30,8 +30,8 @@ std::string make_provenance_json(const ComparisonAnalyses& analyses) {
   nlohmann::ordered_json json;
   json["program_version"] = version();
   json["downslope"] = {comparison.downslope.x(), comparison.downslope.y()};
-  json["downslope_from"] = comparison.downslope_asked ? "campaign" : "mean release-to-stop line";
-  json["answer"] = describe_key_results(comparison, analyses.answer());
+  json["downslope_from"] = comparison.downslope_given ? "campaign" : "mean release-to-stop line";
+  json["answer"] = describe_key_results(comparison, analyses.key_results());
   json["warnings"] = comparison.warnings;
   json["files"] = nlohmann::ordered_json::array();
   for (std::size_t file = 0; file < comparison.results.size(); ++file) {

@@ -6,7 +6,8 @@
 
 namespace clast {
 
-/// Returns program versions, campaigns and input files with digests as JSON.
+/// Makes the provenance of a comparison as JSON: program versions, campaigns and input files with
+/// digests.
 std::string make_provenance_json(const ComparisonAnalyses& analyses);
 
 }  // namespace clast

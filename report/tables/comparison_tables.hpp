@@ -9,7 +9,7 @@ namespace clast {
 
 using ComparisonTable = ReportTable<ComparisonAnalyses>;
 
-/// Returns all tables, such as "runs" and "crossings". "measured" is empty without observed stops.
+/// Returns all tables of a comparison, such as "runs" and "crossings".
 const std::vector<ComparisonTable>& comparison_tables();
 
 }  // namespace clast

@@ -15,21 +15,21 @@ const TableColumns<DepositMeasures>& realisation_columns() {
   const auto degrees = [](const Vec3& from, const Vec3& to) {
     return kDegreesPerRadian * std::atan(height_length_ratio(from, to));
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"realisation", "", "number of the realisation, from 1",
          [](const Row& row) { return row.realisation + 1; }},
         {"blocks", "", "number of released blocks", &Row::blocks},
         {"lying", "",
          "number of deposited blocks: blocks that came to rest and were not "
          "removed",
-         &Row::lying},
+         &Row::deposited_blocks},
         {"left_terrain", "", "number of blocks that left the terrain", &Row::left_terrain},
         {"mass_kg", "kg", "mass of the deposited blocks", &Row::mass},
         {"volume_m3", "m3", "volume of the deposited blocks, without the space between them",
          &Row::volume}},
        array_columns<Row>({"first_x_m", "first_y_m", "first_z_m"}, "m",
                           "centre of mass of the deposited blocks at their starts",
-                          &Row::first_centre),
+                          &Row::start_centre),
        array_columns<Row>({"x_m", "y_m", "z_m"}, "m",
                           "centre of mass of the deposited blocks at their stops", &Row::centre),
        array_columns<Row>({"crest_x_m", "crest_y_m", "crest_z_m"}, "m",
@@ -37,7 +37,7 @@ const TableColumns<DepositMeasures>& realisation_columns() {
        array_columns<Row>({"toe_x_m", "toe_y_m", "toe_z_m"}, "m",
                           "stop farthest from the crest in plan", &Row::toe),
        {{"centre_angle_deg", "deg", "slope of the line from the first to the last centre of mass",
-         [=](const Row& row) { return degrees(row.first_centre, row.centre); }},
+         [=](const Row& row) { return degrees(row.start_centre, row.centre); }},
         {"travel_angle_deg", "deg", "slope of the line from crest to toe (Fahrb\xC3\xB6schung)",
          [=](const Row& row) { return degrees(row.crest, row.toe); }},
         {"area_m2", "m2", "area covered by the deposited blocks, in plan", &Row::area},
@@ -47,11 +47,11 @@ const TableColumns<DepositMeasures>& realisation_columns() {
         {"first_volume_m3", "m3",
          "volume of all blocks of a rock mass at its start, without the space "
          "between them; else empty",
-         &Row::first_volume},
+         &Row::start_volume},
         {"first_bulk_volume_m3", "m3",
          "volume between the ground and the tops of the blocks of a rock mass "
          "at its start; else empty",
-         &Row::first_bulk_volume},
+         &Row::start_bulk_volume},
         {"file", "", "number of the results file", [](const Row& row) { return row.file + 1; }}}});
   return columns;
 }
@@ -78,14 +78,15 @@ const TableColumns<DepositQuantitySummary>& realisation_figure_columns() {
        "all blocks together), and fractions of the energy that contacts "
        "dissipated: `dissipated_by_friction`, `dissipated_by_rolling`, "
        "`dissipated_between_blocks`",
-       [](const Row& row) { return deposit_quantities()[row.figure].name; }},
+       [](const Row& row) { return deposit_quantities()[row.quantity].name; }},
       {"realisations", "", "number of realisations that have the figure",
        [](const Row& row) { return row.summary.count; }},
       {"mean", unit, "mean over realisations", [](const Row& row) { return row.summary.mean; }},
-      {"mean_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
-      {"mean_high", unit, interval, [](const Row& row) { return bounds_of(row.interval)[1]; }},
+      {"mean_low", unit, interval, [](const Row& row) { return interval_bounds(row.interval)[0]; }},
+      {"mean_high", unit, interval,
+       [](const Row& row) { return interval_bounds(row.interval)[1]; }},
       {"std", unit, spread, [](const Row& row) { return row.summary.std; }},
-      {"least", unit, spread, [](const Row& row) { return row.least; }},
+      {"least", unit, spread, [](const Row& row) { return row.minimum; }},
       {"most", unit, spread, [](const Row& row) { return row.summary.max; }}};
   return columns;
 }
@@ -102,7 +103,7 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"second", "", "numbers of the results files",
        [](const Row& row) { return row.second.file + 1; }},
       {"figure", "", "as in realisation_figures.csv",
-       [](const Row& row) { return deposit_quantities()[row.first.figure].name; }},
+       [](const Row& row) { return deposit_quantities()[row.first.quantity].name; }},
       {"first_realisations", "", "number of realisations of each file that have the figure",
        [](const Row& row) { return row.first.summary.count; }},
       {"second_realisations", "", "number of realisations of each file that have the figure",
@@ -112,18 +113,19 @@ const TableColumns<DepositQuantityDifference>& realisation_difference_columns() 
       {"second_mean", unit, "mean of each file",
        [](const Row& row) { return row.second.summary.mean; }},
       {"difference", unit, "first minus second", &Row::estimate},
-      {"difference_low", unit, interval, [](const Row& row) { return bounds_of(row.interval)[0]; }},
+      {"difference_low", unit, interval,
+       [](const Row& row) { return interval_bounds(row.interval)[0]; }},
       {"difference_high", unit, interval,
-       [](const Row& row) { return bounds_of(row.interval)[1]; }},
+       [](const Row& row) { return interval_bounds(row.interval)[1]; }},
       {"freedom", "", "degrees of freedom of the interval", &Row::degrees_of_freedom},
       {"p_value", "", "p-value of the hypothesis of no difference, uncorrected",
        [](const Row& row) { return row.p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
-       [](const Row& row) { return row.p_holm.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &Row::tests},
+       [](const Row& row) { return row.holm_p_value.value_or(NAN); }},
+      {"tests", "", "number of tests that `p_holm` is corrected for", &Row::family_size},
       {"distinguished", "", "1 if `p_holm` is below 0.05, else 0",
        [](const Row& row) {
-         return std::uint64_t{row.verdict() == Verdict::kSignificant ? 1u : 0u};
+         return std::uint64_t{row.verdict() == ContrastVerdict::kSignificant ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote", [](const Row& row) { return describe_effect(row); }}};
   return columns;
@@ -138,7 +140,7 @@ const TableColumns<DepositMobility>& mobility_columns() {
       {"file", "", "number of the results file of persistent blocks",
        [](const Row& row) { return std::uint64_t{row.file} + 1; }},
       {"alone", "", "number of the results file of single runs",
-       [](const Row& row) { return std::uint64_t{row.alone} + 1; }},
+       [](const Row& row) { return std::uint64_t{row.single_block_file} + 1; }},
       {"group", "", "`all` or `class NAME`: library blocks that both files have", &Row::group},
       {"realisations", "", "number of realisations with blocks at rest",
        [](const Row& row) { return row.together_runout.count; }},
@@ -153,9 +155,9 @@ const TableColumns<DepositMobility>& mobility_columns() {
       {"difference_m", "m", "together minus alone",
        [](const Row& row) { return row.difference.estimate; }},
       {"difference_low_m", "m", interval,
-       [](const Row& row) { return bounds_of(row.difference.interval)[0]; }},
+       [](const Row& row) { return interval_bounds(row.difference.interval)[0]; }},
       {"difference_high_m", "m", interval,
-       [](const Row& row) { return bounds_of(row.difference.interval)[1]; }},
+       [](const Row& row) { return interval_bounds(row.difference.interval)[1]; }},
       {"p_value", "", "p-value of the hypothesis of no difference",
        [](const Row& row) { return row.difference.p_value.value_or(NAN); }},
       {"together_toe_m", "m", "largest runout of a realisation, mean over realisations",
@@ -166,7 +168,7 @@ const TableColumns<DepositMobility>& mobility_columns() {
       {"starts_apart_m", "m",
        "distance in plan between the mean start together and the mean start "
        "alone",
-       &Row::starts_apart},
+       &Row::start_distance},
       {"mass_ratio", "",
        "mean mass of the blocks together over the mean mass of the blocks "
        "alone",
@@ -184,13 +186,14 @@ std::vector<ComparisonTable> report_detail::make_deposit_tables() {
     };
   };
   using All = ComparisonAnalyses;
-  return {make_table("realisations", realisation_columns(),
-                     part(&All::deposits, &DepositResults::realisations)),
-          make_table("realisation_figures", realisation_figure_columns(),
-                     part(&All::figures, &DepositQuantityComparison::files)),
-          make_table("realisation_differences", realisation_difference_columns(),
-                     part(&All::figures, &DepositQuantityComparison::differences)),
-          make_table("mobility", mobility_columns(), &All::mobility)};
+  return {make_comparison_table("realisations", realisation_columns(),
+                                part(&All::deposit_results, &DepositResults::realisations)),
+          make_comparison_table("realisation_figures", realisation_figure_columns(),
+                                part(&All::deposit_comparison, &DepositQuantityComparison::files)),
+          make_comparison_table(
+              "realisation_differences", realisation_difference_columns(),
+              part(&All::deposit_comparison, &DepositQuantityComparison::differences)),
+          make_comparison_table("mobility", mobility_columns(), &All::deposit_mobility)};
 }
 
 }  // namespace clast

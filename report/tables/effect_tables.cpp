@@ -111,7 +111,7 @@ const TableColumns<TrendOfFile>& trend_columns() {
       {"smallest_difference", unit,
        "smallest difference that a campaign like this finds in 80 % of cases, "
        "at 5 %",
-       [](const Row& row) { return row.trend.smallest; }},
+       [](const Row& row) { return row.trend.detectable_difference; }},
       {"runs_needed", "",
        "number of runs that find a difference as large as the margin in 80 % "
        "of cases, with blocks and points in proportion",
@@ -153,7 +153,7 @@ const TableColumns<ComparisonRow<ParameterEffect>>& ensemble_columns() {
 
 std::vector<EffectShare> effect_rows(const ComparisonAnalyses& analyses) {
   std::vector<EffectShare> shares;
-  for (const DesignEffects& effects : analyses.effects()) {
+  for (const DesignEffects& effects : analyses.design_effects()) {
     for (const OutcomeEffects& outcome : effects.outcomes) {
       for (std::size_t f = 0; f < effects.factors.size(); ++f) {
         shares.push_back({effects, outcome, effects.factors[f].name, effects.factors[f].levels,
@@ -173,11 +173,11 @@ const TableColumns<ResponseOfForm>& response_columns() {
        [](const Row& row) { return std::uint64_t{row.outcome.file + 1}; }},
       {"outcome", "", "`runout`, `lateral angle`, `largest energy` or `passing NAME` of a barrier",
        [](const Row& row) { return row.outcome.outcome; }},
-      {"form", "", "block of the library", [](const Row& row) { return row.form.form; }},
+      {"form", "", "block of the library", [](const Row& row) { return row.form.block_id; }},
       {"i_over_l", "", "I/L", [](const Row& row) { return row.form.axes.I / row.form.axes.L; }},
       {"s_over_l", "", "S/L", [](const Row& row) { return row.form.axes.S / row.form.axes.L; }},
       {"made", "", "1 if `clast vary` made this form, 0 for a scanned block",
-       [](const Row& row) { return row.form.made; }},
+       [](const Row& row) { return row.form.is_generated; }},
       {"runs", "", "number of runs of the form",
        [](const Row& row) { return std::uint64_t{row.form.runs}; }},
       {"mean", unit, "mean over these runs", [](const Row& row) { return row.form.mean; }},
@@ -188,7 +188,7 @@ const TableColumns<ResponseOfForm>& response_columns() {
 
 std::vector<ResponseOfForm> response_rows(const ComparisonAnalyses& analyses) {
   std::vector<ResponseOfForm> rows;
-  for (const OutcomeByShape& outcome : analyses.forms()) {
+  for (const OutcomeByShape& outcome : analyses.shape_outcomes()) {
     for (const ShapeOutcome& form : outcome.forms) rows.push_back({outcome, form});
   }
   return rows;
@@ -196,7 +196,7 @@ std::vector<ResponseOfForm> response_rows(const ComparisonAnalyses& analyses) {
 
 std::vector<TrendOfFile> trend_rows(const ComparisonAnalyses& analyses) {
   std::vector<TrendOfFile> rows;
-  for (const ShapeTrends& file : analyses.trends()) {
+  for (const ShapeTrends& file : analyses.shape_trends()) {
     for (const ShapeTrend& trend : file.trends) rows.push_back({file.file, trend});
   }
   return rows;
@@ -205,10 +205,11 @@ std::vector<TrendOfFile> trend_rows(const ComparisonAnalyses& analyses) {
 }  // namespace
 
 std::vector<ComparisonTable> report_detail::make_effect_tables() {
-  return {make_table("ensemble", ensemble_columns(), &ComparisonAnalyses::ensemble),
-          make_table("effects", effect_columns(), effect_rows),
-          make_table("trends", trend_columns(), trend_rows),
-          make_table("responses", response_columns(), response_rows)};
+  return {
+      make_comparison_table("ensemble", ensemble_columns(), &ComparisonAnalyses::ensemble_effects),
+      make_comparison_table("effects", effect_columns(), effect_rows),
+      make_comparison_table("trends", trend_columns(), trend_rows),
+      make_comparison_table("responses", response_columns(), response_rows)};
 }
 
 }  // namespace clast

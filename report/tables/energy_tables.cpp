@@ -16,7 +16,7 @@ struct EnergyOfFile {
 
 const TableColumns<EnergyOfFile>& energy_columns() {
   using Row = EnergyOfFile;
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"realisation", "", "number of the realisation, from 1",
          [](const Row& row) { return row.realisation + 1; }}},
        adapt_columns<Row>(
@@ -44,7 +44,7 @@ std::vector<EnergyOfFile> energy_rows(const Comparison& comparison) {
 }  // namespace
 
 std::vector<ComparisonTable> report_detail::make_energy_tables() {
-  return {make_table("energies", energy_columns(), energy_rows)};
+  return {make_comparison_table("energies", energy_columns(), energy_rows)};
 }
 
 }  // namespace clast

@@ -14,7 +14,7 @@ namespace {
 
 /// A group and where its runs came to rest.
 struct GroupDeposit {
-  const Group& group;
+  const RunGroup& group;
   const DepositStatistics& deposit;
 };
 
@@ -27,16 +27,17 @@ struct ZoneOfSet {
 
 struct Statistic {
   const char* name;
-  double Summary::*value;
+  double SampleSummary::*value;
 };
-const std::vector<Statistic> kAllStatistics = {{"mean", &Summary::mean},
-                                               {"std", &Summary::std},
-                                               {"median", &Summary::median},
-                                               {"p95", &Summary::p95},
-                                               {"max", &Summary::max}};
-const std::vector<Statistic> kMeanAndStd = {{"mean", &Summary::mean}, {"std", &Summary::std}};
+const std::vector<Statistic> kAllStatistics = {{"mean", &SampleSummary::mean},
+                                               {"std", &SampleSummary::std},
+                                               {"median", &SampleSummary::median},
+                                               {"p95", &SampleSummary::p95},
+                                               {"max", &SampleSummary::max}};
+const std::vector<Statistic> kMeanAndStd = {{"mean", &SampleSummary::mean},
+                                            {"std", &SampleSummary::std}};
 const std::vector<Statistic> kUpper = {
-    {"mean", &Summary::mean}, {"p95", &Summary::p95}, {"max", &Summary::max}};
+    {"mean", &SampleSummary::mean}, {"p95", &SampleSummary::p95}, {"max", &SampleSummary::max}};
 
 /// Makes a column per statistic, whose name replaces `*` in `name`; NaN if nothing was measured.
 /// @param summary  of a row, a function or a member
@@ -49,14 +50,14 @@ TableColumns<Row> summary_columns(const std::vector<Statistic>& statistics, cons
     std::string column = name;
     column.replace(column.find('*'), 1, statistic.name);
     columns.push_back({column, unit, meaning, [=, value = statistic.value](const Row& row) {
-                         const Summary& of_row = std::invoke(summary, row);
+                         const SampleSummary& of_row = std::invoke(summary, row);
                          return of_row.count > 0 ? of_row.*value : NAN;
                        }});
   }
   return columns;
 }
 
-Summary in_degrees(const Summary& angle) {
+SampleSummary in_degrees(const SampleSummary& angle) {
   return {angle.count,
           angle.mean * kDegreesPerRadian,
           angle.std * kDegreesPerRadian,
@@ -73,7 +74,7 @@ const std::string& group_name(const ComparisonRow<Item>& row) {
 const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   using Row = ComparisonRow<GroupDeposit>;
   const auto stops = [](const Row& row) { return row->deposit.stops; };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", [](const Row& row) { return row->group.name; }},
         {"count", "", "number of runs that came to rest; the statistics are over these runs",
          [=](const Row& row) { return stops(row).rest; }}},
@@ -99,8 +100,8 @@ const TableColumns<ComparisonRow<GroupDeposit>>& deposit_columns() {
   return columns;
 }
 
-const TableColumns<ComparisonRow<Difference>>& difference_columns() {
-  using Row = ComparisonRow<Difference>;
+const TableColumns<ComparisonRow<GroupDifference>>& difference_columns() {
+  using Row = ComparisonRow<GroupDifference>;
   const char* interval =
       "95 % confidence interval of the difference; empty if a group has a "
       "single realisation";
@@ -114,33 +115,34 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
        "`runout_m`, `lateral_deg`, `path_length_m` of runs that came to rest, `max_speed_m_s` of "
        "runs that did not fail, and, per barrier, `NAME speed_m_s`, `NAME total_energy_j`, "
        "`NAME height_m` of first crossings",
-       &Difference::quantity},
-      {"first_runs", "", "number of values of each group", &Difference::first_runs},
-      {"second_runs", "", "number of values of each group", &Difference::second_runs},
+       &GroupDifference::quantity},
+      {"first_runs", "", "number of values of each group", &GroupDifference::first_runs},
+      {"second_runs", "", "number of values of each group", &GroupDifference::second_runs},
       {"release_points", "",
        "number of clusters for interval and test: release points, or "
        "realisations of persistent blocks",
-       &Difference::points},
-      {"first_mean", unit, "mean of each group", &Difference::first_mean},
-      {"second_mean", unit, "mean of each group", &Difference::second_mean},
-      {"difference", unit, "first minus second", &Difference::estimate},
+       &GroupDifference::points},
+      {"first_mean", unit, "mean of each group", &GroupDifference::first_mean},
+      {"second_mean", unit, "mean of each group", &GroupDifference::second_mean},
+      {"difference", unit, "first minus second", &GroupDifference::estimate},
       {"difference_low", unit, interval,
-       [](const Row& row) { return bounds_of(row->interval)[0]; }},
+       [](const Row& row) { return interval_bounds(row->interval)[0]; }},
       {"difference_high", unit, interval,
-       [](const Row& row) { return bounds_of(row->interval)[1]; }},
-      {"cliffs_delta", "", "effect sizes", &Difference::cliffs_delta},
+       [](const Row& row) { return interval_bounds(row->interval)[1]; }},
+      {"cliffs_delta", "", "effect sizes", &GroupDifference::cliffs_delta},
       {"hedges_g", "", "effect sizes", [](const Row& row) { return row->hedges_g.value_or(NAN); }},
-      {"ks_distance", "", "Kolmogorov-Smirnov distance", &Difference::ks_distance},
+      {"ks_distance", "", "Kolmogorov-Smirnov distance", &GroupDifference::ks_distance},
       {"p_value", "",
        "p-value from random permutations by release point, uncorrected; empty "
        "if a group has a single realisation",
        [](const Row& row) { return row->p_value.value_or(NAN); }},
       {"p_holm", "", "`p_value` with Holm's correction for `tests` tests",
-       [](const Row& row) { return row->p_holm.value_or(NAN); }},
-      {"tests", "", "number of tests that `p_holm` is corrected for", &Difference::tests},
+       [](const Row& row) { return row->holm_p_value.value_or(NAN); }},
+      {"tests", "", "number of tests that `p_holm` is corrected for",
+       &GroupDifference::family_size},
       {"found", "", "1 if `p_holm` is below 0.05, else 0; empty without a test",
        [](const Row& row) -> TableCell {
-         if (!row->p_holm) return NAN;
+         if (!row->holm_p_value) return NAN;
          return std::uint64_t{row->is_significant() ? 1u : 0u};
        }},
       {"words", "", "a sentence to quote",
@@ -148,16 +150,16 @@ const TableColumns<ComparisonRow<Difference>>& difference_columns() {
   return columns;
 }
 
-const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
-  using Row = ComparisonRow<MeasuredGroup>;
-  using Measured = MeasuredGroup;
+const TableColumns<ComparisonRow<MeasuredStopGroup>>& measured_columns() {
+  using Row = ComparisonRow<MeasuredStopGroup>;
+  using Measured = MeasuredStopGroup;
   const auto bounds = [](const char* low, const char* high, const char* unit,
                          std::optional<Interval> (*interval)(const Row&)) {
-    return array_columns<Row>({low, high}, unit,
-                              "95 % confidence interval; empty for a single realisation",
-                              [interval](const Row& row) { return bounds_of(interval(row)); });
+    return array_columns<Row>(
+        {low, high}, unit, "95 % confidence interval; empty for a single realisation",
+        [interval](const Row& row) { return interval_bounds(interval(row)); });
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<Measured>},
         {"measured", "", "number of measured stops of the group", &Measured::measured},
         {"simulated", "", "number of simulated runs at rest", &Measured::simulated}},
@@ -175,7 +177,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
         {"p_value", "", "p-value of the distance, uncorrected; empty for a single realisation",
          [](const Row& row) { return row->medians.p_value.value_or(NAN); }},
         {"p_holm", "", "`p_value` with Holm's correction for all groups",
-         [](const Row& row) { return row->medians.p_holm.value_or(NAN); }}},
+         [](const Row& row) { return row->medians.holm_p_value.value_or(NAN); }}},
        array_columns<Row>(
            {"runout_q25_m", "runout_q75_m"}, "m", "quartiles of the runout of measured stops",
            [](const Row& row) { return Vec2(row->quartiles.low, row->quartiles.high); }),
@@ -198,7 +200,7 @@ const TableColumns<ComparisonRow<MeasuredGroup>>& measured_columns() {
 const TableColumns<ComparisonRow<ProfileBin>>& profile_columns() {
   using Row = ComparisonRow<ProfileBin>;
   const char* along = "distance from each run's release point along downslope";
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"group", "", "name of the group", group_name<ProfileBin>},
         {"from_m", "m", along, &ProfileBin::from},
         {"to_m", "m", along, &ProfileBin::to},
@@ -230,11 +232,11 @@ const TableColumns<ComparisonRow<ZoneOfSet>>& ground_set_columns() {
     return set(row).zones[row->zone];
   };
   TableColumns<Row> parameters;
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     parameters.push_back({field.name, field.unit, field.meaning,
                           [=](const Row& row) { return ground(row).*field.value; }});
   }
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }},
         {"ground_set", "", "as in runs.csv", &ZoneOfSet::set},
         {"block_group", "", "as in runs.csv", [=](const Row& row) { return set(row).group; }},
@@ -272,10 +274,10 @@ std::vector<ZoneOfSet> ground_set_rows(const Comparison& comparison) {
 const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns() {
   using Row = BarrierGroupStatistics;
   const auto statistics = [](const char* name, const char* unit, const char* meaning,
-                             Summary Row::*summary) {
+                             SampleSummary Row::*summary) {
     return summary_columns<Row>(kAllStatistics, name, unit, meaning, summary);
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {{{"barrier", "", "name of the barrier; for a ring with `(in)` or `(out)`", &Row::barrier},
         {"group", "", "name of the group", &Row::group},
         {"runs", "",
@@ -295,7 +297,7 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
         {"probability", "", "`crossings` / `runs`", &Row::probability}},
        array_columns<Row>({"probability_low", "probability_high"}, "",
                           "95 % confidence interval; empty for a single realisation",
-                          [](const Row& row) { return bounds_of(row.interval); }),
+                          [](const Row& row) { return interval_bounds(row.interval); }),
        statistics("height_*_m", "m", "height of the centre of mass above the ground below it",
                   &Row::height),
        statistics("clearance_*_m", "m", "height of the lowest skin point above the ground below it",
@@ -318,14 +320,14 @@ const TableColumns<BarrierGroupStatistics>& report_detail::barrier_table_columns
 
 std::vector<ComparisonTable> report_detail::make_group_tables() {
   const auto measured_groups = [](const Comparison& comparison) {
-    return comparison.measured ? comparison.measured->groups : std::vector<MeasuredGroup>();
+    return comparison.measured ? comparison.measured->groups : std::vector<MeasuredStopGroup>();
   };
-  return {make_table("barriers", barrier_table_columns(), &Comparison::barriers),
-          make_table("deposits", deposit_columns(), deposit_rows),
-          make_table("ground_sets", ground_set_columns(), ground_set_rows),
-          make_table("differences", difference_columns(), &Comparison::differences),
-          make_table("profiles", profile_columns(), &ComparisonAnalyses::profiles),
-          make_table("measured", measured_columns(), measured_groups)};
+  return {make_comparison_table("barriers", barrier_table_columns(), &Comparison::barriers),
+          make_comparison_table("deposits", deposit_columns(), deposit_rows),
+          make_comparison_table("ground_sets", ground_set_columns(), ground_set_rows),
+          make_comparison_table("differences", difference_columns(), &Comparison::differences),
+          make_comparison_table("profiles", profile_columns(), &ComparisonAnalyses::profiles),
+          make_comparison_table("measured", measured_columns(), measured_groups)};
 }
 
 }  // namespace clast

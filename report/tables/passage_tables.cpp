@@ -59,16 +59,17 @@ const TableColumns<ComparisonRow<RealisationCrossings>>& passage_columns() {
       {"window_s", "s", "length of the time window over which the following maxima are taken",
        [](const Row&) { return kPassageWindow; }},
       {"most_blocks", "", "largest number of blocks that pass within one window",
-       peak(&RealisationCrossings::most_blocks, &WindowMaximum::value)},
+       peak(&RealisationCrossings::max_blocks_in_window, &WindowMaximum::value)},
       {"most_blocks_from_s", "s", from,
-       peak(&RealisationCrossings::most_blocks, &WindowMaximum::from)},
+       peak(&RealisationCrossings::max_blocks_in_window, &WindowMaximum::from)},
       {"most_mass_kg", "kg", "largest mass of the blocks that pass within one window",
-       peak(&RealisationCrossings::most_mass, &WindowMaximum::value)},
-      {"most_mass_from_s", "s", from, peak(&RealisationCrossings::most_mass, &WindowMaximum::from)},
+       peak(&RealisationCrossings::max_mass_in_window, &WindowMaximum::value)},
+      {"most_mass_from_s", "s", from,
+       peak(&RealisationCrossings::max_mass_in_window, &WindowMaximum::from)},
       {"most_energy_j", "J", "largest kinetic energy of the passages within one window",
-       peak(&RealisationCrossings::most_energy, &WindowMaximum::value)},
+       peak(&RealisationCrossings::max_energy_in_window, &WindowMaximum::value)},
       {"most_energy_from_s", "s", from,
-       peak(&RealisationCrossings::most_energy, &WindowMaximum::from)},
+       peak(&RealisationCrossings::max_energy_in_window, &WindowMaximum::from)},
       {"file", "", "number of the results file", [](const Row& row) { return row->file + 1; }}};
   return columns;
 }
@@ -99,7 +100,7 @@ const TableColumns<ComparisonRow<PassedSoFar>>& passage_curve_columns() {
 
 std::vector<PassedSoFar> passage_curve_rows(const ComparisonAnalyses& analyses) {
   std::vector<PassedSoFar> rows;
-  for (const RealisationCrossings& realisation : analyses.passages()) {
+  for (const RealisationCrossings& realisation : analyses.barrier_crossings()) {
     PassedSoFar sum{realisation, {}};
     for (const BlockCrossing& passage : realisation.passages) {
       rows.push_back({realisation, passage, sum.passed += 1, sum.mass += passage.mass,
@@ -112,8 +113,9 @@ std::vector<PassedSoFar> passage_curve_rows(const ComparisonAnalyses& analyses) 
 }  // namespace
 
 std::vector<ComparisonTable> report_detail::make_crossing_tables() {
-  return {make_table("passages", passage_columns(), &ComparisonAnalyses::passages),
-          make_table("passage_curves", passage_curve_columns(), passage_curve_rows)};
+  return {
+      make_comparison_table("passages", passage_columns(), &ComparisonAnalyses::barrier_crossings),
+      make_comparison_table("passage_curves", passage_curve_columns(), passage_curve_rows)};
 }
 
 }  // namespace clast

@@ -81,7 +81,7 @@ TestRow row_of(const std::string& kind, const std::string& populations, const st
       words};
 }
 
-TestRow row_of(const std::string& populations, const ClassDifference& one) {
+TestRow row_of(const std::string& populations, const ClassFractionDifference& one) {
   const std::string kind = "chi-squared";
   if (!one.test) return {kind, populations, one.scheme, {}, {}, {}, "", one.description};
   const ChiSquaredResult& test = *one.test;
@@ -113,13 +113,13 @@ TableColumns<BlockRow> class_columns(const PopulationOptions& options) {
                        "class by each requested scheme; `shape` is Garcia's `compact` or "
                        "`elongated`",
                        [scheme, limits = options.limits](const Row& row) {
-                         return shape_class(scheme, row.block.axes_as_written, limits);
+                         return shape_class(scheme, row.block.axes_in_table_unit, limits);
                        }});
   }
   for (const FormIndex& index : form_index_definitions()) {
     columns.push_back(
         {index.name, "", "indices of form, see [theory](theory/shape-classes.md#indices-of-form)",
-         [index](const Row& row) { return cell_of(index.value(row.block.axes_as_written)); }});
+         [index](const Row& row) { return cell_of(index.value(row.block.axes_in_table_unit)); }});
   }
   return columns;
 }
@@ -193,9 +193,9 @@ TableColumns<TestRow> test_columns(const PopulationOptions&) {
 std::vector<ShareRow> share_rows(const PopulationReport& report) {
   std::vector<ShareRow> rows;
   for (const ReportedPopulation& reported : report.populations) {
-    const bool weighed = reported.summary.with_mass > 0;
+    const bool weighed = reported.summary.blocks_with_mass > 0;
     for (const SchemeFractions& scheme : reported.summary.schemes) {
-      for (const ClassFraction& share : scheme.shares) {
+      for (const ClassFraction& share : scheme.fractions) {
         rows.push_back({reported.population.name, scheme.scheme, share, weighed});
       }
     }
@@ -230,11 +230,11 @@ std::vector<TestRow> test_rows(const PopulationReport& report) {
   }
   if (report.comparison) {
     const std::string pair = report.comparison->name_a + " and " + report.comparison->name_b;
-    for (const MeasureDifference& one : report.comparison->measures) {
+    for (const ShapeMeasureDifference& one : report.comparison->measures) {
       rows.push_back(row_of("kolmogorov-smirnov", pair, one.measure->name, one.test, "all deals",
                             "limit for many blocks", one.description));
     }
-    for (const ClassDifference& one : report.comparison->schemes) {
+    for (const ClassFractionDifference& one : report.comparison->schemes) {
       rows.push_back(row_of(pair, one));
     }
   }
@@ -260,7 +260,7 @@ PopulationTable population_table(const std::string& name,
     return
         [=](const PopulationReport& report) { return fill(columns(report.options), rows(report)); };
   };
-  return {name, filled(format_csv<Row>), filled(tabulate<Row>)};
+  return {name, filled(format_csv<Row>), filled(to_table_values<Row>)};
 }
 
 }  // namespace
@@ -289,7 +289,7 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
         CsvWriter csv;
         const std::size_t begin = first + chunk * kChunk;
         for (std::size_t i = begin; i < std::min(begin + kChunk, last); ++i) {
-          append_row(csv, columns, {reported.population.name, blocks[i]});
+          append_csv_row(csv, columns, {reported.population.name, blocks[i]});
         }
         chunks[chunk] = csv.take_text();
       });

@@ -9,18 +9,16 @@
 
 namespace clast {
 
-/// Returns the name of the column with the classes of a scheme. It is "shape" for garcia, otherwise
-/// the name of the scheme with _ for -.
+/// Returns the name of the table column with the classes of a scheme.
 std::string class_column_name(const std::string& scheme);
 
 using PopulationTable = ReportTable<PopulationReport>;
 
-/// Returns the tables "classes", "shares", "sizes" and "tests".
+/// Returns the tables of a population report: "classes", "shares", "sizes" and "tests".
 const std::vector<PopulationTable>& population_tables();
 
-/// Writes the table "classes", with one row per block that has all classes and indices. Rows are
-/// made in parallel and written in order. The file does not depend on the number of threads and is
-/// never completely in memory.
+/// Writes the table "classes" as CSV file: one row per block with all classes and indices. The file
+/// does not depend on the number of threads.
 /// @throws InputError  if the file cannot be written
 void write_classes_csv(const PopulationReport& report, const std::filesystem::path& path,
                        unsigned threads = 0);

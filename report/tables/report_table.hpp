@@ -24,11 +24,11 @@ std::vector<std::string> table_names(const std::vector<ReportTable<Source>>& tab
   return names;
 }
 
-/// Finds a table by name.
-/// @throws InputError  if there is none; the message lists all tables
+/// Finds a table of a report by its name.
+/// @throws InputError  if there is no such table; the message lists all tables
 template <class Source>
-const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& tables,
-                                      const std::string& name) {
+const ReportTable<Source>& find_report_table(const std::vector<ReportTable<Source>>& tables,
+                                             const std::string& name) {
   for (const ReportTable<Source>& table : tables) {
     if (table.name == name) return table;
   }
@@ -36,7 +36,7 @@ const ReportTable<Source>& find_table(const std::vector<ReportTable<Source>>& ta
                    comma_separated(table_names(tables)));
 }
 
-/// True if a file name is "NAME.csv" of a table.
+/// True if a file has the name of one of the tables, such as "runs.csv".
 template <class Source>
 bool is_table_file(const std::vector<ReportTable<Source>>& tables, const std::string& file) {
   for (const ReportTable<Source>& table : tables) {

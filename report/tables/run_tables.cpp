@@ -15,7 +15,7 @@ struct RunImpact {
 /// A run whose block stayed among others.
 struct RunStay {
   const RunRow& run;
-  const PersistentBlockRecord& stay;
+  const PersistentBlockRecord& persistent_blocks;
 };
 
 /// Columns of runs.csv for rows that belong to a run.
@@ -59,14 +59,14 @@ const TableColumns<ComparisonRow<RunImpact>>& impact_columns() {
     return TableColumn<Row>{name, "J", "kinetic energy at the first and at the last contact",
                             [value](const Row& row) { return row->impact.*value; }};
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"zone", "", "name of the ground zone of the first contact",
          [=](const Row& row) { return results(row).zone_names[row->impact.zone]; }}},
        stored({"time_s", "contact_s"}),
        array_columns<Row>(
            {"x_m", "y_m", "z_m"}, "m", "position at the first contact",
-           [=](const Row& row) { return results(row).frame.to_map(row->impact.place); }),
+           [=](const Row& row) { return results(row).frame.to_map(row->impact.position); }),
        stored({"speed_before_m_s", "speed_after_m_s"}),
        {energy("translational_energy_before_j", &Impact::translational_before),
         energy("translational_energy_after_j", &Impact::translational_after),
@@ -83,18 +83,19 @@ const TableColumns<ComparisonRow<RunStay>>& stay_columns() {
   const auto each = [](const Row& row) -> std::uint64_t {
     return row.comparison.results[row->run.file].runs_per_realisation();
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"realisation", "", "number of the realisation, from 1",
-         [=](const Row& row) { return row->stay.run / each(row) + 1; }},
+         [=](const Row& row) { return row->persistent_blocks.run / each(row) + 1; }},
         {"order", "", "number of the release in the realisation, from 1",
-         [=](const Row& row) { return row->stay.run % each(row) + 1; }}},
+         [=](const Row& row) { return row->persistent_blocks.run % each(row) + 1; }}},
        blank_unknown_cells(
-           adapt_columns<Row>(
-               selected_columns(
-                   stored_persistent_block_columns(),
-                   {"released_at_s", "raised_m", "moved_later_m", "blocks_hit", "removed_at_s"}),
-               [](const Row& row) -> const PersistentBlockRecord& { return row->stay; }),
+           adapt_columns<Row>(selected_columns(stored_persistent_block_columns(),
+                                               {"released_at_s", "raised_m", "moved_later_m",
+                                                "blocks_hit", "removed_at_s"}),
+                              [](const Row& row) -> const PersistentBlockRecord& {
+                                return row->persistent_blocks;
+                              }),
            [](const Row& row) -> const CampaignResults& {
              return row.comparison.results[row->run.file];
            }),
@@ -107,7 +108,7 @@ std::vector<RunImpact> impact_rows(const Comparison& comparison) {
 }
 
 std::vector<RunStay> stay_rows(const Comparison& comparison) {
-  return with_runs<RunStay>(comparison, &CampaignResults::stays);
+  return with_runs<RunStay>(comparison, &CampaignResults::persistent_block_records);
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
   const auto stored = [&](const std::vector<std::string>& names) {
     return adapt_columns<Row>(selected_columns(stored_crossing_columns(), names), crossing);
   };
-  static const auto columns = concatenated<Row>(
+  static const auto columns = concatenated_columns<Row>(
       {of_run<Row>({"run", "block", "class", "shape"}, run),
        {{"barrier", "", "name of the barrier; for a ring as in barriers.csv",
          [=](const Row& row) { return line(row).name; }},
@@ -160,10 +161,10 @@ const TableColumns<ComparisonRow<BarrierCrossing>>& report_detail::crossing_colu
 }
 
 std::vector<ComparisonTable> report_detail::make_run_tables() {
-  return {make_table("runs", run_columns(), &Comparison::rows),
-          make_table("crossings", crossing_columns(), &Comparison::crossings),
-          make_table("impacts", impact_columns(), impact_rows),
-          make_table("stays", stay_columns(), stay_rows)};
+  return {make_comparison_table("runs", run_columns(), &Comparison::rows),
+          make_comparison_table("crossings", crossing_columns(), &Comparison::crossings),
+          make_comparison_table("impacts", impact_columns(), impact_rows),
+          make_comparison_table("stays", stay_columns(), stay_rows)};
 }
 
 }  // namespace clast

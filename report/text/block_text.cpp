@@ -38,7 +38,7 @@ NamedValues unseen_lines(const Block& block) {
                                           : "at most " + format_rounded(range.upper_density)});
   }
   if (!range.axes) {
-    lines.push_back({"L, I, S, classes", "not known: too much of the block was not seen"});
+    lines.push_back({"L, I, S, classes", "not known: too much of the block was not scanned"});
   } else {
     const auto& [low, high] = *range.axes;
     lines.push_back({"L " + unit, between(low.L, high.L, 4)});
@@ -49,7 +49,7 @@ NamedValues unseen_lines(const Block& block) {
                                              comma_separated(range.classes.at("zingg")) + "; " +
                                              comma_separated(range.classes.at("garcia"))});
   }
-  if (!unseen.assumption.empty()) lines.push_back({"bounds hold if", unseen.assumption});
+  if (!unseen.assumption.empty()) lines.push_back({"bounds are valid if", unseen.assumption});
   return lines;
 }
 
@@ -73,7 +73,7 @@ std::string format_block_line(const Block& block) {
          format_rounded(100.0 * block.deviation.hausdorff / axes.L, 2) + " % of L)";
 }
 
-TextTable block_table(std::span<const Block* const> blocks) {
+TextTable make_block_table(std::span<const Block* const> blocks) {
   TextTable table{{"id", "vertices", "L m", "I m", "S m", "s_c", "volume m3", "density kg/m3",
                    "mass kg", "sneed_folk", "zingg", "shape", "radius m", "hausdorff m"},
                   {}};
@@ -92,13 +92,13 @@ TextTable block_table(std::span<const Block* const> blocks) {
   return table;
 }
 
-std::string describe_unscaled(std::span<const Block* const> blocks) {
+std::string describe_unscaled_blocks(std::span<const Block* const> blocks) {
   std::string names;
   for (const Block* block : blocks) {
     if (is_unscaled(*block)) names += (names.empty() ? "" : ", ") + block->id;
   }
   if (names.empty()) return names;
-  return "Unscaled (u: unit of the model, of no known length): " + names + "; " +
+  return "Unscaled (u is the unit of the model; its length is not known): " + names + "; " +
          explain_unscaled_block() + ".";
 }
 
@@ -122,7 +122,7 @@ NamedValues describe_block(const Block& block) {
   for (const auto& [name, value] : block_indices(block, block.axes())) {
     line(name, format_rounded(value));
   }
-  if (const std::optional<Equilibria> sides = block_equilibria(block)) {
+  if (const std::optional<StaticEquilibriumCounts> sides = block_equilibria(block)) {
     line("equilibria", std::to_string(sides->stable) + " stable, " +
                            std::to_string(sides->unstable) + " unstable, " +
                            std::to_string(sides->saddle) + " saddles");
@@ -130,9 +130,9 @@ NamedValues describe_block(const Block& block) {
   line("mean deviation " + unit, format_rounded(block.deviation.mean, 3));
   line("scan to body at most " + unit, format_rounded(block.deviation.scan_to_body, 3));
   line("body to scan at most " + unit, format_rounded(block.deviation.body_to_scan, 3));
-  line("volume against scan", format_rounded(block.deviation.volume_relative, 2));
-  line("area against scan", format_rounded(block.deviation.area_relative, 2));
-  line("moments against scan", format_rounded(block.deviation.moments_relative, 2));
+  line("volume difference to scan", format_rounded(block.deviation.volume_relative, 2));
+  line("area difference to scan", format_rounded(block.deviation.area_relative, 2));
+  line("moments difference to scan", format_rounded(block.deviation.moments_relative, 2));
   if (block.volume_bracket) {
     for (const std::array<std::string, 2>& one : unseen_lines(block)) lines.push_back(one);
   }

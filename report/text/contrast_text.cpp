@@ -11,7 +11,7 @@ constexpr int kMaxDecimals = 4;
 
 }  // namespace
 
-QuantityLabel quantity_text(const std::string& quantity) {
+QuantityLabel quantity_label(const std::string& quantity) {
   const std::size_t blank = quantity.rfind(' ');
   const std::string barrier = blank == quantity.npos ? "" : " at " + quantity.substr(0, blank);
   const std::string name = blank == quantity.npos ? quantity : quantity.substr(blank + 1);
@@ -34,22 +34,22 @@ std::string describe_difference(const Contrast& contrast, const std::string& uni
   double low = sign * (factor * contrast.interval->low);
   double high = sign * (factor * contrast.interval->high);
   if (low > high) std::swap(low, high);
-  const int decimals = justified_decimals({low, high}, kMaxDecimals);
+  const int decimals = significant_decimals({low, high}, kMaxDecimals);
   return format_decimals(sign * gap, decimals) + of_unit + way + " (" +
          format_decimals(low, decimals) + " to " + format_decimals(high, decimals) + of_unit + ")";
 }
 
-std::string describe_difference(const Difference& difference) {
-  const QuantityLabel words = quantity_text(difference.quantity);
+std::string describe_difference(const GroupDifference& difference) {
+  const QuantityLabel words = quantity_label(difference.quantity);
   return describe_difference(difference, words.unit, words.factor);
 }
 
 std::string describe_difference(const DepositQuantityDifference& difference) {
-  return describe_difference(difference, deposit_quantities()[difference.first.figure].unit);
+  return describe_difference(difference, deposit_quantities()[difference.first.quantity].unit);
 }
 
-std::string describe_effect(const Difference& difference, const Comparison& comparison) {
-  const QuantityLabel words = quantity_text(difference.quantity);
+std::string describe_effect(const GroupDifference& difference, const Comparison& comparison) {
+  const QuantityLabel words = quantity_label(difference.quantity);
   const auto mean = [&](double value) {
     return format_significant(words.factor * value, 3) + " " + words.unit;
   };
@@ -58,44 +58,45 @@ std::string describe_effect(const Difference& difference, const Comparison& comp
                             comparison.groups[difference.second].name + " " +
                             mean(difference.second_mean) + "; " + describe_difference(difference);
   switch (difference.verdict()) {
-    case Verdict::kUntested:
-      return means + "; one realisation does not show whether this is chance";
-    case Verdict::kSignificant:
+    case ContrastVerdict::kUntested:
+      return means + "; with one realisation, significance cannot be tested";
+    case ContrastVerdict::kSignificant:
       return means;
-    case Verdict::kDistributionDiffers:
-      return means + ", which can be chance, but the values are spread differently";
+    case ContrastVerdict::kDistributionDiffers:
+      return means + ", which is not significant, but the distributions differ";
     default:
-      return means + ", which can be chance" +
-             (difference.tests > 1 ? " among " + std::to_string(difference.tests) + " differences"
-                                   : "");
+      return means + ", which is not significant" +
+             (difference.family_size > 1
+                  ? " among " + std::to_string(difference.family_size) + " differences"
+                  : "");
   }
 }
 
 std::string describe_effect(const DepositQuantityDifference& difference) {
-  const DepositQuantity& figure = deposit_quantities()[difference.first.figure];
+  const DepositQuantity& figure = deposit_quantities()[difference.first.quantity];
   const auto mean = [&](const DepositQuantitySummary& of_file) {
     return "file " + std::to_string(of_file.file + 1) + " " +
            format_decimals(of_file.summary.mean, figure.decimals) +
            (figure.unit.empty() ? "" : " " + figure.unit);
   };
-  const std::string text = figure.words + ": " + mean(difference.first) + ", " +
+  const std::string text = figure.phrase + ": " + mean(difference.first) + ", " +
                            mean(difference.second) + "; " + describe_difference(difference) +
                            ", from " + std::to_string(difference.first.summary.count) + " and " +
                            format_count(difference.second.summary.count, "realisation");
   switch (difference.verdict()) {
-    case Verdict::kSignificant:
+    case ContrastVerdict::kSignificant:
       return text;
-    case Verdict::kInsignificantAfterCorrection:
-      return text + "; one of " + std::to_string(difference.tests) +
-             " differences can be as large by chance";
-    case Verdict::kUntested:
+    case ContrastVerdict::kInsignificantAfterCorrection:
+      return text + "; one of " + std::to_string(difference.family_size) +
+             " differences tested can be this large by chance";
+    case ContrastVerdict::kUntested:
       break;
     default:
-      return text + "; not distinguished";
+      return text + "; not significant";
   }
   const bool few = difference.first.summary.count < 2 || difference.second.summary.count < 2;
-  return text + (few ? "; an interval takes two realisations of each file"
-                     : "; no interval, since realisations do not differ");
+  return text + (few ? "; an interval requires two realisations of each file"
+                     : "; no interval, because the realisations do not differ");
 }
 
 std::string describe_effect(const DepositMobility& mobility) {
@@ -105,13 +106,14 @@ std::string describe_effect(const DepositMobility& mobility) {
   if (!mobility.difference.interval) {
     text += ", without an interval";
   } else if (!mobility.difference.excludes_zero()) {
-    text += ", not distinguished";
+    text += ", not significant";
   }
-  if (mobility.starts_apart > kSameStart) {
-    text += "; they start " + format_decimals(mobility.starts_apart, 0) + " m apart";
+  if (mobility.start_distance > kMaxSameStartDistance) {
+    text +=
+        "; their release points are " + format_decimals(mobility.start_distance, 0) + " m apart";
   }
-  if (std::abs(mobility.mass_ratio - 1.0) > kSameMass) {
-    text += "; mean mass together is " + format_significant(mobility.mass_ratio, 3) +
+  if (std::abs(mobility.mass_ratio - 1.0) > kMaxSameMassDifference) {
+    text += "; the mean mass together is " + format_significant(mobility.mass_ratio, 3) +
             " times that alone";
   }
   return text;

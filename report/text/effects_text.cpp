@@ -15,7 +15,7 @@ constexpr double kWideInterval = 0.5;  ///< its middle says nothing
 std::string share_text(const VarianceFraction& share) {
   if (share.interval.high - share.interval.low > kWideInterval) {
     return "between " + whole_percent(share.interval.low) + " and " +
-           whole_percent(share.interval.high) + " % (too few to say more)";
+           whole_percent(share.interval.high) + " % (too few data for a narrower range)";
   }
   return whole_percent(share.estimate) + " % (" + whole_percent(share.interval.low) + " to " +
          whole_percent(share.interval.high) + ")";
@@ -49,12 +49,13 @@ std::vector<std::string> describe_effects(const std::vector<DesignEffects>& effe
   for (const DesignEffects& file : effects) {
     const std::string where =
         effects.size() > 1 ? "file " + std::to_string(file.file + 1) + ": " : "";
-    if (!file.refusal.empty()) {
-      sentences.push_back(capitalized(where + "the variance has no shares: " + file.refusal + "."));
+    if (!file.refusal_reason.empty()) {
+      sentences.push_back(capitalized(where + "the variance cannot be divided among the factors: " +
+                                      file.refusal_reason + "."));
     }
     if (!file.estimated.empty()) {
       sentences.push_back(capitalized(
-          where + "shares are estimates of a mixed model, in which levels are drawn by chance: " +
+          where + "the fractions are estimated with a mixed model with random factors: " +
           file.estimated + "."));
     }
     for (const OutcomeEffects& outcome : file.outcomes) {

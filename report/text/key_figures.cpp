@@ -32,7 +32,7 @@ std::string class_names(const Comparison& comparison, const FileSummary& stateme
 
 /// Ranges, with what they are over.
 std::string drawn_ranges(const std::string& ranges, const FileSummary& statement) {
-  return ranges.empty() || statement.draws == 0 ? ranges : ranges + kByDraw;
+  return ranges.empty() || statement.draws == 0 ? ranges : ranges + kOverDrawsText;
 }
 
 KeyFigure runout_figure(const Comparison& comparison, const FileSummary& statement) {
@@ -83,7 +83,7 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileS
   if (shown.empty()) shown = {passage.all};
   Pair pair;
   for (const CrossingEstimate& share : shown) {
-    std::string value = format_percentage(share.share), range;
+    std::string value = format_percentage(share.passing_probability), range;
     if (share.interval) range = format_percentage_interval(*share.interval);
     for (std::string* text : {&value, &range}) {
       if (text->ends_with(" %")) text->resize(text->size() - 2);
@@ -120,8 +120,8 @@ std::vector<KeyFigure> barrier_figures(const Comparison& comparison, const FileS
 std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const KeyResults& answer) {
   constexpr std::size_t kMost = 4;
   std::vector<KeyFigure> figures;
-  if (answer.statements.size() == 1) {
-    const FileSummary& statement = answer.statements.front();
+  if (answer.file_summaries.size() == 1) {
+    const FileSummary& statement = answer.file_summaries.front();
     figures.push_back(runout_figure(comparison, statement));
     if (!statement.passages.empty()) {
       for (KeyFigure& figure : barrier_figures(comparison, statement)) {
@@ -134,14 +134,14 @@ std::vector<KeyFigure> select_key_figures(const Comparison& comparison, const Ke
     }
     return figures;
   }
-  for (const FileSummary& statement : answer.statements) {
+  for (const FileSummary& statement : answer.file_summaries) {
     if (figures.size() == kMost) break;
     KeyFigure figure = runout_figure(comparison, statement);
-    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
+    figure.label = results_file_label(comparison, *statement.file) + ": " + figure.label;
     figures.push_back(std::move(figure));
-    if (answer.statements.size() > 2 || statement.passages.empty()) continue;
+    if (answer.file_summaries.size() > 2 || statement.passages.empty()) continue;
     figure = barrier_figures(comparison, statement).front();
-    figure.label = file_name(comparison, *statement.file) + ": " + figure.label;
+    figure.label = results_file_label(comparison, *statement.file) + ": " + figure.label;
     figures.push_back(std::move(figure));
   }
   return figures;

@@ -21,17 +21,17 @@ constexpr std::size_t kMinRunsForFraction = 20;  // runs for "95 % stop before"
 
 /// Who runs: "compact blocks", "block B01", "the blocks".
 std::string blocks_of(const Comparison& comparison, std::size_t group) {
-  const Group& runs = comparison.groups[group];
+  const RunGroup& runs = comparison.groups[group];
   const std::string& first = comparison.rows[runs.rows.front()].block->library_block();
   const bool alone = std::all_of(runs.rows.begin(), runs.rows.end(), [&](std::size_t row) {
     return comparison.rows[row].block->library_block() == first;
   });
   if (alone) return "block " + first;
-  return runs.kind == GroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
+  return runs.kind == RunGroupKind::kGarcia ? runs.key + " blocks" : "the blocks";
 }
 
 /// "3 to 12 m": " over draws of the ground parameters" where the range is over draws, and "" else.
-std::string by_draw(std::size_t draws) { return draws > 0 ? kByDraw : ""; }
+std::string by_draw(std::size_t draws) { return draws > 0 ? kOverDrawsText : ""; }
 
 /// Describes what a range covers, such as ", for runs of these 3 blocks only".
 /// @param named  the sentence names the one block there is
@@ -50,7 +50,7 @@ std::string other_ends(const StopCounts& stops) {
     if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
   };
   add(stops.left_terrain, "left the surveyed terrain");
-  add(stops.max_time, "were still moving when time was up");
+  add(stops.max_time, "were still moving at the time limit");
   add(stops.error, "failed");
   return text;
 }
@@ -69,7 +69,7 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
     const std::string ends = other_ends(statement.stops);
     return (all.at_rest == 0 ? "no run" : "only " + std::to_string(all.at_rest)) + " of " +
            std::to_string(all.started) + " came to rest" + (ends.empty() ? "" : " (" + ends + ")") +
-           ", so how far the blocks run isn't known";
+           ", so the runout is not known";
   }
   const std::size_t shown = statement.classes.size() == 1 ? statement.classes[0].group : all.group;
   const std::string who = blocks_of(comparison, shown);
@@ -87,7 +87,8 @@ std::string mean_runout(const Comparison& comparison, const FileSummary& stateme
               : "; 95 % stop before " + format_length(all.p95, decimals));
 }
 
-/// "; half of both stop within 17 m: the means differ because more compact blocks run on"
+/// "; half of both stop within 17 m: the means differ because more of the compact blocks run far
+/// beyond the median"
 std::string few_run_on(const RunoutEstimate& farther, const RunoutEstimate& nearer,
                        const std::string& a, const std::string& b, int decimals) {
   const std::string first = format_length(farther.median, decimals);
@@ -95,17 +96,17 @@ std::string few_run_on(const RunoutEstimate& farther, const RunoutEstimate& near
   return (first == second ? "; half of both stop within " + first
                           : "; half of the " + a + " stop within " + first + ", half of the " + b +
                                 " within " + second) +
-         ": the means differ because more " + a + " blocks run on";
+         ": the means differ because more of the " + a + " blocks run far beyond the median";
 }
 
 std::string describe_difference(const Comparison& comparison, const FileSummary& statement) {
-  const RunoutContrast& gap = *statement.gap;
+  const RunoutContrast& gap = *statement.class_contrast;
   const auto of = [&](std::size_t group) -> const RunoutEstimate& {
     return statement.classes[statement.classes[0].group == group ? 0 : 1];
   };
   const RunoutEstimate &farther = of(gap.farther), &nearer = of(gap.nearer);
   const std::string &a = comparison.groups[gap.farther].key, &b = comparison.groups[gap.nearer].key;
-  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const int decimals = decimals_of_length(gap.mean_difference, gap.interval);
   const std::string interval = gap.interval
                                    ? " (" + format_length_interval(*gap.interval, decimals) +
                                          covered_by(statement, false) + ")"
@@ -115,25 +116,26 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
                             format_decimals(farther.mean, decimals) + " and " +
                             format_length(nearer.mean, decimals) + " on average";
   switch (gap.verdict) {
-    case Verdict::kSignificant:
-      return prefix + a + " blocks run " + format_length(gap.gap, decimals) + " farther than " + b +
-             " ones" + (gap.of_few ? " on average" : "") + interval +
-             (gap.of_few ? few_run_on(farther, nearer, a, b, decimals) : "");
-    case Verdict::kDistributionDiffers:
-      return prefix + means + ", a difference that can be chance" + interval +
-             "; but their stops are spread differently";
-    case Verdict::kInsignificantAfterCorrection:
-    case Verdict::kInsignificant:
+    case ContrastVerdict::kSignificant:
+      return prefix + a + " blocks run " + format_length(gap.mean_difference, decimals) +
+             " farther than " + b + " ones" + (gap.due_to_few_runs ? " on average" : "") +
+             interval + (gap.due_to_few_runs ? few_run_on(farther, nearer, a, b, decimals) : "");
+    case ContrastVerdict::kDistributionDiffers:
+      return prefix + means + ", a difference that is not significant" + interval +
+             "; but the distributions of their runouts differ";
+    case ContrastVerdict::kInsignificantAfterCorrection:
+    case ContrastVerdict::kInsignificant:
       return prefix + means + "; " +
              (gap.interval && gap.interval->low > 0.0
-                  ? "among all that was compared, a difference like this" + interval +
-                        " can be chance"
-                  : "the difference can be chance" + interval);
-    case Verdict::kGroundDependent:
-      return prefix + means + "; which of them run farther depends on the ground" + interval;
-    case Verdict::kUntested:
-      return prefix + means + "; one realisation does not show whether this is chance";
-    case Verdict::kTooFewValues:
+                  ? "among all the comparisons made, a difference of this size" + interval +
+                        " is not significant"
+                  : "the difference is not significant" + interval);
+    case ContrastVerdict::kGroundDependent:
+      return prefix + means + "; which class runs farther depends on the ground parameters" +
+             interval;
+    case ContrastVerdict::kUntested:
+      return prefix + means + "; with one realisation, significance cannot be tested";
+    case ContrastVerdict::kTooFewValues:
       break;
   }
   const std::string ends = other_ends(statement.stops);
@@ -141,7 +143,7 @@ std::string describe_difference(const Comparison& comparison, const FileSummary&
     return "there are too few runs to compare runouts (" + std::to_string(farther.at_rest) + " " +
            a + ", " + std::to_string(nearer.at_rest) + " " + b + ")";
   }
-  return "runouts can't be compared: " + std::to_string(farther.at_rest) + " of " +
+  return "runouts cannot be compared: " + std::to_string(farther.at_rest) + " of " +
          std::to_string(farther.started) + " " + a + " and " + std::to_string(nearer.at_rest) +
          " of " + std::to_string(nearer.started) + " " + b + " blocks came to rest (" + ends + ")";
 }
@@ -159,25 +161,25 @@ std::string share_sentence(const Comparison& comparison, const BarrierSummary& p
     const std::string text = "none of " + format_count(passage.all.started, "run") + " " +
                              words.pass + "es " + words.name;
     if (!passage.all.interval || draws > 0) return text;
-    return text + " (with more runs, up to " + format_percentage(passage.all.interval->high) +
-           " might)";
+    return text + " (the 95 % interval reaches " + format_percentage(passage.all.interval->high) +
+           ")";
   }
   if (passage.all.crossed == passage.all.started) {
     return "all " + format_count(passage.all.started, "run") + " " + words.pass + " " + words.name +
            with_interval(passage.all, draws);
   }
   if (passage.classes.size() < 2) {
-    return format_percentage(passage.all.share) + " of the blocks " + words.pass + " " +
-           words.name + with_interval(passage.all, draws);
+    return format_percentage(passage.all.passing_probability) + " of the blocks " + words.pass +
+           " " + words.name + with_interval(passage.all, draws);
   }
-  return format_percentage(passage.classes[0].share) + " of " +
+  return format_percentage(passage.classes[0].passing_probability) + " of " +
          comparison.groups[passage.classes[0].group].key + " and " +
-         format_percentage(passage.classes[1].share) + " of " +
+         format_percentage(passage.classes[1].passing_probability) + " of " +
          comparison.groups[passage.classes[1].group].key + " blocks " + words.pass + " " +
          words.name;
 }
 
-/// ". Of those that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
+/// ". Of the blocks that pass, 95 % carry less than 43 kJ, and the tops of 95 % stay below 1.6 m".
 std::string strength_of(const BarrierSummary& passage, const std::string& pass) {
   if (passage.all.crossed == 0) return "";
   const std::string energy =
@@ -187,7 +189,7 @@ std::string strength_of(const BarrierSummary& passage, const std::string& pass) 
       format_height_limit(passage.all.top) +
       format_in_brackets(format_range_by_draw(passage.all.top_range, format_height_limit));
   if (!passage.all.largest) {
-    return ". Of those that " + pass + ", 95 % carry less than " + energy +
+    return ". Of the blocks that " + pass + ", 95 % carry less than " + energy +
            ", and the tops of 95 % stay below " + height;
   }
   return passage.all.crossed == 1
@@ -227,14 +229,14 @@ std::string describe_ground(const Comparison& comparison, const FileSummary& sta
   }
   if (text.empty()) return "";
   return " Over " + std::to_string(statement.draws) + " draws of the ground, " + text +
-         (is_ninety_percent_interval(statement.draws) ? " (nine draws of ten)." : ".");
+         (is_ninety_percent_interval(statement.draws) ? " (ranges of nine draws in ten)." : ".");
 }
 
 std::string sentence_of(const Comparison& comparison, const FileSummary& statement) {
-  const std::string runout = statement.gap ? describe_difference(comparison, statement)
-                                           : mean_runout(comparison, statement);
+  const std::string runout = statement.class_contrast ? describe_difference(comparison, statement)
+                                                      : mean_runout(comparison, statement);
   const std::string prefix =
-      statement.file ? capitalized(file_name(comparison, *statement.file)) + ": " : "";
+      statement.file ? capitalized(results_file_label(comparison, *statement.file)) + ": " : "";
   const std::string passages = describe_passages(comparison, statement);
   return prefix + (prefix.empty() ? capitalized(runout) : runout) + "." +
          (passages.empty() ? "" : " " + passages) + describe_ground(comparison, statement);
@@ -242,28 +244,28 @@ std::string sentence_of(const Comparison& comparison, const FileSummary& stateme
 
 std::string describe_files(const Comparison& comparison, const KeyResults& answer) {
   const RunoutContrast& gap = *answer.files;
-  const std::string a = file_name(comparison, *comparison.groups[gap.farther].file);
-  const std::string b = file_name(comparison, *comparison.groups[gap.nearer].file);
-  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const std::string a = results_file_label(comparison, *comparison.groups[gap.farther].file);
+  const std::string b = results_file_label(comparison, *comparison.groups[gap.nearer].file);
+  const int decimals = decimals_of_length(gap.mean_difference, gap.interval);
   const std::string interval = gap.interval
                                    ? " (" + format_length_interval(*gap.interval, decimals) +
-                                         (answer.has_draws() ? kByDraw : "") + ")"
+                                         (answer.has_draws() ? kOverDrawsText : "") + ")"
                                    : "";
-  if (gap.verdict == Verdict::kSignificant) {
-    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-           interval + ".";
+  if (gap.verdict == ContrastVerdict::kSignificant) {
+    return "Blocks run " + format_length(gap.mean_difference, decimals) + " farther in " + a +
+           " than in " + b + interval + ".";
   }
-  if (gap.verdict == Verdict::kTooFewValues) return "";
-  if (gap.verdict == Verdict::kUntested) {
-    return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-           "; one realisation does not show whether this is chance.";
+  if (gap.verdict == ContrastVerdict::kTooFewValues) return "";
+  if (gap.verdict == ContrastVerdict::kUntested) {
+    return "Blocks run " + format_length(gap.mean_difference, decimals) + " farther in " + a +
+           " than in " + b + "; with one realisation, significance cannot be tested.";
   }
-  if (gap.verdict == Verdict::kGroundDependent) {
-    return "Whether blocks run farther in " + a + " or in " + b + " depends on the ground" +
-           interval + ".";
+  if (gap.verdict == ContrastVerdict::kGroundDependent) {
+    return "Whether blocks run farther in " + a + " or in " + b +
+           " depends on the ground parameters" + interval + ".";
   }
-  return "Blocks run " + format_length(gap.gap, decimals) + " farther in " + a + " than in " + b +
-         ", which can be chance" + interval + ".";
+  return "Blocks run " + format_length(gap.mean_difference, decimals) + " farther in " + a +
+         " than in " + b + "; the difference is not significant" + interval + ".";
 }
 
 /// "330 to 580 kg".
@@ -286,22 +288,23 @@ std::vector<std::string> describe_key_results(const Comparison& comparison,
     const std::string between = describe_files(comparison, answer);
     if (!between.empty()) sentences.push_back(between);
   }
-  const std::size_t shown = std::min(answer.statements.size(), kMaxStatements);
+  const std::size_t shown = std::min(answer.file_summaries.size(), kMaxStatements);
   for (std::size_t i = 0; i < shown; ++i) {
-    sentences.push_back(sentence_of(comparison, answer.statements[i]));
+    sentences.push_back(sentence_of(comparison, answer.file_summaries[i]));
   }
-  if (shown < answer.statements.size()) {
-    sentences.push_back(format_count(answer.statements.size() - shown, "more file") + " below.");
+  if (shown < answer.file_summaries.size()) {
+    sentences.push_back(format_count(answer.file_summaries.size() - shown, "more file") +
+                        " below.");
   }
   return sentences;
 }
 
 std::string describe_runs(const Comparison& comparison) {
   std::size_t blocks = 0, classes = 0;
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     if (group.file) continue;
-    blocks += group.kind == GroupKind::kBlock;
-    classes += group.kind == GroupKind::kGarcia;
+    blocks += group.kind == RunGroupKind::kBlock;
+    classes += group.kind == RunGroupKind::kGarcia;
   }
   std::string text = format_count(comparison.rows.size(), "run") + " of " +
                      format_count(blocks, "block") + " (" + describe_masses(comparison) + ") in " +
@@ -313,23 +316,23 @@ std::string describe_runs(const Comparison& comparison) {
 std::string describe_intervals(const KeyResults& answer) {
   std::size_t fewest = SIZE_MAX, draws = 0;
   bool realisations = false, all_drawn = true;
-  for (const FileSummary& statement : answer.statements) {
+  for (const FileSummary& statement : answer.file_summaries) {
     draws = std::max(draws, statement.draws);
     if (statement.draws > 0) continue;
     all_drawn = false;
     fewest = std::min(fewest, statement.clusters);
-    realisations = realisations || statement.of_realisations;
+    realisations = realisations || statement.clusters_are_realisations;
   }
   const std::string over_draws =
       draws == 0
           ? ""
           : "Ranges over draws of the ground parameters cover " +
-                std::string(is_ninety_percent_interval(draws) ? "nine draws of ten" : "all draws") +
-                "; they say nothing about other release points or blocks.";
+                std::string(is_ninety_percent_interval(draws) ? "nine draws in ten" : "all draws") +
+                "; these ranges do not cover other release points or blocks.";
   if (all_drawn) return over_draws;
   std::string ranges = "Ranges in brackets are 95 % intervals, from ";
   if (realisations && fewest == 1) {
-    ranges = "One realisation: no interval can be given for runouts and shares.";
+    ranges = "With one realisation, no interval can be given for runouts and fractions.";
   } else if (realisations) {
     ranges += std::to_string(fewest) + " realisations.";
   } else {
@@ -339,23 +342,23 @@ std::string describe_intervals(const KeyResults& answer) {
   return ranges + (over_draws.empty() ? "" : " " + over_draws);
 }
 
-std::string describe_limits(const Comparison& comparison, const KeyResults& answer) {
+std::string describe_validity_limits(const Comparison& comparison, const KeyResults& answer) {
   double heaviest = 0.0;
   for (const RunRow& row : comparison.rows) heaviest = std::max(heaviest, row.block->mass);
   std::string text = "Not run: blocks above " + format_mass(heaviest);
-  const auto& statements = answer.statements;
-  const bool one_ground = std::all_of(statements.begin(), statements.end(),
+  const auto& file_summaries = answer.file_summaries;
+  const bool one_ground = std::all_of(file_summaries.begin(), file_summaries.end(),
                                       [](const FileSummary& one) { return one.draws == 0; });
-  const bool one_point =
-      std::any_of(statements.begin(), statements.end(),
-                  [](const FileSummary& one) { return one.clusters == 1 && !one.of_realisations; });
+  const bool one_point = std::any_of(
+      file_summaries.begin(), file_summaries.end(),
+      [](const FileSummary& one) { return one.clusters == 1 && !one.clusters_are_realisations; });
   if (one_ground) text += ", other ground";
   if (one_point) text += ", other release points";
   return text + ".";
 }
 
-std::vector<std::string> describe_first_screen(const Comparison& comparison,
-                                               const KeyResults& answer) {
+std::vector<std::string> describe_results_and_warnings(const Comparison& comparison,
+                                                       const KeyResults& answer) {
   std::vector<std::string> lines = {describe_runs(comparison), ""};
   const auto add = [&](const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
@@ -371,11 +374,11 @@ std::vector<std::string> describe_first_screen(const Comparison& comparison,
                     (figure.more.empty() ? "" : "; " + figure.more));
   }
   lines.push_back(describe_intervals(answer));
-  lines.push_back(describe_limits(comparison, answer));
+  lines.push_back(describe_validity_limits(comparison, answer));
   const std::vector<std::string> measured = describe_measured_stops(comparison);
-  if (!measured.empty()) add({"", "Measured stops against simulated ones:"});
+  if (!measured.empty()) add({"", "Measured against simulated stops:"});
   add(measured);
-  if (!comparison.cautions.empty()) add({"", "What could reverse this answer:"});
+  if (!comparison.cautions.empty()) add({"", "What could reverse this result:"});
   for (const ComparisonWarning& caution : comparison.cautions)
     lines.push_back("- " + caution.brief);
   return lines;

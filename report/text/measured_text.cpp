@@ -11,11 +11,11 @@ using namespace report_detail;
 std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
   std::vector<std::string> sentences;
   if (!comparison.measured) return sentences;
-  for (const MeasuredGroup& group : comparison.measured->groups) {
-    const Group& runs = comparison.groups[group.group];
-    const std::string who = runs.kind == GroupKind::kAll      ? "all blocks"
-                            : runs.kind == GroupKind::kGarcia ? runs.key + " blocks"
-                                                              : "block " + runs.key;
+  for (const MeasuredStopGroup& group : comparison.measured->groups) {
+    const RunGroup& runs = comparison.groups[group.group];
+    const std::string who = runs.kind == RunGroupKind::kAll      ? "all blocks"
+                            : runs.kind == RunGroupKind::kGarcia ? runs.key + " blocks"
+                                                                 : "block " + runs.key;
     const double gap = group.medians.estimate;
     const int decimals = decimals_of_length(gap, group.medians.interval);
     const std::string medians =
@@ -24,27 +24,27 @@ std::vector<std::string> describe_measured_stops(const Comparison& comparison) {
         " simulated";
     const Interval interval = group.medians.interval.value_or(Interval{});
     std::string verdict;
-    switch (judge_agreement(group)) {
-      case Verdict::kTooFewValues:
+    switch (judge_stop_agreement(group)) {
+      case ContrastVerdict::kTooFewValues:
         verdict =
-            format_count(group.measured, "measured stop") + ", too few to judge by; " + medians;
+            format_count(group.measured, "measured stop") + ", too few for a test; " + medians;
         break;
-      case Verdict::kUntested:
-        verdict = medians + "; one realisation does not show whether this is chance";
+      case ContrastVerdict::kUntested:
+        verdict = medians + "; with one realisation, significance cannot be tested";
         break;
-      case Verdict::kSignificant:
+      case ContrastVerdict::kSignificant:
         verdict = interval.low > 0.0
                       ? format_length(gap, decimals) + " farther in the field than simulated (" +
                             format_length_interval(interval, decimals) + ")"
                       : format_length(-gap, decimals) + " less far in the field than simulated (" +
                             format_length_interval({-interval.high, -interval.low}, decimals) + ")";
         break;
-      case Verdict::kDistributionDiffers:
-        verdict = "the middle agrees, the spread does not; " + medians;
+      case ContrastVerdict::kDistributionDiffers:
+        verdict = "the medians agree, but the distributions differ; " + medians;
         break;
       default:
-        verdict = "field and simulation agree; " + medians + " (a difference of " +
-                  format_length_interval(interval, decimals) + ")";
+        verdict = "no significant difference between field and simulation; " + medians +
+                  " (a difference of " + format_length_interval(interval, decimals) + ")";
     }
     sentences.push_back(capitalized(who) + ": " + verdict + ".");
   }

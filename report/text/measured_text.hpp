@@ -7,7 +7,8 @@
 
 namespace clast {
 
-/// Describes the agreement in one sentence per group. Empty if there are no observed stops.
+/// Describes the agreement of observed and simulated stops, one sentence per group. Empty without
+/// observed stops.
 std::vector<std::string> describe_measured_stops(const Comparison& comparison);
 
 }  // namespace clast

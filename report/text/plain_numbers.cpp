@@ -28,7 +28,7 @@ int decimals_of_energy(double joules) { return joules >= 1e3 && joules < 1e4 ? 1
 }  // namespace
 
 int decimals_of_length(double length, const std::optional<Interval>& interval) {
-  return justified_decimals(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
+  return significant_decimals(interval.value_or(Interval{0.0, 0.25 * std::abs(length)}), 2);
 }
 
 std::string format_length(double length, int decimals) {
@@ -75,11 +75,11 @@ std::string format_height_limit(double metres) {
   return format_height(raised(metres, decimals_of_height(metres)));
 }
 
-bool is_ninety_percent_interval(std::size_t draws) { return draws >= kDrawsForTenths; }
+bool is_ninety_percent_interval(std::size_t draws) { return draws >= kMinDrawsForPercentiles; }
 
 std::string format_range_by_draw(const std::optional<Interval>& range,
                                  std::string (*limit)(double)) {
-  return range ? limit(range->low) + " to " + limit(range->high) + kByDraw : "";
+  return range ? limit(range->low) + " to " + limit(range->high) + kOverDrawsText : "";
 }
 
 std::string format_in_brackets(const std::string& text) {

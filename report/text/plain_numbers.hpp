@@ -7,8 +7,8 @@
 
 namespace clast::report_detail {
 
-/// Returns the number of decimals of a length. It depends on the width of its interval, or on the
-/// length if there is no interval.
+/// Returns the number of decimals with which a length is printed, from the width of its interval or
+/// from the length.
 int decimals_of_length(double length, const std::optional<Interval>& interval = {});
 /// Formats a length as "13 m".
 std::string format_length(double length, int decimals);
@@ -32,12 +32,12 @@ std::string format_mass(double kilograms);
 /// Formats a height as "1.0 m" or "0.35 m".
 std::string format_height(double metres);
 
-/// Text appended to ranges over ground draws.
-inline constexpr const char* kByDraw = " over draws of the ground parameters";
-/// True if a range over `draws` ground draws is a 90 % interval rather than minimum and maximum.
+/// Text that follows ranges over draws of the ground parameters.
+inline constexpr const char* kOverDrawsText = " over draws of the ground parameters";
+/// True if a range over `draws` draws of the ground parameters is a 90 % interval rather than
+/// minimum and maximum.
 bool is_ninety_percent_interval(std::size_t draws);
-/// Formats a range over ground draws, such as "86 kJ to 153 kJ over draws of the ground
-/// parameters". Empty if there is no range.
+/// Formats a range over draws of the ground parameters. Empty if there is no range.
 std::string format_range_by_draw(const std::optional<Interval>& range,
                                  std::string (*limit)(double));
 /// Formats a text in parentheses with a leading space. Empty if the text is empty.

@@ -19,7 +19,7 @@ std::string shares_text(const SchemeFractions& scheme, bool weighed) {
       table.headings.push_back(name);
     }
   }
-  for (const ClassFraction& share : scheme.shares) {
+  for (const ClassFraction& share : scheme.fractions) {
     table.rows.push_back({share.name, std::to_string(share.count), percentage(share.fraction),
                           percentage(share.low), percentage(share.high)});
     if (!weighed) continue;
@@ -45,7 +45,7 @@ void add_laws(TextTable& table, const std::string& weighting, const SizeCurve& c
 }
 
 std::string size_text(const SizeDistribution& size) {
-  if (size.by_number.blocks == 0) return "no sizes: every block is unscaled\n";
+  if (size.by_number.blocks == 0) return "no sizes, because all blocks are unscaled\n";
   TextTable percentiles{{"size " + name_of(size.measure), "blocks", "d10 m", "d50 m", "d90 m"}, {}};
   const auto add = [&](const std::string& name, const SizeCurve& curve) {
     percentiles.rows.push_back({name, std::to_string(curve.blocks), format_rounded(curve.d10, 3),
@@ -66,19 +66,19 @@ std::string format_blocks_table(const Population& population, const PopulationOp
   TextTable table{{"block", "L m", "I m", "S m", "s_c"}, {}};
   table.headings.insert(table.headings.end(), schemes.begin(), schemes.end());
   const std::string& first = schemes.front();
-  table.headings.push_back("how sure (" + first + ")");
+  table.headings.push_back("certainty (" + first + ")");
   for (const MeasuredBlock& block : population.blocks) {
     const char* const unit = block.unscaled ? " u" : "";
     table.rows.push_back({block.name, format_rounded(block.axes.L) + unit,
                           format_rounded(block.axes.I) + unit, format_rounded(block.axes.S) + unit,
-                          format_rounded(elongation_index(block.axes_as_written), 3)});
+                          format_rounded(elongation_index(block.axes_in_table_unit), 3)});
     for (const std::string& scheme : schemes) {
-      table.rows.back().push_back(shape_class(scheme, block.axes_as_written, options.limits));
+      table.rows.back().push_back(shape_class(scheme, block.axes_in_table_unit, options.limits));
     }
     const ClassCertainty certainty =
-        class_certainty(first, block.axes, block.axis_error, options.limits);
+        assess_class_certainty(first, block.axes, block.axis_error, options.limits);
     table.rows.back().push_back(certainty.near_limit ? describe_certainty(certainty)
-                                                     : "clear of limits");
+                                                     : "far from class limits");
   }
   return table.text();
 }
@@ -86,7 +86,7 @@ std::string format_blocks_table(const Population& population, const PopulationOp
 std::string format_population_summary(const PopulationSummary& summary) {
   std::string text;
   for (const SchemeFractions& scheme : summary.schemes) {
-    text += "\n" + shares_text(scheme, summary.with_mass > 0);
+    text += "\n" + shares_text(scheme, summary.blocks_with_mass > 0);
   }
   text += "\n" + size_text(summary.size) + "\n";
   for (const SizeShapeCorrelation& relation : summary.size_shape_correlations) {
@@ -98,8 +98,8 @@ std::string format_population_summary(const PopulationSummary& summary) {
 std::string format_population_comparison(const PopulationComparison& comparison) {
   std::string text =
       "\n" + escape_nonprintable(comparison.name_a + " against " + comparison.name_b) + ":\n";
-  for (const ClassDifference& one : comparison.schemes) text += one.description + "\n";
-  for (const MeasureDifference& one : comparison.measures) text += one.description + "\n";
+  for (const ClassFractionDifference& one : comparison.schemes) text += one.description + "\n";
+  for (const ShapeMeasureDifference& one : comparison.measures) text += one.description + "\n";
   return text;
 }
 

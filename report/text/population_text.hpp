@@ -6,7 +6,7 @@
 
 namespace clast {
 
-/// Formats a table, one row per block: axes, classes, and certainty of the first scheme's class.
+/// Formats a text table with one row per block: axes, classes, and certainty of the class.
 std::string format_blocks_table(const Population& population, const PopulationOptions& options);
 /// Formats class fractions and sizes of a population, and the relation of size and shape.
 std::string format_population_summary(const PopulationSummary& summary);

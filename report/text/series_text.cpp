@@ -30,16 +30,17 @@ TextTable make_series_table(std::span<const Block> blocks) {
 }
 
 std::string describe_copula_fit(const CopulaFit& fit) {
-  std::string text = "Fit: distribution functions of population and bodies drawn differ by " +
-                     format_decimals(fit.max_cdf_difference, 3) +
-                     " at most; rank correlations, population and drawn:\n";
+  std::string text =
+      "Fit: the distribution functions of the population and of the drawn bodies differ by " +
+      format_decimals(fit.max_cdf_difference, 3) +
+      " at most; rank correlations of the population and of the drawn bodies:\n";
   for (const RankCorrelation& pair : fit.correlations) {
     text += "  " + pair.first + " and " + pair.second + ": " + format_decimals(pair.population, 2) +
-            ", " + format_decimals(pair.drawn, 2) + "\n";
+            ", " + format_decimals(pair.sampled, 2) + "\n";
   }
   if (fit.removed_correlation > 0.0) {
-    text += "  correlations weakened by " + format_percent(fit.removed_correlation, 0) +
-            ", since those of the population are not possible together\n";
+    text += "  correlations reduced by " + format_percent(fit.removed_correlation, 0) +
+            ", because those of the population do not form a valid correlation matrix\n";
   }
   return text;
 }

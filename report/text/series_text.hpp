@@ -8,10 +8,10 @@
 
 namespace clast {
 
-/// Makes a table with one row per body: id, variation, I/L, S/L, convexity, volume, mass, class.
+/// Makes a text table of varied blocks, one row per block.
 TextTable make_series_table(std::span<const Block> blocks);
 
-/// Describes the agreement of sampled bodies with their population, with one line per correlation.
+/// Describes the agreement of sampled bodies with their population, one line per correlation.
 std::string describe_copula_fit(const CopulaFit& fit);
 
 }  // namespace clast

@@ -5,7 +5,7 @@
 
 namespace clast::report_detail {
 
-std::string file_name(const Comparison& comparison, std::uint32_t file) {
+std::string results_file_label(const Comparison& comparison, std::uint32_t file) {
   const std::string stem = comparison.results[file].file.stem().string();
   return "file " + std::to_string(file + 1) + (stem.empty() ? "" : " (" + stem + ")");
 }
@@ -24,7 +24,7 @@ std::string with_article(const std::string& name) {
 
 BarrierText barrier_text(const Comparison& comparison, std::size_t line) {
   const BarrierLine& barrier = comparison.lines[line];
-  if (!barrier.of_ring()) return {with_article(barrier.name), "pass"};
+  if (!barrier.belongs_to_ring()) return {with_article(barrier.name), "pass"};
   return {with_article(barrier.name.substr(0, barrier.name.rfind(" ("))), "reach"};
 }
 

@@ -7,8 +7,8 @@
 
 namespace clast::report_detail {
 
-/// Returns the name of a file, such as "file 2 (soft)".
-std::string file_name(const Comparison& comparison, std::uint32_t file);
+/// Returns the label of a results file in sentences, such as "file 2 (soft)".
+std::string results_file_label(const Comparison& comparison, std::uint32_t file);
 
 /// Name of a barrier in sentences, with its verb.
 struct BarrierText {

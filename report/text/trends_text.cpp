@@ -28,7 +28,7 @@ std::string about(double runs) {
   return format_decimals(std::round(runs / digits) * digits, 0);
 }
 
-/// "Runout rises with S/L (...) and falls with rounding (...); no trend with mass."
+/// "Runout rises with S/L (...) and falls with rounding (...); no significant trend with mass."
 std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
   std::vector<std::string> found, none;
   for (const ShapeTrend* trend : outcome) {
@@ -42,16 +42,15 @@ std::string trend_sentence(const std::vector<const ShapeTrend*>& outcome) {
                     ")");
   }
   const std::string& name = outcome.front()->outcome;
-  if (found.empty())
-    return name + " has no trend with " + comma_separated(none) + " beyond chance.";
+  if (found.empty()) return name + " has no significant trend with " + comma_separated(none) + ".";
   return name + " " + comma_separated(found) +
-         (none.empty() ? "" : "; no trend with " + comma_separated(none)) + ".";
+         (none.empty() ? "" : "; no significant trend with " + comma_separated(none)) + ".";
 }
 
 /// Difference of the halves by one property, what it means, and what could be found.
 std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>& margin) {
   const CrossedDifference& halves = trend.halves;
-  std::string text = "between the halves of the blocks by " + trend.property + " the " +
+  std::string text = "if the blocks are divided into two halves by " + trend.property + ", the " +
                      trend.outcome + " differs by " + trend_value(halves.estimate, trend.unit) +
                      " (" + format_significant(halves.interval->low, 2) + " to " +
                      format_significant(halves.interval->high, 2) + ")";
@@ -60,12 +59,12 @@ std::string halves_sentence(const ShapeTrend& trend, const std::optional<double>
     const bool beyond = std::max(halves.interval->low, -halves.interval->high) > *margin;
     const std::string p = " (" + p_text(*trend.equivalence) + ")";
     text += *trend.equivalence < kTrendLevel
-                ? ", within +-" + limit + ": no effect that matters" + p
+                ? ", within +-" + limit + ": the effect is negligible" + p
             : beyond ? ", more than +-" + limit
-                     : ", which is not shown to be within +-" + limit + p;
+                     : ", but it is not shown to be within +-" + limit + p;
   }
-  text += "; a campaign like this finds " + trend_value(trend.smallest, trend.unit) +
-          " in 80 % of cases";
+  text += "; a campaign of this size detects a difference of " +
+          trend_value(trend.detectable_difference, trend.unit) + " in 80 % of cases";
   if (trend.runs_needed) {
     text += ", and " + trend_value(*margin, trend.unit) + " with " + about(*trend.runs_needed) +
             " runs, with more blocks and release points in proportion";
@@ -79,20 +78,20 @@ std::string why_not_known(const PlannedPower& plan) {
                             trend_value(*plan.margin, "m");
   if (plan.runs == 0) {
     return begin +
-           ": blocks stay where they stop, so that runs depend on each other; compare "
-           "the realisations of two campaigns";
+           ": blocks are persistent, so the runs depend on each other; compare the realisations of "
+           "two campaigns";
   }
-  if (plan.blocks < kMinBlocksOfPower) {
+  if (plan.blocks < kMinBlocksForPower) {
     return begin + " with " + format_count(plan.blocks, "block") +
-           ": halves of the blocks are compared, " + "which takes " +
-           std::to_string(kMinBlocksOfPower) + " or more";
+           ": it compares two halves of the blocks, which requires " +
+           std::to_string(kMinBlocksForPower) + " or more";
   }
   if (plan.trial_runs < 2) {
     return begin + ": " + (plan.trial_runs == 0 ? "no trial run" : "only one trial run") +
            " came to rest within the time limit, too few to estimate the scatter of runouts";
   }
   return begin + ": the runouts of " + format_count(plan.trial_runs, "trial run") +
-         " do not scatter";
+         " are all equal";
 }
 
 }  // namespace
@@ -121,13 +120,13 @@ std::vector<std::string> describe_trends(const std::vector<ShapeTrends>& trends,
 
 std::string describe_planned_power(const PlannedPower& plan) {
   if (!plan.is_known()) return plan.margin ? why_not_known(plan) : "";
-  std::string text = "a difference in runout of " + trend_value(plan.smallest(), "m") +
-                     " between two halves of the blocks is found in 80 % of such campaigns, if "
-                     "the runout scatters by " +
-                     trend_value(plan.scatter, "m") + " as in " +
+  std::string text = "a difference in runout of " + trend_value(plan.detectable_difference(), "m") +
+                     " between two halves of the blocks is detected in 80 % of such campaigns, if "
+                     "the standard deviation of runout is " +
+                     trend_value(plan.runout_deviation, "m") + " as in " +
                      format_count(plan.trial_runs, "trial run") + " and " +
-                     format_significant(100.0 * kAssumedBlockFraction, 2) +
-                     " % of its variance goes with the block (design effect " +
+                     format_significant(100.0 * kAssumedIntraclassCorrelation, 2) +
+                     " % of its variance is explained by the block (design effect " +
                      format_significant(plan.design_effect(), 2) + ")";
   if (plan.margin) {
     text += "; " + trend_value(*plan.margin, "m") + " takes " + about(plan.runs_needed()) +

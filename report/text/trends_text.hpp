@@ -8,15 +8,12 @@
 
 namespace clast {
 
-/// Describes the trends of each outcome and file, such as "Runout rises with S/L (rank correlation
-/// 0.71, p < 0.001), ...; no trend with rounding." For the runout, the text also states the
-/// difference between the halves of the blocks, its equivalence within the margin, and the
-/// detectable difference.
+/// Describes the trends of outcomes with block properties, such as "Runout rises with S/L (rank
+/// correlation 0.71, p < 0.001), ...; no trend with rounding."
 std::vector<std::string> describe_trends(const std::vector<ShapeTrends>& trends,
                                          const std::optional<double>& margin);
 
-/// Describes the planned power, such as "a difference in runout of 2.1 m between two halves of the
-/// blocks is found in 80 % of such campaigns, ...; 1 m takes 6,900 runs". Empty if unknown.
+/// Describes the planned statistical power of a campaign in a sentence. Empty if unknown.
 std::string describe_planned_power(const PlannedPower& plan);
 
 }  // namespace clast

@@ -12,7 +12,8 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 /// The rectangle around all points with a side along `direction`.
-Rectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction, double radius) {
+EnclosingRectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction,
+                                   double radius) {
   const Vec2 inward(-direction.y(), direction.x());
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const Vec2& point : points) {
@@ -20,10 +21,10 @@ Rectangle rectangle_along(std::span<const Vec2> points, const Vec2& direction, d
     low = low.cwiseMin(turned);
     high = high.cwiseMax(turned);
   }
-  Rectangle rectangle;
+  EnclosingRectangle rectangle;
   rectangle.direction = direction;
-  rectangle.along = high.x() - low.x() + 2.0 * radius;
-  rectangle.across = high.y() - low.y() + 2.0 * radius;
+  rectangle.length_along = high.x() - low.x() + 2.0 * radius;
+  rectangle.length_across = high.y() - low.y() + 2.0 * radius;
   return rectangle;
 }
 
@@ -74,14 +75,14 @@ std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop) {
   return loop;
 }
 
-Rectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
+EnclosingRectangle smallest_rectangle(std::vector<Vec2> points, double radius) {
   return smallest_outline_rectangle(convex_hull_2d(std::move(points)), radius);
 }
 
-Rectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius) {
+EnclosingRectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius) {
   const std::size_t count = outline.size();
-  Rectangle best;
-  best.along = best.across = 2.0 * radius;
+  EnclosingRectangle best;
+  best.length_along = best.length_across = 2.0 * radius;
   if (count < 2) return best;
 
   const auto next = [count](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
@@ -108,22 +109,22 @@ Rectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radiu
     advance(ahead, direction);
     advance(across, inward);
     advance(behind, -direction);
-    Rectangle candidate;
+    EnclosingRectangle candidate;
     candidate.direction = direction;
-    candidate.along = direction.dot(outline[ahead] - outline[behind]) + 2.0 * radius;
-    candidate.across = inward.dot(outline[across] - outline[edge]) + 2.0 * radius;
+    candidate.length_along = direction.dot(outline[ahead] - outline[behind]) + 2.0 * radius;
+    candidate.length_across = inward.dot(outline[across] - outline[edge]) + 2.0 * radius;
     if (first || candidate.area() < best.area()) best = candidate;
     first = false;
   }
   // Calipers that a zigzag of corners in one line has held back measure too little, never too much:
   // if the best is true, so is that no other is smaller.
-  const Rectangle measured = rectangle_along(outline, best.direction, radius);
+  const EnclosingRectangle measured = rectangle_along(outline, best.direction, radius);
   if (measured.area() <= (1.0 + kRounding) * best.area()) return measured;
   best = measured;
   for (std::size_t edge = 0; edge < count; ++edge) {
     const Vec2 side = outline[next(edge)] - outline[edge];
     if (!(side.norm() > 0.0)) continue;
-    const Rectangle candidate = rectangle_along(outline, side.normalized(), radius);
+    const EnclosingRectangle candidate = rectangle_along(outline, side.normalized(), radius);
     if (candidate.area() < best.area()) best = candidate;
   }
   return best;

@@ -7,12 +7,12 @@
 
 namespace clast {
 
-/// Rectangle with its direction and its sides, which include twice the radius.
-struct Rectangle {
-  Vec2 direction = Vec2::UnitX();  ///< unit vector along the side `along`
-  double along = 0.0, across = 0.0;
+/// Rectangle around discs, given by its direction and side lengths.
+struct EnclosingRectangle {
+  Vec2 direction = Vec2::UnitX();  ///< unit vector along the side `length_along`
+  double length_along = 0.0, length_across = 0.0;
 
-  double area() const { return along * across; }
+  double area() const { return length_along * length_across; }
 };
 
 /// Returns the vertices of the convex hull, counter-clockwise, without points on edges. It has one
@@ -26,9 +26,9 @@ std::vector<Vec2> remove_reflex_vertices(std::vector<Vec2> loop);
 /// Returns the rectangle of smallest area around discs of `radius` at the points. One side lies
 /// along an edge of the convex hull (Freeman & Shapira 1975).
 /// @param points  not empty
-Rectangle smallest_rectangle(std::vector<Vec2> points, double radius);
+EnclosingRectangle smallest_rectangle(std::vector<Vec2> points, double radius);
 
 /// Returns the smallest rectangle around a convex, counter-clockwise outline.
-Rectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius);
+EnclosingRectangle smallest_outline_rectangle(std::span<const Vec2> outline, double radius);
 
 }  // namespace clast

@@ -40,7 +40,7 @@ GaussImage::GaussImage(const TriangleMesh& mesh, double radius)
   }
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> sides) {
     if (!is_interior_edge(sides)) return;
-    const std::size_t out = sides[0].forward ? 0 : 1;
+    const std::size_t out = sides[0].is_forward ? 0 : 1;
     edges_.push_back({sides[0].low, sides[0].high, sides[out].triangle, sides[1 - out].triangle});
   });
 }
@@ -58,7 +58,7 @@ Vec3 GaussImage::point_on_arc(std::size_t edge, double share) const {
   return (std::sin((1.0 - share) * angle) * a + std::sin(share * angle) * b).normalized();
 }
 
-BoxCandidate GaussImage::best_box_about(const Vec3& direction, double limit) {
+BoxCandidate GaussImage::smallest_box_along(const Vec3& direction, double limit) {
   along_.noalias() = coordinates_ * direction;
   const double width = along_.maxCoeff() - along_.minCoeff() + 2.0 * radius_;
   slopes_.noalias() = weighted_normals_ * direction;
@@ -71,7 +71,7 @@ BoxCandidate GaussImage::best_box_about(const Vec3& direction, double limit) {
   frame.col(1) = direction.unitOrthogonal();
   frame.col(2) = direction.cross(frame.col(1));
   trace_outline(frame);
-  const Rectangle rectangle = smallest_outline_rectangle(outline_, radius_);
+  const EnclosingRectangle rectangle = smallest_outline_rectangle(outline_, radius_);
   BoxCandidate posture;
   posture.axes.col(0) = direction;
   posture.axes.col(1) =

@@ -39,7 +39,7 @@ class GaussImage {
   /// exceeds `limit`, the search is skipped and the returned volume is infinite.
   /// @param direction  unit vector
   /// @param limit  largest volume of interest, m^3
-  BoxCandidate best_box_about(const Vec3& direction, double limit);
+  BoxCandidate smallest_box_along(const Vec3& direction, double limit);
 
  private:
   struct Edge {

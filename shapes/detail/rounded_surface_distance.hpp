@@ -13,7 +13,7 @@ struct SurfaceDistance {
 /// Signed distance to a rounded surface. The tree must outlive this object.
 class RoundedSurfaceDistance {
  public:
-  /// Stores the tree.
+  /// Constructs the distance function of a rounded body.
   /// @param farthest  upper bound of the distances in all queries, m
   RoundedSurfaceDistance(const TriangleTree& core, double radius, double farthest)
       : core_(core), radius_(radius), farthest_(farthest) {}

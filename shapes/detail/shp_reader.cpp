@@ -128,7 +128,7 @@ class ShpReader {
     for (std::size_t e = 0; e < edges; ++e) {
       const std::string what = "a vertex of edge " + std::to_string(e);
       const Index from = vertex_number(what), to = vertex_number(what);
-      body.edges.push_back(edge_key(from, to));
+      body.edges.push_back(make_edge_key(from, to));
     }
   }
 
@@ -221,7 +221,7 @@ class ShpReader {
       }
       if (word_ == ">") break;
       if (!seen.emplace(word_).second) {
-        fail("\"" + printable(word_) + "\" stands twice; delete one of them");
+        fail("\"" + printable(word_) + "\" occurs twice; delete one of them");
       }
       read_keyword(shape);
     }
@@ -273,7 +273,7 @@ class ShpReader {
     if (used.size() == body.vertices.size()) return;
     const std::size_t unused = body.vertices.size() - used.size();
     shape.notes.push_back(std::to_string(unused) + (unused == 1 ? " vertex" : " vertices") +
-                          " of the .shp file that no face uses left out");
+                          " of the .shp file that no face uses, left out");
     body.vertices = std::move(used);
     for (SpheroPolyhedron::Face& face : body.faces) {
       for (Index& v : face) v = number[v];

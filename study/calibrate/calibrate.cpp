@@ -22,11 +22,11 @@ namespace fs = std::filesystem;
 
 /// All that decides what is simulated. Paths may differ from machine to machine.
 std::string design_digest(const CalibrationStudy& study, const std::vector<std::string>& inputs) {
-  std::string text = std::string(version()) + "\n" + std::to_string(study.design.members) + " " +
-                     std::to_string(study.design.releases) + " " +
+  std::string text = std::string(version()) + "\n" + std::to_string(study.design.member_count) +
+                     " " + std::to_string(study.design.releases_per_member) + " " +
                      std::to_string(study.design.seed) + "\n";
   for (const CalibrationSite& site : study.sites) text += site.name + "\n";
-  for (const Unknown& unknown : study.unknowns) {
+  for (const UnknownParameter& unknown : study.unknowns) {
     text += unknown.parameter + " " + format_significant(unknown.low, 17) + " " +
             format_significant(unknown.high, 17) + (unknown.logarithmic ? " log\n" : "\n");
   }
@@ -38,8 +38,8 @@ std::string design_digest(const CalibrationStudy& study, const std::vector<std::
 void check_moments(const fs::path& from, const CalibrationBackend& simulator,
                    const StoredCalibration& stored) {
   for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
-    const std::vector<Moment>& asked = simulator.sites[site].moments;
-    const std::vector<Moment>& had = stored.runs.sites[site].moments;
+    const std::vector<ObservedMoment>& asked = simulator.sites[site].moments;
+    const std::vector<ObservedMoment>& had = stored.runs.sites[site].moments;
     const bool done = std::count(stored.done[site].begin(), stored.done[site].end(), false) == 0;
     if (asked == had || (done && std::includes(had.begin(), had.end(), asked.begin(), asked.end())))
       continue;
@@ -54,7 +54,8 @@ void check_design(const fs::path& from, const StoredCalibration& stored,
                   const StoredCalibration& asked, const std::string& next) {
   if (stored.design_sha256 != asked.design_sha256) {
     throw InputError(from.string() +
-                     ": was begun with other sites, unknowns, members, inputs or program; " + next);
+                     ": was started with different sites, unknowns, members, inputs or program; " +
+                     next);
   }
   const std::string physics =
       describe_physics_difference(stored.physics_digest, asked.physics_digest);
@@ -66,7 +67,7 @@ void check_design(const fs::path& from, const StoredCalibration& stored,
 
 /// Takes over the members of the parts, which are of the same design and have all together.
 StoredCalibration joined(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                         const CalibrateOptions& options, StoredCalibration all) {
+                         const CalibrationOptions& options, StoredCalibration all) {
   bool known = true;
   for (const fs::path& part : options.parts) {
     StoredCalibration stored = read_calibration_runs(part);
@@ -74,7 +75,7 @@ StoredCalibration joined(const CalibrationStudy& study, const CalibrationBackend
     check_moments(part, simulator, stored);
     known = known && !stored.physics_digest.empty();
     for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
-      for (std::uint32_t member = 0; member < study.design.members; ++member) {
+      for (std::uint32_t member = 0; member < study.design.member_count; ++member) {
         if (!stored.done[site][member]) continue;
         all.done[site][member] = true;
         all.runs.outcomes[site][member] = std::move(stored.runs.outcomes[site][member]);
@@ -85,10 +86,9 @@ StoredCalibration joined(const CalibrationStudy& study, const CalibrationBackend
   for (const std::vector<bool>& site : all.done) {
     const auto missing = std::find(site.begin(), site.end(), false);
     if (missing == site.end()) continue;
-    throw InputError(
-        "member " + std::to_string(missing - site.begin() + 1) + " of " +
-        std::to_string(study.design.members) +
-        " is in none of the parts; give the files of all shards, all of them finished");
+    throw InputError("member " + std::to_string(missing - site.begin() + 1) + " of " +
+                     std::to_string(study.design.member_count) +
+                     " is in none of the parts; give the finished files of all shards");
   }
   return all;
 }
@@ -100,15 +100,15 @@ StoredCalibration without_members(const CalibrationStudy& study,
   fresh.design_sha256 = design_digest(study, simulator.inputs);
   fresh.physics_digest = simulator.physics_digest;
   fresh.runs.sites = simulator.sites;
-  fresh.done.assign(simulator.sites.size(), std::vector<bool>(study.design.members, false));
+  fresh.done.assign(simulator.sites.size(), std::vector<bool>(study.design.member_count, false));
   fresh.runs.outcomes.assign(simulator.sites.size(),
-                             std::vector<std::vector<ReleaseOutcome>>(study.design.members));
+                             std::vector<std::vector<ReleaseOutcome>>(study.design.member_count));
   return fresh;
 }
 
 /// The members that are there already.
 StoredCalibration begun(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                        const fs::path& target, const CalibrateOptions& options) {
+                        const fs::path& target, const CalibrationOptions& options) {
   StoredCalibration fresh = without_members(study, simulator);
   if (!options.parts.empty()) return joined(study, simulator, options, std::move(fresh));
   if (!options.resume) return fresh;
@@ -125,7 +125,7 @@ StoredCalibration begun(const CalibrationStudy& study, const CalibrationBackend&
   return stored;
 }
 
-void check_partial(const fs::path& target, const CalibrateOptions& options) {
+void check_partial(const fs::path& target, const CalibrationOptions& options) {
   const fs::path partial = calibration_journal_path(target);
   if (options.resume || !fs::exists(partial)) return;
   throw InputError(partial.string() +
@@ -133,11 +133,11 @@ void check_partial(const fs::path& target, const CalibrateOptions& options) {
                    "delete the file to start again");
 }
 
-OverwritePolicy rules_of(const CalibrateOptions& options) {
+OverwritePolicy rules_of(const CalibrationOptions& options) {
   return {.kind = kPosteriorFormat, .replace = options.replace || options.resume};
 }
 
-void check_target(const fs::path& target, const CalibrateOptions& options) {
+void check_target(const fs::path& target, const CalibrationOptions& options) {
   check_output_target(target, rules_of(options));
   check_partial(target, options);
 }
@@ -150,8 +150,8 @@ fs::path calibration_journal_path(const fs::path& target) {
   return partial;
 }
 
-Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
-                           const fs::path& target, const CalibrateOptions& options) {
+Calibration run_calibration_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
+                                 const fs::path& target, const CalibrationOptions& options) {
   std::optional<FileLock> lock;
   Calibration calibration{study, {}, {}, target};
   const auto begin = [&] {
@@ -186,7 +186,7 @@ struct PreparedSites {
   std::vector<SiteMemberSimulator> sites;
   CalibrationBackend simulator;
 
-  PreparedSites(const CalibrationStudy& study, const CalibrateOptions& options) {
+  PreparedSites(const CalibrationStudy& study, const CalibrationOptions& options) {
     for (std::size_t i = 0; i < study.sites.size(); ++i) {
       sites.emplace_back(study.sites[i], study.unknowns, study.design,
                          observed_moments(study.observations, i));
@@ -210,8 +210,8 @@ struct PreparedSites {
 
 }  // namespace
 
-Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
-                      const CalibrateOptions& options) {
+Calibration run_calibration(const CalibrationStudy& study, const fs::path& target,
+                            const CalibrationOptions& options) {
   options.shard.check();
   std::optional<PreparedSites> prepared;
   const auto prepare = [&] {
@@ -220,10 +220,10 @@ Calibration calibrate(const CalibrationStudy& study, const fs::path& target,
     return design_digest(study, prepared->simulator.inputs) + physics_digest();
   };
   options.team ? options.team->check_agreement(prepare) : void(prepare());
-  return calibrate_with(prepared->simulator, study, target, options);
+  return run_calibration_with(prepared->simulator, study, target, options);
 }
 
-void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options) {
+void simulate_members_for_leader(const CalibrationStudy& study, const CalibrationOptions& options) {
   std::optional<PreparedSites> prepared;
   options.team->check_agreement([&] {
     prepared.emplace(study, options);

@@ -1,6 +1,6 @@
 #pragma once
-/// Calibration: simulates the members of the design and infers the unknowns from observations. A
-/// member is one set of values of the unknowns.
+/// Calibration of unknown campaign parameters from field observations. A member is one simulated
+/// set of values of the unknown parameters.
 #include <filesystem>
 #include <vector>
 
@@ -10,26 +10,26 @@
 
 namespace clast {
 
-struct CalibrateOptions {
+struct CalibrationOptions {
   unsigned threads = 0;  ///< number of threads; 0: one per core; does not affect the result
-  /// If true, members of an interrupted or finished calibration of the same design are reused. Its
-  /// observations may differ. If there are none, the calibration starts from the beginning.
+  /// True if simulated members of an earlier calibration of the same design are reused. Its
+  /// observations may differ.
   bool resume = false;
-  bool replace = false;  ///< if true, an existing posterior in the target is replaced; otherwise,
-                         ///< it is an error
-  /// Only the members of this shard are simulated. The unknowns are not inferred, so the file has
-  /// no posterior. Use `parts` to join the files of all shards.
+  /// True if an existing posterior file is replaced; otherwise, it is an error.
+  bool replace = false;
+  /// Part of the members that is simulated. If it is not the whole, the file has no posterior;
+  /// `parts` joins the files of all shards.
   Shard shard = {};
-  /// Files of shards whose members are joined. If not empty, no member is simulated.
+  /// Posterior files of all shards, whose members are joined. If not empty, no member is simulated.
   std::vector<std::filesystem::path> parts = {};
-  /// Processes that share the simulation of the members; each of them calls the functions below. If
-  /// null, this process runs alone.
+  /// Processes that share the simulation of the members; null for a single process.
   ProcessTeam* team = nullptr;
-  /// Called after each member of each site. An exception ends the calibration; members are kept.
+  /// Function called after each member of each site. If it throws, the calibration ends and
+  /// simulated members are kept.
   ProgressCallback progress = {};
 };
 
-/// Study, members and posterior of a calibration.
+/// Result of a calibration: study, simulated members and posterior.
 struct Calibration {
   CalibrationStudy study;
   StoredCalibration stored;
@@ -40,28 +40,28 @@ struct Calibration {
 /// Returns the path of the journal of simulated members: target + ".part".
 std::filesystem::path calibration_journal_path(const std::filesystem::path& target);
 
-/// Runs a calibration. If `options.team` is set, only its leader calls this function.
-/// @throws InputError  if the target cannot be written or must be kept, if resumed or joined
-///                     members have another design, if a member is in none of the parts, or if
-///                     inputs are inconsistent
+/// Runs a calibration: simulates the members and infers the unknown parameters. In a team of
+/// processes, only the leader calls this function.
+/// @throws InputError  if the target cannot be written or replaced, if reused or joined members
+///                     have another design, if a member is missing, or if inputs are inconsistent
 /// @throws SimulationError  if a member's runs fail
-Calibration calibrate(const CalibrationStudy& study, const std::filesystem::path& target,
-                      const CalibrateOptions& options = {});
+Calibration run_calibration(const CalibrationStudy& study, const std::filesystem::path& target,
+                            const CalibrationOptions& options = {});
 
-/// Simulates members for the leader of `options.team`. Called by all other processes of the team.
+/// Simulates members that the leader of the team sends. Called by all other processes of the team.
 /// @throws Error  if a member fails in this process or in another one
-void serve_calibration(const CalibrationStudy& study, const CalibrateOptions& options);
+void simulate_members_for_leader(const CalibrationStudy& study, const CalibrationOptions& options);
 
-/// Simulator of a calibration with its sites and inputs.
+/// Simulator of the members of a calibration, with its sites and input files.
 struct CalibrationBackend {
   std::vector<SiteDescription> sites;
-  std::vector<std::string> inputs;  ///< "path sha256"
+  std::vector<std::string> inputs;  ///< input files, each as "path sha256"
   MemberSimulator simulate;
-  std::string physics_digest = {};  ///< digest of all that determines the results of the simulator
+  std::string physics_digest = {};  ///< digest of the simulated physics; empty if unknown
 };
 /// Runs a calibration with any simulator; see `calibrate`.
-Calibration calibrate_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
-                           const std::filesystem::path& target,
-                           const CalibrateOptions& options = {});
+Calibration run_calibration_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
+                                 const std::filesystem::path& target,
+                                 const CalibrationOptions& options = {});
 
 }  // namespace clast

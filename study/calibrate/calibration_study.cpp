@@ -27,23 +27,25 @@ const MemberTable<CalibrationDesign>& design_keys() {
   using Design = CalibrationDesign;
   static const MemberTable<Design> keys(
       {.name = "design", .meaning = "Settings of the calibration"},
-      {{"members", "", "number of simulated parameter sets", count(8, 4096), &Design::members},
+      {{"members", "", "number of simulated parameter sets", count_format(8, 4096),
+        &Design::member_count},
        {"releases", "", "number of runs of each member at each site",
-        count(kMinSelectedOutcomes, 100'000), &Design::releases},
-       {"seed", "", "seed of all random draws", seed(), &Design::seed},
-       {"draws", "", "number of draws from the posterior", count(100, 100'000), &Design::draws},
+        count_format(kMinSelectedOutcomes, 100'000), &Design::releases_per_member},
+       {"seed", "", "seed of all random draws", seed_format(), &Design::seed},
+       {"draws", "", "number of draws from the posterior", count_format(100, 100'000),
+        &Design::draw_count},
        {"kernel", "", "correlation function of the surrogates",
-        words({"matern-5/2", "squared-exponential"}), &kernel_named, &Design::kernel}});
+        word_format({"matern-5/2", "squared-exponential"}), &kernel_named, &Design::kernel}});
   return keys;
 }
 
 const MemberTable<CalibrationSite>& site_keys() {
   static const MemberTable<CalibrationSite> keys(
       {"site", "A site at which blocks were released", KeyTable::Repeat::kEither, {}, true},
-      {{"name", "", "name of the site", required("a text in quotes", text()),
+      {{"name", "", "name of the site", required_format("a text in quotes", text_format()),
         &CalibrationSite::name},
        {"campaign", "", "campaign file, with [run] downslope",
-        required("a campaign file", text())}});
+        required_format("a campaign file", text_format())}});
   return keys;
 }
 
@@ -74,8 +76,8 @@ NumberRange any_parameter() {
 
 bool is_logarithmic(const std::string& scale) { return scale == "log"; }
 
-const MemberTable<Unknown>& unknown_keys() {
-  static const MemberTable<Unknown> keys(
+const MemberTable<UnknownParameter>& unknown_keys() {
+  static const MemberTable<UnknownParameter> keys(
       {"unknown",
        "An unknown parameter, with one value for all sites that have it",
        KeyTable::Repeat::kEither,
@@ -84,12 +86,13 @@ const MemberTable<Unknown>& unknown_keys() {
       {{"parameter", "",
         "name of the parameter, such as ground.ZONE.friction, release.height_m or "
         "blocks.mass_median_kg",
-        required("such as \"ground.ZONE.friction\"", fitting(parameter_pattern())),
-        &Unknown::parameter},
+        required_format("such as \"ground.ZONE.friction\"", pattern_format(parameter_pattern())),
+        &UnknownParameter::parameter},
        {"range", "", "range of the parameter, [low, high]",
-        required("two numbers, [low, high]", list(number(any_parameter()), 2, 2))},
-       {"scale", "", "prior: uniform in the value or in its logarithm", words({"linear", "log"}),
-        &is_logarithmic, &Unknown::logarithmic}});
+        required_format("two numbers, [low, high]",
+                        list_format(number_format(any_parameter()), 2, 2))},
+       {"scale", "", "prior: uniform in the value or in its logarithm",
+        word_format({"linear", "log"}), &is_logarithmic, &UnknownParameter::logarithmic}});
   return keys;
 }
 
@@ -104,7 +107,7 @@ CalibrationDesign read_design(const TomlTable& top) {
 /// Refuses campaigns that a calibration cannot simulate.
 void check_site(const TomlTable& table, const Campaign& campaign) {
   const auto refuse = [&](const std::string& why) { table.refuse("campaign", why); };
-  if (campaign.stay) {
+  if (campaign.persistent_blocks) {
     refuse("its blocks are persistent; a calibration needs single releases");
   }
   if (!campaign.downslope) {
@@ -120,7 +123,7 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   for (const DeclaredTable& table : find_tables(top, site_keys())) {
     CalibrationSite site;
     site_keys().read(table, site);
-    check_new_name(table, site.name, sites, "site");
+    check_unique_name(table, site.name, sites, "site");
     site.campaign = read_campaign(*table.value<std::filesystem::path>("campaign"));
     check_site(table, site.campaign);
     site.campaign.ensemble = {};
@@ -134,14 +137,14 @@ std::vector<CalibrationSite> read_sites(const TomlTable& top) {
   return sites;
 }
 
-Unknown read_unknown(const DeclaredTable& table) {
-  Unknown unknown;
+UnknownParameter read_unknown(const DeclaredTable& table) {
+  UnknownParameter unknown;
   unknown_keys().read(table, unknown);
   const NumberRange allowed =
-      table.checked("parameter", [&] { return parameter_range(unknown.parameter); });
+      table.run_check("parameter", [&] { return calibratable_range(unknown.parameter); });
   const TomlNode& range = *table.find("range");
   const std::vector<double> ends =
-      table.numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
+      table.read_numbers("range", range, 2, 2, "two numbers, [low, high]", allowed);
   unknown.low = ends[0];
   unknown.high = ends[1];
   if (!(unknown.low < unknown.high)) {
@@ -153,13 +156,13 @@ Unknown read_unknown(const DeclaredTable& table) {
   return unknown;
 }
 
-std::vector<Unknown> read_unknowns(const TomlTable& top,
-                                   const std::vector<CalibrationSite>& sites) {
-  std::vector<Unknown> unknowns;
+std::vector<UnknownParameter> read_unknowns(const TomlTable& top,
+                                            const std::vector<CalibrationSite>& sites) {
+  std::vector<UnknownParameter> unknowns;
   for (const DeclaredTable& table : find_tables(top, unknown_keys())) {
-    Unknown unknown = read_unknown(table);
+    UnknownParameter unknown = read_unknown(table);
     const TomlNode& name = *table.find("parameter");
-    for (const Unknown& other : unknowns) {
+    for (const UnknownParameter& other : unknowns) {
       if (other.parameter == unknown.parameter) {
         table.refuse("parameter", name, "is an unknown already");
       }
@@ -186,15 +189,15 @@ std::vector<Unknown> read_unknowns(const TomlTable& top,
 /// Parameters that a campaign knows only as a distribution would vary from run to run unseen.
 void check_certain(const CalibrationStudy& study) {
   for (CalibrationSite site : study.sites) {
-    for (const Unknown& unknown : study.unknowns) {
+    for (const UnknownParameter& unknown : study.unknowns) {
       if (has_parameter(site.campaign, unknown.parameter)) {
         set_parameter(site.campaign, unknown.parameter, unknown.low);
       }
     }
     for (const auto& [zone, table] : site.campaign.ground) {
-      for (const GroundParameterField& field : ground_fields()) {
-        const std::optional<Distribution>& asked = table.*field.asked;
-        if (!asked || asked->fixed()) continue;
+      for (const GroundParameterField& field : ground_parameter_fields()) {
+        const std::optional<Distribution>& asked = table.*field.distribution;
+        if (!asked || asked->is_fixed()) continue;
         throw InputError(study.file.string() + ": ground." + zone + "." + field.name +
                          " has a distribution in the campaign of site " + site.name +
                          "; make it an [[unknown]], or give it a value there");
@@ -207,12 +210,12 @@ void check_certain(const CalibrationStudy& study) {
 void check_unknown_shares(const CalibrationStudy& study) {
   for (const CalibrationSite& site : study.sites) {
     std::set<std::string> classes;
-    double most = 0.0;
-    for (const Unknown& unknown : study.unknowns) {
-      const std::string name = fraction_class(unknown.parameter);
+    double maximum = 0.0;
+    for (const UnknownParameter& unknown : study.unknowns) {
+      const std::string name = class_of_fraction_parameter(unknown.parameter);
       if (name.empty() || !has_parameter(site.campaign, unknown.parameter)) continue;
       classes.insert(name);
-      most += unknown.high;
+      maximum += unknown.high;
     }
     if (classes.empty()) continue;
     if (classes.size() == site.campaign.blocks.draw->shares.size()) {
@@ -220,9 +223,9 @@ void check_unknown_shares(const CalibrationStudy& study) {
           study.file.string() + ": every fraction of site " + site.name +
           " is an unknown, but their sum is 1; leave out one class, which gets the remainder");
     }
-    if (most > 1.0) {
+    if (maximum > 1.0) {
       throw InputError(study.file.string() + ": the unknown fractions of site " + site.name +
-                       " add up to " + format_significant(most, 6) +
+                       " add up to " + format_significant(maximum, 6) +
                        " at the upper ends of their ranges; lower these until it is 1 at most");
     }
   }
@@ -236,32 +239,34 @@ const std::vector<KeyTable>& calibration_key_tables() {
   return tables;
 }
 
-std::vector<std::vector<double>> CalibrationDesign::places(std::size_t unknowns) const {
-  SobolSequence sequence(unknowns, seed);
+std::vector<std::vector<double>> CalibrationDesign::sobol_points(std::size_t unknown_count) const {
+  SobolSequence sequence(unknown_count, seed);
   std::vector<std::vector<double>> all;
-  for (std::uint32_t member = 0; member < members; ++member) all.push_back(sequence.next_point());
+  for (std::uint32_t member = 0; member < member_count; ++member)
+    all.push_back(sequence.next_point());
   return all;
 }
 
 std::vector<double> CalibrationStudy::values(const std::vector<double>& shares) const {
   std::vector<double> all;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) all.push_back(unknowns[i].value(shares[i]));
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    all.push_back(unknowns[i].prior_quantile(shares[i]));
   return all;
 }
 
 std::size_t CalibrationStudy::statistic_count() const {
   std::size_t count = 0;
-  for (const Observation& observation : observations) count += observation.figures.size();
+  for (const Observation& observation : observations) count += observation.statistics.size();
   return count;
 }
 
-std::uint64_t CalibrationStudy::runs() const {
-  return std::uint64_t{sites.size()} * design.members * design.releases;
+std::uint64_t CalibrationStudy::run_count() const {
+  return std::uint64_t{sites.size()} * design.member_count * design.releases_per_member;
 }
 
 namespace study_detail {
 
-CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read) {
+CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read) {
   CalibrationStudy study;
   study.file = file;
   TomlNode root;
@@ -285,7 +290,7 @@ CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const Pa
 }  // namespace study_detail
 
 CalibrationStudy read_calibration_study(const std::filesystem::path& file) {
-  return read_study_in_parts(file, read_at_once);
+  return read_study_by_parts(file, read_without_catching);
 }
 
 bool is_calibration_study(const std::filesystem::path& file) {

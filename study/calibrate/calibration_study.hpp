@@ -20,14 +20,15 @@ struct CalibrationSite {
 };
 
 struct CalibrationDesign {
-  std::uint32_t members = 64;   ///< number of simulated parameter sets
-  std::uint32_t releases = 64;  ///< number of simulated releases per member and site
-  std::uint64_t seed = 1;       ///< seed of all random numbers
-  std::size_t draws = 2000;     ///< number of posterior draws
+  std::uint32_t member_count = 64;         ///< number of simulated parameter sets
+  std::uint32_t releases_per_member = 64;  ///< number of simulated releases per member and site
+  std::uint64_t seed = 1;                  ///< seed of all random numbers
+  std::size_t draw_count = 2000;           ///< number of posterior draws
   Kernel kernel = Kernel::kMatern52;
 
-  /// Unknowns of each member as prior probabilities, in [0, 1]. They form a Sobol sequence.
-  std::vector<std::vector<double>> places(std::size_t unknowns) const;
+  /// Returns the unknowns of each member as prior probabilities, in [0, 1]. They form a Sobol
+  /// sequence.
+  std::vector<std::vector<double>> sobol_points(std::size_t unknown_count) const;
 };
 
 /// Calibration study: sites, unknowns, observations and design.
@@ -36,28 +37,28 @@ struct CalibrationStudy {
   std::string text;  ///< contents of the file, byte for byte
   std::string sha256;
   std::vector<CalibrationSite> sites;
-  std::vector<Unknown> unknowns;
+  std::vector<UnknownParameter> unknowns;
   std::vector<Observation> observations;
   CalibrationDesign design;
 
-  /// Converts prior probabilities, in [0, 1], to values of the unknowns.
+  /// Converts prior probabilities, in [0, 1], to values of the unknown parameters.
   std::vector<double> values(const std::vector<double>& shares) const;
   /// Returns the number of statistics of all observations.
   std::size_t statistic_count() const;
   /// Returns the number of runs of all members at all sites.
-  std::uint64_t runs() const;
+  std::uint64_t run_count() const;
 };
 
 /// Reads and checks a study file. Paths are resolved as in campaigns, against the file's folder.
-/// @throws InputError  if a key is unknown, missing, of the wrong type or out of range, a file
-///                     cannot be read, no site has a parameter, or an observation is both fitted
-///                     and held out; names file, line, key, value and expectation
+/// @throws InputError  if a key or value is invalid, a file cannot be read, or no site has a
+///                     parameter; names file, line, key, value and expectation
 CalibrationStudy read_calibration_study(const std::filesystem::path& file);
 
-/// Returns declarations of all tables and keys of a study file, in order of docs/formats.md.
+/// Returns the declarations of all tables and keys of a study file, in the order of
+/// docs/formats.md.
 const std::vector<KeyTable>& calibration_key_tables();
 
-/// True if the file has tables that only studies have; false if it cannot be read.
+/// True if a file is a calibration study; false if it is a campaign or cannot be read.
 bool is_calibration_study(const std::filesystem::path& file);
 
 }  // namespace clast

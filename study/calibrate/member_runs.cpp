@@ -27,7 +27,7 @@ void check_releases(const CalibrationStudy& study, const CalibrationBackend& sim
                     std::size_t site, const std::vector<ReleaseOutcome>& outcomes) {
   for (const Observation& observation : study.observations) {
     if (observation.site != site) continue;
-    check_enough(observation, select_outcomes(observation, simulator.sites[site], outcomes));
+    check_outcome_count(observation, select_outcomes(observation, simulator.sites[site], outcomes));
   }
 }
 
@@ -35,7 +35,9 @@ void check_releases(const CalibrationStudy& study, const CalibrationBackend& sim
 class Simulation {
  public:
   Simulation(const CalibrationStudy& study, const CalibrationBackend& simulator)
-      : study_(study), simulator_(simulator), places_(study.design.places(study.unknowns.size())) {}
+      : study_(study),
+        simulator_(simulator),
+        places_(study.design.sobol_points(study.unknowns.size())) {}
 
   std::vector<ReleaseOutcome> of(std::uint32_t item) const {
     const std::size_t sites = simulator_.sites.size();
@@ -57,7 +59,7 @@ class Simulation {
 class Keeper {
  public:
   Keeper(const CalibrationStudy& study, const std::filesystem::path& target,
-         const CalibrateOptions& options, ProgressUpdate step, StoredCalibration& stored)
+         const CalibrationOptions& options, ProgressUpdate step, StoredCalibration& stored)
       : study_(study), target_(target), options_(options), step_(step), stored_(stored) {}
 
   void add(std::uint32_t item, std::vector<ReleaseOutcome> outcomes) {
@@ -83,7 +85,7 @@ class Keeper {
  private:
   const CalibrationStudy& study_;
   const std::filesystem::path& target_;
-  const CalibrateOptions& options_;
+  const CalibrationOptions& options_;
   ProgressUpdate step_;
   StoredCalibration& stored_;
   std::mutex one_at_a_time_;
@@ -103,13 +105,13 @@ std::pair<std::uint32_t, std::vector<ReleaseOutcome>> handed_in(const std::strin
 }  // namespace
 
 void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                              const std::filesystem::path& target, const CalibrateOptions& options,
-                              StoredCalibration& stored) {
+                              const std::filesystem::path& target,
+                              const CalibrationOptions& options, StoredCalibration& stored) {
   const Simulation simulation(study, simulator);
   std::vector<std::uint32_t> missing;
   ProgressUpdate step;
-  for (std::uint32_t member = 0; member < study.design.members; ++member) {
-    if (!options.shard.has(member)) continue;
+  for (std::uint32_t member = 0; member < study.design.member_count; ++member) {
+    if (!options.shard.contains(member)) continue;
     for (std::size_t site = 0; site < simulator.sites.size(); ++site) {
       ++step.total;
       if (stored.done[site][member]) {
@@ -160,7 +162,7 @@ std::string serialize_outcomes(const std::vector<ReleaseOutcome>& outcomes) {
     numbers.push_back(static_cast<double>(all.size()));
     for (const OutcomeAtMoment& at : all) {
       numbers.insert(numbers.end(), {at.speed, at.spin, at.height, at.energy, at.depth,
-                                     at.place.x(), at.place.y()});
+                                     at.position.x(), at.position.y()});
     }
   };
   for (const ReleaseOutcome& outcome : outcomes) {
@@ -191,7 +193,7 @@ std::vector<ReleaseOutcome> deserialize_outcomes(const std::string& bytes) {
       for (double* value : {&at.speed, &at.spin, &at.height, &at.energy, &at.depth}) {
         *value = take();
       }
-      at.place = take_place();
+      at.position = take_place();
     }
     return all;
   };

@@ -1,5 +1,5 @@
 #pragma once
-/// Simulation and storage of a calibration's members.
+/// Simulation and storage of the members of a calibration.
 #include <string>
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace clast::study_detail {
 
-/// Simulates the missing members of the shard and stores them in a journal beside the target.
+/// Simulates the members that are not stored yet, and stores them in a journal beside the target.
 /// Finished members are kept if the simulation is interrupted.
-/// @param stored  stored members; receives the new ones
+/// @param stored  stored members, to which the new ones are added
 /// @throws SimulationError  if a member's runs fail, here or in another process
 void simulate_missing_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
-                              const std::filesystem::path& target, const CalibrateOptions& options,
-                              StoredCalibration& stored);
+                              const std::filesystem::path& target,
+                              const CalibrationOptions& options, StoredCalibration& stored);
 
 void simulate_received_members(const CalibrationStudy& study, const CalibrationBackend& simulator,
                                ProcessTeam& team);

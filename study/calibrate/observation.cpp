@@ -52,24 +52,24 @@ double deviation_of(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
 }
 
-double figure_of_places(const SummaryStatistic& figure, std::vector<double> along,
-                        const std::vector<double>& aside) {
+double figure_of_places(const SummaryStatistic& statistic, std::vector<double> along,
+                        const std::vector<double>& lateral) {
   if (along.empty()) return kNoFigure;
-  switch (figure.kind) {
-    case SummaryStatistic::Kind::kMeanPlace:
+  switch (statistic.kind) {
+    case SummaryStatistic::Kind::kMeanStopPosition:
       return mean_of_values(along);
-    case SummaryStatistic::Kind::kStdPlace:
+    case SummaryStatistic::Kind::kStopDeviation:
       return deviation_of(along);
-    case SummaryStatistic::Kind::kPlace:
+    case SummaryStatistic::Kind::kStopQuantile:
       std::sort(along.begin(), along.end());
-      return quantile(along, figure.level);
-    case SummaryStatistic::Kind::kBeyond: {
+      return quantile(along, statistic.level);
+    case SummaryStatistic::Kind::kFractionBeyond: {
       const auto beyond = std::count_if(along.begin(), along.end(),
-                                        [&](double place) { return place > figure.level; });
+                                        [&](double place) { return place > statistic.level; });
       return static_cast<double>(beyond) / static_cast<double>(along.size());
     }
-    case SummaryStatistic::Kind::kMeanAside:
-      return mean_of_values(aside);
+    case SummaryStatistic::Kind::kMeanLateralPosition:
+      return mean_of_values(lateral);
     default:
       return kNoFigure;
   }
@@ -80,13 +80,13 @@ double OutcomeAtMoment::*measured_member(SummaryStatistic::Kind kind) {
   switch (kind) {
     case SummaryStatistic::Kind::kMeanSpeed:
       return &OutcomeAtMoment::speed;
-    case SummaryStatistic::Kind::kMeanSpin:
+    case SummaryStatistic::Kind::kMeanAngularSpeed:
       return &OutcomeAtMoment::spin;
     case SummaryStatistic::Kind::kMeanHeight:
       return &OutcomeAtMoment::height;
     case SummaryStatistic::Kind::kMeanEnergy:
       return &OutcomeAtMoment::energy;
-    case SummaryStatistic::Kind::kMeanDepth:
+    case SummaryStatistic::Kind::kMeanScarDepth:
       return &OutcomeAtMoment::depth;
     default:
       return nullptr;
@@ -95,14 +95,14 @@ double OutcomeAtMoment::*measured_member(SummaryStatistic::Kind kind) {
 
 }  // namespace
 
-std::string Moment::name() const {
+std::string ObservedMoment::name() const {
   return kind == Kind::kImpact ? "impact " + format_significant(value, 6)
                                : format_significant(value, 6) + " s";
 }
 
-std::vector<Moment> observed_moments(const std::vector<Observation>& observations,
-                                     std::size_t site) {
-  std::set<Moment> moments;
+std::vector<ObservedMoment> observed_moments(const std::vector<Observation>& observations,
+                                             std::size_t site) {
+  std::set<ObservedMoment> moments;
   for (const Observation& observation : observations) {
     if (observation.site == site && observation.moment) moments.insert(*observation.moment);
   }
@@ -111,7 +111,7 @@ std::vector<Moment> observed_moments(const std::vector<Observation>& observation
 
 StopPosition stop_position_of(const Observation& observation, const SiteDescription& site,
                               const Vec2& start, const Vec2& stop) {
-  const Vec2 offset = stop - (observation.from_own_start ? start : site.middle_of_starts);
+  const Vec2 offset = stop - (observation.measured_from_own_start ? start : site.mean_start);
   const Vec2 right(site.downslope.y(), -site.downslope.x());
   return {offset.dot(site.downslope), offset.dot(right)};
 }
@@ -138,27 +138,27 @@ std::vector<SelectedOutcome> select_outcomes(const Observation& observation,
     if (observation.moment) at = outcome.moments[moment];
     if (!observation.barrier.empty()) at = outcome.barriers[barrier];
     const StopPosition place = stop_position_of(observation, site, outcome.start,
-                                                observation.moment ? at.place : outcome.stop);
-    seen.push_back({outcome.point, place.along, place.aside, at});
+                                                observation.moment ? at.position : outcome.stop);
+    seen.push_back({outcome.point, place.along, place.lateral, at});
   }
   return seen;
 }
 
-void check_enough(const Observation& observation, std::span<const SelectedOutcome> seen) {
+void check_outcome_count(const Observation& observation, std::span<const SelectedOutcome> seen) {
   if (seen.size() >= kMinSelectedOutcomes) return;
   throw InputError("observation " + observation.name + ": a member has only " +
                    std::to_string(seen.size()) + " releases of these blocks, but " +
                    std::to_string(kMinSelectedOutcomes) + " are needed; raise [design] releases");
 }
 
-double compute_statistic(const SummaryStatistic& figure, std::span<const SelectedOutcome> seen,
+double compute_statistic(const SummaryStatistic& statistic, std::span<const SelectedOutcome> seen,
                          std::span<const std::size_t> sample) {
-  std::vector<double> values, aside;
-  if (figure.kind == SummaryStatistic::Kind::kPassed) {
+  std::vector<double> values, lateral;
+  if (statistic.kind == SummaryStatistic::Kind::kPassedFraction) {
     for (const std::size_t i : sample) values.push_back(seen[i].at.passed() ? 1.0 : 0.0);
     return mean_of_values(values);
   }
-  if (double OutcomeAtMoment::*const quantity = measured_member(figure.kind)) {
+  if (double OutcomeAtMoment::*const quantity = measured_member(statistic.kind)) {
     for (const std::size_t i : sample) {
       if (seen[i].at.passed()) values.push_back(seen[i].at.*quantity);
     }
@@ -166,18 +166,18 @@ double compute_statistic(const SummaryStatistic& figure, std::span<const Selecte
   }
   for (const std::size_t i : sample) {
     values.push_back(seen[i].along);
-    aside.push_back(seen[i].aside);
+    lateral.push_back(seen[i].lateral);
   }
-  return figure_of_places(figure, std::move(values), aside);
+  return figure_of_places(statistic, std::move(values), lateral);
 }
 
-double compute_statistic(const SummaryStatistic& figure, std::span<const StopPosition> stops) {
-  std::vector<double> along, aside;
+double compute_statistic(const SummaryStatistic& statistic, std::span<const StopPosition> stops) {
+  std::vector<double> along, lateral;
   for (const StopPosition& stop : stops) {
     along.push_back(stop.along);
-    aside.push_back(stop.aside);
+    lateral.push_back(stop.lateral);
   }
-  return figure_of_places(figure, std::move(along), aside);
+  return figure_of_places(statistic, std::move(along), lateral);
 }
 
 }  // namespace clast

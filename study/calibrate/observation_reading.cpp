@@ -23,27 +23,28 @@ struct MeasuredQuantity {
   const char* key;
   SummaryStatistic::Kind kind;
 };
-constexpr MeasuredQuantity kQuantities[] = {{"speed_m_s", SummaryStatistic::Kind::kMeanSpeed},
-                                            {"spin_rad_s", SummaryStatistic::Kind::kMeanSpin},
-                                            {"height_m", SummaryStatistic::Kind::kMeanHeight},
-                                            {"energy_j", SummaryStatistic::Kind::kMeanEnergy},
-                                            {"depth_m", SummaryStatistic::Kind::kMeanDepth}};
+constexpr MeasuredQuantity kQuantities[] = {
+    {"speed_m_s", SummaryStatistic::Kind::kMeanSpeed},
+    {"spin_rad_s", SummaryStatistic::Kind::kMeanAngularSpeed},
+    {"height_m", SummaryStatistic::Kind::kMeanHeight},
+    {"energy_j", SummaryStatistic::Kind::kMeanEnergy},
+    {"depth_m", SummaryStatistic::Kind::kMeanScarDepth}};
 
 bool is_fitted(const std::string& use) { return use == "fit"; }
 
 /// The numbers of a list, which is there.
 std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
                                const std::string& expected) {
-  const ValueFormat& form = table.form(key);
-  return table.numbers(key, table.require_key(key, expected), form.least, form.most, expected,
-                       form.leaf().range);
+  const ValueFormat& form = table.value_format(key);
+  return table.read_numbers(key, table.require_key(key, expected), form.minimum, form.maximum,
+                            expected, form.innermost_format().range);
 }
 
 /// Returns the only one of the mutually exclusive keys.
 /// @throws InputError  none or several of them are, or a key that has no meaning beside it
 std::string source_of(const DeclaredTable& table) {
   std::string source;
-  for (const std::string& one : observation_keys().one_of) {
+  for (const std::string& one : observation_keys().exactly_one_of) {
     if (!table.find(one)) continue;
     if (!source.empty()) {
       table.refuse("has " + source + " and " + one + "; write two observations");
@@ -57,13 +58,14 @@ std::string source_of(const DeclaredTable& table) {
   }
   for (const TableKey& key : observation_keys().keys) {
     const TomlNode* node = table.find(key.name);
-    if (!node || key.with.empty() ||
-        std::find(key.with.begin(), key.with.end(), source) != key.with.end()) {
+    if (!node || key.required_with.empty() ||
+        std::find(key.required_with.begin(), key.required_with.end(), source) !=
+            key.required_with.end()) {
       continue;
     }
-    table.refuse(
-        key.name, *node,
-        "applies only to an observation with " + comma_separated(key.with) + "; leave it out here");
+    table.refuse(key.name, *node,
+                 "applies only to an observation with " + comma_separated(key.required_with) +
+                     "; leave it out here");
   }
   return source;
 }
@@ -71,45 +73,48 @@ std::string source_of(const DeclaredTable& table) {
 /// "mean", "std", "aside", or "p10" for a percentile.
 SummaryStatistic figure_named(const TomlTable& table, const TomlNode& node,
                               const std::string& name) {
-  if (name == "mean") return {SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
-  if (name == "std") return {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}};
-  if (name == "aside") return {SummaryStatistic::Kind::kMeanAside, 0.0, "mean_aside_m", 0.0, {}};
+  if (name == "mean")
+    return {SummaryStatistic::Kind::kMeanStopPosition, 0.0, "mean_place_m", 0.0, {}};
+  if (name == "std") return {SummaryStatistic::Kind::kStopDeviation, 0.0, "std_place_m", 0.0, {}};
+  if (name == "aside")
+    return {SummaryStatistic::Kind::kMeanLateralPosition, 0.0, "mean_aside_m", 0.0, {}};
   const std::optional<double> level =
       name.starts_with("p") ? parse_number(std::string_view(name).substr(1)) : std::nullopt;
   if (!level || !(*level >= 1.0 && *level <= 99.0)) {
     table.refuse("figures", node,
                  "must be \"mean\", \"std\", \"aside\", or a percentile from \"p1\" to \"p99\"");
   }
-  return {SummaryStatistic::Kind::kPlace, *level / 100.0, name + "_place_m", 0.0, {}};
+  return {SummaryStatistic::Kind::kStopQuantile, *level / 100.0, name + "_place_m", 0.0, {}};
 }
 
 std::vector<SummaryStatistic> stop_figures(const DeclaredTable& table) {
-  std::vector<SummaryStatistic> figures;
+  std::vector<SummaryStatistic> statistics;
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.text_list("figures");
+    const std::vector<std::string> names = *table.read_text_list("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
-      figures.push_back(figure_named(table, element(*asked, i), names[i]));
+      statistics.push_back(figure_named(table, element(*asked, i), names[i]));
     }
   } else if (!table.find("beyond_m")) {
-    figures = {{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
-               {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+    statistics = {{SummaryStatistic::Kind::kMeanStopPosition, 0.0, "mean_place_m", 0.0, {}},
+                  {SummaryStatistic::Kind::kStopDeviation, 0.0, "std_place_m", 0.0, {}}};
   }
   if (table.find("beyond_m")) {
     for (const double place : numbers_of(table, "beyond_m", "a list of distances, [m, m, ...]")) {
-      figures.push_back({SummaryStatistic::Kind::kBeyond,
-                         place,
-                         "beyond_" + format_significant(place, 6) + "_m",
-                         0.0,
-                         {}});
+      statistics.push_back({SummaryStatistic::Kind::kFractionBeyond,
+                            place,
+                            "beyond_" + format_significant(place, 6) + "_m",
+                            0.0,
+                            {}});
     }
   }
-  return figures;
+  return statistics;
 }
 
-void check_once(const DeclaredTable& table, const std::vector<SummaryStatistic>& figures) {
-  for (std::size_t i = 0; i < figures.size(); ++i) {
+void check_once(const DeclaredTable& table, const std::vector<SummaryStatistic>& statistics) {
+  for (std::size_t i = 0; i < statistics.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (figures[i].name == figures[k].name) table.refuse("names " + figures[i].name + " twice");
+      if (statistics[i].name == statistics[k].name)
+        table.refuse("names " + statistics[i].name + " twice");
     }
   }
 }
@@ -126,7 +131,7 @@ void read_starts(const std::vector<MeasuredStop>& stops, Observation& observatio
     if (!stop.start) return;
     ++starts[{stop.start->x(), stop.start->y()}];
   }
-  observation.from_own_start = true;
+  observation.measured_from_own_start = true;
   for (const auto& [start, count] : starts) observation.clusters.push_back(count);
 }
 
@@ -135,8 +140,8 @@ void read_stops(const DeclaredTable& table, const SiteDescription& site, Observa
   const MeasuredStops measured = read_measured_stops(*table.value<std::filesystem::path>("stops"));
   observation.table = measured.file;
   observation.sha256 = measured.sha256;
-  observation.figures = stop_figures(table);
-  check_once(table, observation.figures);
+  observation.statistics = stop_figures(table);
+  check_once(table, observation.statistics);
   std::vector<MeasuredStop> stops;
   for (const MeasuredStop& stop : measured.stops) {
     if (is_of(stop, observation)) stops.push_back(stop);
@@ -150,68 +155,70 @@ void read_stops(const DeclaredTable& table, const SiteDescription& site, Observa
   read_starts(stops, observation);
   std::vector<StopPosition> places;
   for (const MeasuredStop& stop : stops) {
-    places.push_back(stop_position_of(observation, site, stop.start.value_or(site.middle_of_starts),
-                                      stop.place));
+    places.push_back(
+        stop_position_of(observation, site, stop.start.value_or(site.mean_start), stop.position));
   }
-  for (SummaryStatistic& figure : observation.figures) {
-    figure.observed = compute_statistic(figure, places);
+  for (SummaryStatistic& statistic : observation.statistics) {
+    statistic.observed = compute_statistic(statistic, places);
   }
 }
 
 /// Quantities that are given as [value, standard error].
 std::vector<SummaryStatistic> stated_figures(const DeclaredTable& table) {
-  std::vector<SummaryStatistic> figures;
+  std::vector<SummaryStatistic> statistics;
   for (const MeasuredQuantity& quantity : kQuantities) {
     const TomlNode* node = table.find(quantity.key);
     if (!node) continue;
     const std::vector<double> given =
         numbers_of(table, quantity.key, "two numbers, [mean, its standard error]");
     if (!(given[1] > 0.0)) table.refuse(quantity.key, *node, "the error must be more than 0");
-    figures.push_back(
+    statistics.push_back(
         {quantity.kind, 0.0, std::string("mean_") + quantity.key, given[0], given[1]});
   }
-  return figures;
+  return statistics;
 }
 
 /// One impact, or the mean of several: how the blocks hit is known no better than the campaign has
 /// it, so that the scatter of as many simulated ones comes on top of the error of measuring.
 void read_impact(const DeclaredTable& table, Observation& observation) {
-  observation.moment = {Moment::Kind::kImpact,
+  observation.moment = {ObservedMoment::Kind::kImpact,
                         static_cast<double>(*table.value<std::uint64_t>("impact"))};
   observation.releases = table.value<std::uint64_t>("releases").value_or(1);
-  observation.figures = stated_figures(table);
-  for (SummaryStatistic& figure : observation.figures)
-    figure.measuring_error = *std::exchange(figure.error, {});
-  if (observation.figures.empty()) {
+  observation.statistics = stated_figures(table);
+  for (SummaryStatistic& statistic : observation.statistics)
+    statistic.measurement_error = *std::exchange(statistic.error, {});
+  if (observation.statistics.empty()) {
     table.refuse("has no observed value: add speed_m_s, spin_rad_s, energy_j or depth_m");
   }
 }
 
 /// The figures of trajectories at each time: places along the path, speed and spin.
 std::vector<SummaryStatistic> trajectory_figures(const DeclaredTable& table) {
-  std::vector<SummaryStatistic> figures;
+  std::vector<SummaryStatistic> statistics;
   const auto add = [&](const std::string& name, const auto& place) {
     if (name == "speed") {
-      figures.push_back({SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}});
+      statistics.push_back({SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}});
     } else if (name == "spin") {
-      figures.push_back({SummaryStatistic::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}});
+      statistics.push_back(
+          {SummaryStatistic::Kind::kMeanAngularSpeed, 0.0, "mean_spin_rad_s", 0.0, {}});
     } else {
-      figures.push_back(place());
+      statistics.push_back(place());
     }
   };
   if (const TomlNode* asked = table.find("figures")) {
-    const std::vector<std::string> names = *table.text_list("figures");
+    const std::vector<std::string> names = *table.read_text_list("figures");
     for (std::size_t i = 0; i < names.size(); ++i) {
       add(names[i], [&] { return figure_named(table, element(*asked, i), names[i]); });
     }
   } else {
     add("mean", [] {
-      return SummaryStatistic{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}};
+      return SummaryStatistic{
+          SummaryStatistic::Kind::kMeanStopPosition, 0.0, "mean_place_m", 0.0, {}};
     });
     add("speed", [] { return SummaryStatistic(); });
     add("spin", [] { return SummaryStatistic(); });
   }
-  return figures;
+  return statistics;
 }
 
 /// One observation at each of the times.
@@ -229,11 +236,11 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
   }
   std::vector<MeasuredStop> starts;
   for (const ObservedTrajectory& one : followed.all) {
-    starts.push_back({one.front().place, one.front().place, {}, {}, 0.0, 0.0});
+    starts.push_back({one.front().position, one.front().position, {}, {}, 0.0, 0.0});
   }
   read_starts(starts, common);
-  common.figures = trajectory_figures(table);
-  check_once(table, common.figures);
+  common.statistics = trajectory_figures(table);
+  check_once(table, common.statistics);
   table.require_key("times_s", "a list of times since the release");
   std::vector<Observation> observations;
   for (const double time :
@@ -242,21 +249,21 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
       table.refuse("times_s", "the longest trajectory ends before " + format_significant(time, 6));
     }
     Observation own = common;
-    own.moment = {Moment::Kind::kTime, time};
+    own.moment = {ObservedMoment::Kind::kTime, time};
     own.name += " at " + own.moment->name();
     std::vector<SelectedOutcome> seen;
     std::vector<std::size_t> all;
     for (const ObservedTrajectory& one : followed.all) {
-      const TrajectoryPoint point = point_at(one, time);
-      const StopPosition place = stop_position_of(own, site, one.front().place, point.place);
+      const TrajectoryPoint point = interpolate_trajectory(one, time);
+      const StopPosition place = stop_position_of(own, site, one.front().position, point.position);
       OutcomeAtMoment at;
       at.speed = point.speed;
       at.spin = point.spin;
       all.push_back(seen.size());
-      seen.push_back({0, place.along, place.aside, at});
+      seen.push_back({0, place.along, place.lateral, at});
     }
-    for (SummaryStatistic& figure : own.figures)
-      figure.observed = compute_statistic(figure, seen, all);
+    for (SummaryStatistic& statistic : own.statistics)
+      statistic.observed = compute_statistic(statistic, seen, all);
     observations.push_back(std::move(own));
   }
   return observations;
@@ -264,7 +271,7 @@ std::vector<Observation> read_followed(const DeclaredTable& table, const SiteDes
 
 void read_passages(const DeclaredTable& table, const SiteDescription& site,
                    Observation& observation) {
-  observation.barrier = *table.text("barrier");
+  observation.barrier = *table.read_text("barrier");
   if (std::find(site.barriers.begin(), site.barriers.end(), observation.barrier) ==
       site.barriers.end()) {
     table.refuse("barrier", "the campaign of site " + site.name + " has no such barrier");
@@ -279,21 +286,21 @@ void read_passages(const DeclaredTable& table, const SiteDescription& site,
   }
   observation.releases = releases.value_or(0);
   if (passed) {
-    observation.figures.push_back({SummaryStatistic::Kind::kPassed,
-                                   0.0,
-                                   "passed",
-                                   static_cast<double>(*passed) / static_cast<double>(*releases),
-                                   {}});
+    observation.statistics.push_back({SummaryStatistic::Kind::kPassedFraction,
+                                      0.0,
+                                      "passed",
+                                      static_cast<double>(*passed) / static_cast<double>(*releases),
+                                      {}});
   }
   const std::vector<SummaryStatistic> stated = stated_figures(table);
-  observation.figures.insert(observation.figures.end(), stated.begin(), stated.end());
-  if (observation.figures.empty()) {
+  observation.statistics.insert(observation.statistics.end(), stated.begin(), stated.end());
+  if (observation.statistics.empty()) {
     table.refuse("has no observed value: add passed, speed_m_s, spin_rad_s, height_m or energy_j");
   }
 }
 
 std::size_t site_of(const DeclaredTable& table, const std::vector<CalibrationSite>& sites) {
-  const std::optional<std::string> name = table.text("site");
+  const std::optional<std::string> name = table.read_text("site");
   if (!name && sites.size() == 1) return 0;
   const TomlNode& node = table.require_key("site", "the name of a [[site]]");
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -332,8 +339,8 @@ bool overlap(const std::string& a, const std::string& b) {
 
 /// Number of the impact; 0 of what is of none.
 double impact_of(const Observation& observation) {
-  const std::optional<Moment>& moment = observation.moment;
-  return moment && moment->kind == Moment::Kind::kImpact ? moment->value : 0.0;
+  const std::optional<ObservedMoment>& moment = observation.moment;
+  return moment && moment->kind == ObservedMoment::Kind::kImpact ? moment->value : 0.0;
 }
 
 /// True if both observations have the same blocks.
@@ -346,8 +353,10 @@ bool share_blocks(const Observation& a, const Observation& b) {
 }  // namespace
 
 const MemberTable<Observation>& observation_keys() {
-  const auto measured = [](const NumberRange& range) { return list(number(range), 2, 2); };
-  const ValueFormat figure = fitting("^(mean|std|aside|speed|spin|p[0-9.+].*)$");
+  const auto measured = [](const NumberRange& range) {
+    return list_format(number_format(range), 2, 2);
+  };
+  const ValueFormat statistic = pattern_format("^(mean|std|aside|speed|spin|p[0-9.+].*)$");
   using Names = std::vector<std::string>;
   const Names stops = {"stops"}, places = {"stops", "trajectories"}, barrier = {"barrier"},
               moving = {"barrier", "impact"}, impact = {"impact"}, followed = {"trajectories"};
@@ -358,46 +367,47 @@ const MemberTable<Observation>& observation_keys() {
        {},
        true,
        {"stops", "barrier", "impact", "trajectories"}},
-      {{"name", "", "name of the observation", required("a text in quotes", text()),
+      {{"name", "", "name of the observation", required_format("a text in quotes", text_format()),
         &Observation::name},
-       {"site", "", "name of the site, required if there are several", text()},
+       {"site", "", "name of the site, required if there are several", text_format()},
        {"use", "", "fitted, or kept for validation",
-        required("\"fit\", or \"keep\" for validation", words({"fit", "keep"})), &is_fitted,
-        &Observation::fitted},
-       {"shape", "", "only blocks of this shape", words({"compact", "elongated"}),
+        required_format("\"fit\", or \"keep\" for validation", word_format({"fit", "keep"})),
+        &is_fitted, &Observation::fitted},
+       {"shape", "", "only blocks of this shape", word_format({"compact", "elongated"}),
         &Observation::shape},
-       {"block", "", "only the block with this id", text(), &Observation::block},
-       {"stops", "", "file with a table of stops", text()},
+       {"block", "", "only the block with this id", text_format(), &Observation::block},
+       {"stops", "", "file with a table of stops", text_format()},
        TableKey{"figures", "",
                 "statistics of the stops: mean, std, aside, p1 to p99; of trajectories also speed "
                 "and spin",
-                one_or_more(figure), places},
+                one_or_more_format(statistic), places},
        TableKey{"beyond_m", "m",
                 "distances along downslope: the fraction of stops beyond each is used",
-                list(number(kMapCoordinate), 1, 20), stops},
-       {"barrier", "", "name of a barrier of the campaign", text()},
+                list_format(number_format(kMapCoordinateRange), 1, 20), stops},
+       {"barrier", "", "name of a barrier of the campaign", text_format()},
        TableKey{"releases", "",
                 "number of released blocks, or of the impacts over which the values are averaged",
-                count(1, kMaxPerSet), moving},
-       TableKey{"passed", "", "number of released blocks that passed", count(0, kMaxPerSet),
-                barrier},
+                count_format(1, kMaxItemsPerSet), moving},
+       TableKey{"passed", "", "number of released blocks that passed",
+                count_format(0, kMaxItemsPerSet), barrier},
        TableKey{"speed_m_s", "m/s", "mean speed, [value, standard error]",
-                measured({0.0, kMaxSpeed, "m/s"}), moving},
+                measured({0.0, kMaxInitialSpeed, "m/s"}), moving},
        TableKey{"spin_rad_s", "rad/s", "mean spin, [value, standard error]",
-                measured({0.0, kMaxSpin, "rad/s"}), moving},
+                measured({0.0, kMaxInitialSpin, "rad/s"}), moving},
        TableKey{"height_m", "m",
                 "mean height of the centre above the ground, [value, standard error]",
                 measured({-1e4, 1e4, "m"}), barrier},
        TableKey{"energy_j", "J",
                 "mean translational plus rotational energy, [value, standard error]",
                 measured({0.0, 1e15, "J"}), moving},
-       {"release", "", "only runs of the [[release]] of this name", text(), &Observation::release},
-       {"impact", "", "number of an impact of each run, from 1", count(1, 1000)},
+       {"release", "", "only runs of the [[release]] of this name", text_format(),
+        &Observation::release},
+       {"impact", "", "number of an impact of each run, from 1", count_format(1, 1000)},
        TableKey{"depth_m", "m", "mean depth of the impact scar, [value, standard error]",
                 measured({0.0, 1e3, "m"}), impact},
-       {"trajectories", "", "file with a table of trajectories", text()},
+       {"trajectories", "", "file with a table of trajectories", text_format()},
        TableKey{"times_s", "s", "times since the release at which trajectories are compared",
-                list(number(kRunTime), 1, 100), followed}});
+                list_format(number_format(kRunTimeRange), 1, 100), followed}});
   return keys;
 }
 
@@ -417,7 +427,7 @@ SiteDescription read_site_path(const CalibrationSite& site) {
       ++count;
     }
   }
-  facts.middle_of_starts = first + sum / static_cast<double>(count);
+  facts.mean_start = first + sum / static_cast<double>(count);
   return facts;
 }
 
@@ -426,11 +436,11 @@ std::vector<Observation> read_observations(const TomlTable& top,
   std::vector<Observation> observations;
   for (const DeclaredTable& table : find_tables(top, observation_keys())) {
     for (Observation& observation : read_observation(table, sites)) {
-      check_new_name(table, observation.name, observations, "observation");
+      check_unique_name(table, observation.name, observations, "observation");
       for (const Observation& other : observations) {
         if (other.fitted != observation.fitted && share_blocks(other, observation)) {
           table.refuse("use", "observation " + other.name +
-                                  " is of the same blocks; observations of fitted blocks can't be "
+                                  " uses the same blocks; observations of fitted blocks cannot be "
                                   "kept for validation");
         }
       }

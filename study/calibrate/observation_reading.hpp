@@ -8,14 +8,14 @@
 
 namespace clast::study_detail {
 
-/// Reads the description of a site without its blocks. This needs no prepared campaign.
+/// Reads the description of a site without its blocks from the campaign.
 SiteDescription read_site_path(const CalibrationSite& site);
 
 const MemberTable<Observation>& observation_keys();
 
-/// Reads the tables [[observation]]. Computes the observed statistics from the tables of stops and
-/// trajectories that they name.
-/// @throws InputError  as `read_calibration_study`
+/// Reads the tables [[observation]] of a study file, and computes the observed statistics from
+/// tables of stops and trajectories.
+/// @throws InputError  if `read_calibration_study` would throw
 std::vector<Observation> read_observations(const TomlTable& top,
                                            const std::vector<CalibrationSite>& sites);
 

@@ -20,9 +20,10 @@ ObservedTrajectorySet read_trajectories(const std::filesystem::path& file) {
   constexpr const char* kColumns =
       "six numbers: trajectory, time_s, x_m, y_m, speed_m_s and spin_rad_s";
   const std::vector<NumericRow> rows = read_numeric_table(
-      file, {.names = {{"trajectory"}, {"time_s"}, {"x"}, {"y"}, {"speed_m_s"}, {"spin_rad_s"}},
-             .range = {-1e8, 1e8},
-             .meaning = kColumns});
+      file,
+      {.column_names = {{"trajectory"}, {"time_s"}, {"x"}, {"y"}, {"speed_m_s"}, {"spin_rad_s"}},
+       .range = {-1e8, 1e8},
+       .expected_line = kColumns});
   std::map<double, ObservedTrajectory> by_number;
   for (const NumericRow& row : rows) {
     ObservedTrajectory& own = by_number[row.values[0]];
@@ -42,15 +43,15 @@ ObservedTrajectorySet read_trajectories(const std::filesystem::path& file) {
   return read;
 }
 
-TrajectoryPoint point_at(const ObservedTrajectory& trajectory, double time) {
+TrajectoryPoint interpolate_trajectory(const ObservedTrajectory& trajectory, double time) {
   const auto next = std::find_if(trajectory.begin(), trajectory.end(),
                                  [&](const TrajectoryPoint& point) { return point.time >= time; });
   if (next == trajectory.end()) return trajectory.back();
   if (next == trajectory.begin()) return *next;
   const TrajectoryPoint &a = *(next - 1), &b = *next;
   const double share = (time - a.time) / (b.time - a.time);
-  return {time, a.place + share * (b.place - a.place), a.speed + share * (b.speed - a.speed),
-          a.spin + share * (b.spin - a.spin)};
+  return {time, a.position + share * (b.position - a.position),
+          a.speed + share * (b.speed - a.speed), a.spin + share * (b.spin - a.spin)};
 }
 
 }  // namespace clast::study_detail

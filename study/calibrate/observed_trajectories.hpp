@@ -8,19 +8,19 @@
 
 namespace clast::study_detail {
 
-/// State of an observed block at one time.
+/// State of a block at one time, observed in the field.
 struct TrajectoryPoint {
-  double time = 0.0;  ///< since the release, s
-  Vec2 place = Vec2::Zero();
-  double speed = 0.0;  ///< of the centre of mass, m/s
-  double spin = 0.0;   ///< rad/s
+  double time = 0.0;  ///< time since the release, s
+  Vec2 position = Vec2::Zero();
+  double speed = 0.0;  ///< speed of the centre of mass, m/s
+  double spin = 0.0;   ///< angular speed, rad/s
 };
 
-/// Points in ascending time order, from the release.
+/// Observed trajectory: states in ascending order of time, from the release.
 using ObservedTrajectory = std::vector<TrajectoryPoint>;
 
 struct ObservedTrajectorySet {
-  std::string sha256;  ///< of the table
+  std::string sha256;  ///< digest of the table
   std::vector<ObservedTrajectory> all;
 
   double longest() const;  ///< duration of the longest trajectory, s
@@ -31,8 +31,8 @@ struct ObservedTrajectorySet {
 /// @throws InputError  if there is no such table, or times do not increase; names file and line
 ObservedTrajectorySet read_trajectories(const std::filesystem::path& file);
 
-/// Interpolates a trajectory linearly. After the last row, the state is constant.
-/// @param time  since the release, s
-TrajectoryPoint point_at(const ObservedTrajectory& trajectory, double time);
+/// Interpolates an observed trajectory linearly. After its last point, the state is constant.
+/// @param time  time since the release, s
+TrajectoryPoint interpolate_trajectory(const ObservedTrajectory& trajectory, double time);
 
 }  // namespace clast::study_detail

@@ -32,9 +32,9 @@ void write_unknowns(Hdf5Group group, const CalibrationStudy& study) {
   std::vector<std::string> parameters, units;
   std::vector<double> low, high;
   std::vector<std::uint8_t> logarithmic;
-  for (const Unknown& unknown : study.unknowns) {
+  for (const UnknownParameter& unknown : study.unknowns) {
     parameters.push_back(unknown.parameter);
-    units.push_back(parameter_range(unknown.parameter).unit);
+    units.push_back(calibratable_range(unknown.parameter).unit);
     low.push_back(unknown.low);
     high.push_back(unknown.high);
     logarithmic.push_back(unknown.logarithmic ? 1 : 0);
@@ -52,14 +52,14 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   std::vector<std::string> observation, site, use, name;
   std::vector<double> observed, error;
   for (const Observation& one : study.observations) {
-    for (const SummaryStatistic& figure : one.figures) {
+    for (const SummaryStatistic& statistic : one.statistics) {
       observation.push_back(one.name);
       site.push_back(study.sites[one.site].name);
       use.emplace_back(one.fitted ? "fit" : "keep");
-      name.push_back(figure.name);
-      observed.push_back(figure.observed);
-      error.push_back(figure.error.value_or(figure.measuring_error > 0.0 ? figure.measuring_error
-                                                                         : kNotStored));
+      name.push_back(statistic.name);
+      observed.push_back(statistic.observed);
+      error.push_back(statistic.error.value_or(
+          statistic.measurement_error > 0.0 ? statistic.measurement_error : kNotStored));
     }
   }
   group.write<std::string>("observation", observation);
@@ -68,11 +68,11 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   group.write<std::string>("figure", name);
   group.write<double>("observed", observed);
   group.write<double>("stated_error", error);
-  write_matrix(group, "members", posterior.member_figures);
+  write_matrix(group, "members", posterior.member_statistics);
   std::vector<double> cross, explained, inflation, roughness;
   for (const std::optional<SurrogateQuality>& quality : posterior.surrogates) {
-    cross.push_back(quality ? quality->error : kNotStored);
-    explained.push_back(quality ? quality->explained : kNotStored);
+    cross.push_back(quality ? quality->leave_one_out_error : kNotStored);
+    explained.push_back(quality ? quality->explained_variance : kNotStored);
     inflation.push_back(quality ? quality->inflation : kNotStored);
     roughness.push_back(quality ? quality->roughness : kNotStored);
   }
@@ -84,18 +84,18 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
   std::size_t count = 0;
   for (const Observation& one : study.observations) {
     first.push_back(count);
-    count += one.figures.size();
+    count += one.statistics.size();
   }
   std::vector<double> median(count, kNotStored), low(count, kNotStored), high(count, kNotStored);
   std::vector<double> prior_median = median, prior_low = median, prior_high = median;
-  for (const PredictedStatistic& figure : posterior.predicted) {
-    const std::size_t at = first[figure.observation] + figure.figure;
-    median[at] = figure.median;
-    low[at] = figure.low;
-    high[at] = figure.high;
-    prior_median[at] = figure.prior.median;
-    prior_low[at] = figure.prior.low;
-    prior_high[at] = figure.prior.high;
+  for (const PredictedStatistic& statistic : posterior.predictions) {
+    const std::size_t at = first[statistic.observation] + statistic.statistic;
+    median[at] = statistic.median;
+    low[at] = statistic.low;
+    high[at] = statistic.high;
+    prior_median[at] = statistic.prior.median;
+    prior_low[at] = statistic.prior.low;
+    prior_high[at] = statistic.prior.high;
   }
   group.write<double>("predicted_median", median);
   group.write<double>("predicted_low", low);
@@ -115,9 +115,9 @@ void write_figures(Hdf5Group group, const CalibrationStudy& study,
 }
 
 void write_check(Hdf5Group& group, const std::string& name, const PredictiveCheck& check) {
-  group.set_attribute<std::int64_t>(name + "_figures", static_cast<std::int64_t>(check.figures));
+  group.set_attribute<std::int64_t>(name + "_figures", static_cast<std::int64_t>(check.statistics));
   group.set_attribute<std::int64_t>(name + "_covered", static_cast<std::int64_t>(check.covered));
-  group.set_attribute<double>(name + "_squared_distance", check.squared);
+  group.set_attribute<double>(name + "_squared_distance", check.squared_distance);
   group.set_attribute<double>(name + "_freedom", check.degrees_of_freedom);
   group.set_attribute<double>(name + "_p", check.p_value.value_or(kNotStored));
 }
@@ -129,13 +129,13 @@ void write_found(Hdf5Group group, const CalibrationPosterior& posterior) {
                                 static_cast<std::size_t>(posterior.log_likelihood.size())));
   write_matrix(group, "rank_correlation", posterior.correlation);
   std::vector<double> median, low, high, width, near_median, near_low, near_high;
-  for (const Marginal& marginal : posterior.marginals) {
+  for (const MarginalPosterior& marginal : posterior.marginals) {
     median.push_back(marginal.median);
     low.push_back(marginal.low);
     high.push_back(marginal.high);
     width.push_back(marginal.width);
   }
-  for (const Marginal& marginal : posterior.nearest.unknowns) {
+  for (const MarginalPosterior& marginal : posterior.nearest.unknowns) {
     near_median.push_back(marginal.median);
     near_low.push_back(marginal.low);
     near_high.push_back(marginal.high);
@@ -151,10 +151,10 @@ void write_found(Hdf5Group group, const CalibrationPosterior& posterior) {
                                     static_cast<std::int64_t>(posterior.nearest.members));
   group.set_attribute<double>("log_evidence", posterior.log_evidence);
   group.set_attribute<std::int64_t>("temperatures",
-                                    static_cast<std::int64_t>(posterior.temperatures));
-  group.set_attribute<double>("accepted", posterior.accepted);
+                                    static_cast<std::int64_t>(posterior.temperature_count));
+  group.set_attribute<double>("accepted", posterior.acceptance_rate);
   write_check(group, "fitted", posterior.fitted);
-  write_check(group, "kept", posterior.kept);
+  write_check(group, "kept", posterior.held_out);
 }
 
 }  // namespace
@@ -171,8 +171,8 @@ void write_posterior(const std::filesystem::path& target, const CalibrationStudy
     if (!stored.physics_digest.empty()) {
       root.set_attribute<std::string>("physics_digest", stored.physics_digest);
     }
-    root.set_attribute<std::int64_t>("members", study.design.members);
-    root.set_attribute<std::int64_t>("releases", study.design.releases);
+    root.set_attribute<std::int64_t>("members", study.design.member_count);
+    root.set_attribute<std::int64_t>("releases", study.design.releases_per_member);
     root.set_attribute<std::int64_t>("seed", static_cast<std::int64_t>(study.design.seed));
     root.set_attribute<std::string>(
         "kernel", study.design.kernel == Kernel::kMatern52 ? "matern-5/2" : "squared-exponential");
@@ -180,15 +180,15 @@ void write_posterior(const std::filesystem::path& target, const CalibrationStudy
     root.write<std::string>("inputs", stored.inputs);
     write_unknowns(root.create_group("unknowns"), study);
     std::vector<double> values;
-    for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {
+    for (const std::vector<double>& place : study.design.sobol_points(study.unknowns.size())) {
       const std::vector<double> member = study.values(place);
       values.insert(values.end(), member.begin(), member.end());
     }
-    root.write<double>("member_values", values, {study.design.members, study.unknowns.size()});
+    root.write<double>("member_values", values, {study.design.member_count, study.unknowns.size()});
     Hdf5Group sites = root.create_group("sites");
     for (std::size_t i = 0; i < stored.runs.sites.size(); ++i) {
-      write_site(sites.create_group(std::to_string(i)), stored.runs.sites[i],
-                 stored.runs.outcomes[i], stored.done[i]);
+      write_site_outcomes(sites.create_group(std::to_string(i)), stored.runs.sites[i],
+                          stored.runs.outcomes[i], stored.done[i]);
     }
     if (posterior) {
       write_figures(root.create_group("figures"), study, *posterior);
@@ -216,7 +216,7 @@ StoredCalibration read_calibration_runs(const std::filesystem::path& path) {
   for (std::size_t i = 0; sites.contains(std::to_string(i)); ++i) {
     const std::string name = "/sites/" + std::to_string(i);
     const CheckedGroup site{path.string(), name, sites.open_group(std::to_string(i))};
-    stored.runs.sites.push_back(read_facts(site));
+    stored.runs.sites.push_back(read_site_description(site));
     const auto done = site.column<std::uint8_t>("done", static_cast<std::size_t>(members));
     stored.done.emplace_back(done.begin(), done.end());
     const CheckedGroup runs{path.string(), name + "/runs", site.group.open_group("runs")};

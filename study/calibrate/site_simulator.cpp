@@ -22,19 +22,19 @@ using namespace study_detail;
 namespace {
 
 /// The middle of the ranges, for what must be decided before any member.
-Campaign with_middles(Campaign campaign, const std::vector<Unknown>& unknowns) {
-  for (const Unknown& unknown : unknowns) {
+Campaign with_middles(Campaign campaign, const std::vector<UnknownParameter>& unknowns) {
+  for (const UnknownParameter& unknown : unknowns) {
     if (has_parameter(campaign, unknown.parameter)) {
-      set_parameter(campaign, unknown.parameter, unknown.value(0.5));
+      set_parameter(campaign, unknown.parameter, unknown.prior_quantile(0.5));
     }
   }
   return campaign;
 }
 
 /// True if the campaign has an unknown of this kind.
-bool has_any(const Campaign& campaign, const std::vector<Unknown>& unknowns,
+bool has_any(const Campaign& campaign, const std::vector<UnknownParameter>& unknowns,
              bool (*kind)(const std::string&)) {
-  return std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& unknown) {
+  return std::any_of(unknowns.begin(), unknowns.end(), [&](const UnknownParameter& unknown) {
     return kind(unknown.parameter) && has_parameter(campaign, unknown.parameter);
   });
 }
@@ -42,8 +42,8 @@ bool has_any(const Campaign& campaign, const std::vector<Unknown>& unknowns,
 /// Sees what a run does at the moments that are observed.
 class MomentObserver {
  public:
-  MomentObserver(const std::vector<Moment>& moments, const RigidBody& body, const MapFrame& frame,
-                 double gravity)
+  MomentObserver(const std::vector<ObservedMoment>& moments, const RigidBody& body,
+                 const MapFrame& frame, double gravity)
       : moments_(moments), body_(body), frame_(frame), gravity_(gravity), impacts_(body, 0) {
     outcomes_.resize(moments.size());
   }
@@ -52,7 +52,7 @@ class MomentObserver {
     impacts_.observe_step(step);
     for (std::size_t i = 0; i < moments_.size(); ++i) {
       const double time = moments_[i].value;
-      if (moments_[i].kind != Moment::Kind::kTime || outcomes_[i].passed()) continue;
+      if (moments_[i].kind != ObservedMoment::Kind::kTime || outcomes_[i].passed()) continue;
       if (time <= step.end_time) outcomes_[i] = at(interpolate_state(body_, step, time, gravity_));
     }
   }
@@ -61,13 +61,13 @@ class MomentObserver {
   std::vector<OutcomeAtMoment> outcomes(const RigidState& end) {
     impacts_.finish();
     for (std::size_t i = 0; i < moments_.size(); ++i) {
-      if (moments_[i].kind == Moment::Kind::kTime) {
+      if (moments_[i].kind == ObservedMoment::Kind::kTime) {
         if (!outcomes_[i].passed()) outcomes_[i] = at(end);
         continue;
       }
       const auto number = static_cast<std::size_t>(moments_[i].value);
       if (number > impacts_.impacts.size()) continue;
-      outcomes_[i] = at(impacts_.last_touches[number - 1]);
+      outcomes_[i] = at(impacts_.last_contact_states[number - 1]);
       outcomes_[i].depth = impacts_.impacts[number - 1].depth;
     }
     return outcomes_;
@@ -79,11 +79,11 @@ class MomentObserver {
     outcome.speed = state.velocity.norm();
     outcome.spin = state.angular_velocity.norm();
     outcome.energy = translational_energy(body_, state) + rotational_energy(body_, state);
-    outcome.place = frame_.to_map(state.position).head<2>();
+    outcome.position = frame_.to_map(state.position).head<2>();
     return outcome;
   }
 
-  const std::vector<Moment>& moments_;
+  const std::vector<ObservedMoment>& moments_;
   const RigidBody& body_;
   const MapFrame& frame_;
   double gravity_;
@@ -120,7 +120,7 @@ struct SiteMemberSimulator::Impl {
   explicit Impl(CampaignPlan plan) : prepared(std::move(plan)) {}
 
   std::string name;
-  std::vector<Unknown> unknowns;
+  std::vector<UnknownParameter> unknowns;
   CalibrationDesign design;
   bool starts_vary = false;
   /// Blocks are drawn for each member; outcomes name those that they are drawn from.
@@ -134,12 +134,12 @@ struct SiteMemberSimulator::Impl {
   std::vector<RunRecord> chosen_runs(std::uint32_t member) {
     Random random(derive_seed(design.seed, name + " member " + std::to_string(member)));
     std::vector<std::uint32_t> numbers;
-    const double each = static_cast<double>(planned.size()) / design.releases;
-    for (std::uint32_t i = 0; i < design.releases; ++i) {
+    const double each = static_cast<double>(planned.size()) / design.releases_per_member;
+    for (std::uint32_t i = 0; i < design.releases_per_member; ++i) {
       const auto number = static_cast<std::size_t>((i + random.uniform()) * each);
       numbers.push_back(static_cast<std::uint32_t>(std::min(number, planned.size() - 1)));
     }
-    if (starts_vary || blocks_vary) return make_planned_runs(prepared, numbers);
+    if (starts_vary || blocks_vary) return plan_selected_runs(prepared, numbers);
     std::vector<RunRecord> runs;
     for (const std::uint32_t number : numbers) runs.push_back(planned[number]);
     return runs;
@@ -157,8 +157,9 @@ struct SiteMemberSimulator::Impl {
   /// The largest blocks that members may have must not be of unusual size.
   void check_largest_blocks() {
     const Campaign middle = prepared.campaign;
-    for (const Unknown& unknown : unknowns) {
-      if (!is_block_parameter(unknown.parameter) || !fraction_class(unknown.parameter).empty())
+    for (const UnknownParameter& unknown : unknowns) {
+      if (!is_block_parameter(unknown.parameter) ||
+          !class_of_fraction_parameter(unknown.parameter).empty())
         continue;
       if (has_parameter(middle, unknown.parameter)) {
         set_parameter(prepared.campaign, unknown.parameter, unknown.high);
@@ -166,11 +167,11 @@ struct SiteMemberSimulator::Impl {
     }
     draw_blocks_of(0);
     try {
-      check_sizes(prepared);
+      check_block_sizes(prepared);
     } catch (const InputError& error) {
-      throw InputError(std::string(error.what()) +
-                       "; blocks are drawn with the masses of [[unknown]] at the upper ends of "
-                       "their ranges");
+      throw InputError(
+          std::string(error.what()) +
+          "; the blocks are drawn with masses at the upper ends of the ranges in [[unknown]]");
     }
     prepared.campaign = middle;
   }
@@ -191,20 +192,20 @@ struct SiteMemberSimulator::Impl {
 };
 
 SiteMemberSimulator::SiteMemberSimulator(const CalibrationSite& site,
-                                         const std::vector<Unknown>& unknowns,
+                                         const std::vector<UnknownParameter>& unknowns,
                                          const CalibrationDesign& design,
-                                         const std::vector<Moment>& moments)
+                                         const std::vector<ObservedMoment>& moments)
     : impl_(std::make_unique<Impl>(prepare_campaign(with_middles(site.campaign, unknowns)))) {
   Impl& own = *impl_;
   own.name = site.name;
   own.design = design;
   own.unknowns = unknowns;
-  own.starts_vary = has_any(site.campaign, unknowns, is_of_release);
+  own.starts_vary = has_any(site.campaign, unknowns, is_release_parameter);
   own.blocks_vary = has_any(site.campaign, unknowns, is_block_parameter);
   own.planned = own.prepared.runs;
-  if (own.planned.size() < design.releases) {
+  if (own.planned.size() < design.releases_per_member) {
     throw InputError(site.campaign.file.string() + ": plans " + std::to_string(own.planned.size()) +
-                     " runs, fewer than the " + std::to_string(design.releases) +
+                     " runs, fewer than the " + std::to_string(design.releases_per_member) +
                      " releases of each member; add orientations or points, or lower releases");
   }
   own.facts = read_site_path(site);

@@ -9,18 +9,19 @@
 
 namespace clast {
 
-/// Simulator of one site. Loads the campaign once and sets the unknowns per member. Releases are
-/// distributed evenly over the planned runs and differ between members. If an unknown concerns
-/// sampled blocks, these are sampled again for each member. Outcomes refer to library blocks.
+/// Simulates the members of a calibration at one site. The campaign is loaded once, and the unknown
+/// parameters are set for each member. Releases are distributed evenly over the planned runs.
+/// Sampled blocks are sampled again for each member if a parameter concerns them.
 class SiteMemberSimulator {
  public:
-  /// Prepares the campaign.
-  /// @param unknowns  unknowns that do not occur in the campaign are ignored
-  /// @param moments  moments at which states are recorded
+  /// Prepares the campaign of the site.
+  /// @param unknowns  unknown parameters; those that the campaign lacks are ignored
+  /// @param moments  impacts and times at which states are recorded
   /// @throws InputError, SimulationError  if `prepare_campaign` throws, or if the campaign has
   ///                                      fewer runs than the design requests
-  SiteMemberSimulator(const CalibrationSite& site, const std::vector<Unknown>& unknowns,
-                      const CalibrationDesign& design, const std::vector<Moment>& moments = {});
+  SiteMemberSimulator(const CalibrationSite& site, const std::vector<UnknownParameter>& unknowns,
+                      const CalibrationDesign& design,
+                      const std::vector<ObservedMoment>& moments = {});
   ~SiteMemberSimulator();
   SiteMemberSimulator(SiteMemberSimulator&&) noexcept;
 
@@ -28,7 +29,7 @@ class SiteMemberSimulator {
   /// Returns the input files (campaign, library, terrain, release sets), each as "path sha256".
   const std::vector<std::string>& inputs() const;
 
-  /// Simulates one member. Not thread-safe.
+  /// Simulates the releases of one member. Not thread-safe.
   /// @param values  values of the unknowns
   /// @param threads  number of threads; does not affect the result
   /// @throws SimulationError  if a start position is inside the ground or a run fails; names member

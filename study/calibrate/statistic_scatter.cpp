@@ -26,7 +26,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 struct SharedReleases {
   std::size_t rows = 0;
   std::map<std::uint32_t, Sample> by_point;
-  std::size_t most = 0;               ///< field releases, of any of the observations
+  std::size_t maximum = 0;            ///< field releases, of any of the observations
   std::vector<std::size_t> clusters;  ///< of the field releases
 };
 
@@ -55,7 +55,7 @@ SiteBlocks blocks_of(const std::vector<const Observation*>& observations,
       }
     }
     SharedReleases& blocks = site.blocks[number->second];
-    blocks.most = std::max(blocks.most, own.releases);
+    blocks.maximum = std::max(blocks.maximum, own.releases);
     if (blocks.clusters.empty()) blocks.clusters = own.clusters;
   }
   site.points.assign(points.begin(), points.end());
@@ -71,22 +71,23 @@ VectorXd figures_of(const std::vector<const Observation*>& observations,
   for (std::size_t o = 0; o < observations.size(); ++o) {
     const std::span<const std::size_t> all(samples[site.of_observation[o]]);
     const std::size_t count = whole ? all.size() : observations[o]->releases;
-    for (const SummaryStatistic& figure : observations[o]->figures) {
-      values.push_back(compute_statistic(figure, seen[o], all.first(std::min(count, all.size()))));
+    for (const SummaryStatistic& statistic : observations[o]->statistics) {
+      values.push_back(
+          compute_statistic(statistic, seen[o], all.first(std::min(count, all.size()))));
     }
   }
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
 
-struct Moments {
+struct SolidMoments {
   VectorXd mean;
   MatrixXd covariance;
 };
 
 /// Each over the draws that have the values.
-Moments moments_of(const std::vector<VectorXd>& draws) {
+SolidMoments moments_of(const std::vector<VectorXd>& draws) {
   const Index count = draws.front().size();
-  Moments moments{VectorXd::Constant(count, kNone), MatrixXd::Constant(count, count, kNone)};
+  SolidMoments moments{VectorXd::Constant(count, kNone), MatrixXd::Constant(count, count, kNone)};
   const auto mean_over = [&](const std::function<double(const VectorXd&)>& value) {
     double sum = 0.0;
     std::size_t finite = 0;
@@ -113,9 +114,9 @@ Moments moments_of(const std::vector<VectorXd>& draws) {
 
 using DrawSamples = std::function<std::vector<Sample>()>;
 
-Moments bootstrap_moments(const std::vector<const Observation*>& observations,
-                          const std::vector<std::vector<SelectedOutcome>>& seen,
-                          const SiteBlocks& site, bool whole, const DrawSamples& draw) {
+SolidMoments bootstrap_moments(const std::vector<const Observation*>& observations,
+                               const std::vector<std::vector<SelectedOutcome>>& seen,
+                               const SiteBlocks& site, bool whole, const DrawSamples& draw) {
   std::vector<VectorXd> draws;
   for (std::size_t i = 0; i < kScatterDraws; ++i) {
     draws.push_back(figures_of(observations, seen, site, draw(), whole));
@@ -131,7 +132,8 @@ Sample one_by_one(const SharedReleases& blocks, std::size_t count, Random& rando
 }
 
 Sample as_in_field(const SharedReleases& blocks, Random& random) {
-  if (blocks.clusters.empty() || blocks.rows == 0) return one_by_one(blocks, blocks.most, random);
+  if (blocks.clusters.empty() || blocks.rows == 0)
+    return one_by_one(blocks, blocks.maximum, random);
   Sample sample;
   for (const std::size_t count : blocks.clusters) {
     const auto point =
@@ -170,7 +172,7 @@ void make_unbiased(const std::vector<const Observation*>& observations, const Si
   std::vector<double> roots;
   for (std::size_t o = 0; o < observations.size(); ++o) {
     const double factor = bootstrap_factor(drawn_from[site.of_observation[o]]);
-    roots.insert(roots.end(), observations[o]->figures.size(), std::sqrt(factor));
+    roots.insert(roots.end(), observations[o]->statistics.size(), std::sqrt(factor));
   }
   const auto root = Eigen::Map<const VectorXd>(roots.data(), static_cast<Index>(roots.size()));
   covariance = root.asDiagonal() * covariance * root.asDiagonal();
@@ -189,16 +191,16 @@ void put_stated(const std::vector<const Observation*>& observations, const Vecto
                 StatisticScatter& scatter) {
   Index at = 0;
   for (const Observation* observation : observations) {
-    for (const SummaryStatistic& figure : observation->figures) {
-      const bool unbiased = figure.kind != SummaryStatistic::Kind::kStdPlace &&
-                            figure.kind != SummaryStatistic::Kind::kPlace;
-      if (figure.error || unbiased) scatter.mean[at] = whole[at];
-      if (figure.error) {
-        scatter.field.row(at).setZero();
-        scatter.field.col(at).setZero();
-        scatter.field(at, at) = *figure.error * *figure.error;
+    for (const SummaryStatistic& statistic : observation->statistics) {
+      const bool unbiased = statistic.kind != SummaryStatistic::Kind::kStopDeviation &&
+                            statistic.kind != SummaryStatistic::Kind::kStopQuantile;
+      if (statistic.error || unbiased) scatter.mean[at] = whole[at];
+      if (statistic.error) {
+        scatter.field_covariance.row(at).setZero();
+        scatter.field_covariance.col(at).setZero();
+        scatter.field_covariance(at, at) = *statistic.error * *statistic.error;
       }
-      scatter.field(at, at) += figure.measuring_error * figure.measuring_error;
+      scatter.field_covariance(at, at) += statistic.measurement_error * statistic.measurement_error;
       ++at;
     }
   }
@@ -206,17 +208,18 @@ void put_stated(const std::vector<const Observation*>& observations, const Vecto
 
 }  // namespace
 
-std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations) {
-  std::vector<SiteStatistics> groups;
-  std::size_t figure = 0;
+std::vector<SiteStatisticIndices> group_statistics_by_site(
+    const std::vector<Observation>& observations) {
+  std::vector<SiteStatisticIndices> groups;
+  std::size_t statistic = 0;
   for (std::size_t o = 0; o < observations.size(); ++o) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const SiteStatistics& other) {
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const SiteStatisticIndices& other) {
       return observations[other.observations.front()].site == observations[o].site;
     });
-    if (group == groups.end()) group = groups.insert(groups.end(), SiteStatistics());
+    if (group == groups.end()) group = groups.insert(groups.end(), SiteStatisticIndices());
     group->observations.push_back(o);
-    for (std::size_t i = 0; i < observations[o].figures.size(); ++i) {
-      group->figures.push_back(figure++);
+    for (std::size_t i = 0; i < observations[o].statistics.size(); ++i) {
+      group->statistics.push_back(statistic++);
     }
   }
   return groups;
@@ -238,10 +241,10 @@ StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*
     for (const SharedReleases& blocks : site.blocks) samples.push_back(draw(blocks));
     return samples;
   };
-  Moments field = bootstrap_moments(observations, seen, site, false, [&] {
+  SolidMoments field = bootstrap_moments(observations, seen, site, false, [&] {
     return of_each([&](const SharedReleases& blocks) { return as_in_field(blocks, random); });
   });
-  Moments within = bootstrap_moments(observations, seen, site, true, [&] {
+  SolidMoments within = bootstrap_moments(observations, seen, site, true, [&] {
     return of_each(
         [&](const SharedReleases& blocks) { return one_by_one(blocks, blocks.rows, random); });
   });
@@ -256,9 +259,9 @@ StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*
   StatisticScatter scatter{field.mean, field.covariance, within.covariance,
                            MatrixXd::Zero(whole.size(), whole.size())};
   if (site.points.size() > 1) {
-    const Moments points =
+    const SolidMoments points =
         bootstrap_moments(observations, seen, site, true, [&] { return by_points(site, random); });
-    scatter.points = few_points_factor(site.points.size()) * points.covariance;
+    scatter.point_covariance = few_points_factor(site.points.size()) * points.covariance;
   }
   put_stated(observations, whole, scatter);
   return scatter;

@@ -1,6 +1,5 @@
 #pragma once
-/// Scatter of the summary statistics of one member. Its sources are the small number of field
-/// releases, the member's own releases, and the choice of release points.
+/// Random scatter of the summary statistics of one member.
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
@@ -9,33 +8,33 @@
 
 namespace clast::study_detail {
 
-/// Observations of one site, whose statistics are correlated.
-struct SiteStatistics {
+/// Indices of the observations at one site and of their statistics, which are correlated.
+struct SiteStatisticIndices {
   std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
-  std::vector<std::size_t> figures;  ///< indices of their statistics, counted over all observations
+  /// Indices of their statistics, counted over all observations.
+  std::vector<std::size_t> statistics;
 };
-std::vector<SiteStatistics> group_by_site(const std::vector<Observation>& observations);
+std::vector<SiteStatisticIndices> group_statistics_by_site(
+    const std::vector<Observation>& observations);
 
-/// Scatter of the statistics of one `SiteStatistics`, in their order. Values are NaN if the member
-/// has no value of a statistic.
+/// Means and covariances of the statistics of one member at one site. Values are NaN if a statistic
+/// is undefined.
 struct StatisticScatter {
-  /// Expected values of a sample as large as the field's. If the error of a statistic is stated,
-  /// its value over all releases of the member is used.
+  /// Expected values of the statistics for a sample as large as that of the field.
   Eigen::VectorXd mean;
-  /// Covariance of such samples. If the error of a statistic is stated, its square is used.
-  Eigen::MatrixXd field;
+  /// Covariance of the statistics for samples as large as that of the field, or squared stated
+  /// errors.
+  Eigen::MatrixXd field_covariance;
   /// Covariance of the member's statistics under resampling of its releases.
-  Eigen::MatrixXd within;
+  Eigen::MatrixXd release_covariance;
   /// Covariance of the member's statistics under resampling of release points. Zero for one point.
-  Eigen::MatrixXd points;
+  Eigen::MatrixXd point_covariance;
 };
 
-/// Estimates the scatter by bootstraps of single releases, of whole release points, and of samples
-/// as large as the field's. If field releases share start positions, these samples are drawn in
-/// clusters. Covariances are scaled to be unbiased. Observations of the same blocks share their
-/// draws. Other observations share the release points only.
+/// Estimates the scatter of the statistics of one member at one site, by bootstraps of single
+/// releases, of whole release points, and of samples as large as that of the field.
 /// @param observations  observations of one site
-/// @param seen  outcomes selected by each observation
+/// @param seen  simulated releases that each observation describes
 /// @cite field2007, wood2010
 StatisticScatter estimate_statistic_scatter(const std::vector<const Observation*>& observations,
                                             const std::vector<std::vector<SelectedOutcome>>& seen,

@@ -12,7 +12,7 @@ using namespace study_detail;
 CalibrationCheck check_calibration_study(const std::filesystem::path& file) {
   CalibrationCheck check;
   const auto find = collect_findings(check.findings);
-  const CalibrationStudy study = read_study_in_parts(file, find);
+  const CalibrationStudy study = read_study_by_parts(file, find);
   for (std::size_t i = 0; i < study.sites.size(); ++i) {
     const CalibrationSite& site = study.sites[i];
     const CampaignCheck campaign = check_campaign(site.campaign.file);

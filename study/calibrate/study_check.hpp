@@ -10,10 +10,10 @@
 namespace clast {
 
 struct CalibrationCheck {
-  /// Errors that prevent the calibration from starting. They include the first error of each table
-  /// of the study, and all errors that `check_campaign` finds in the campaigns of the sites.
+  /// Errors of the study and of the campaigns of its sites, which prevent the calibration from
+  /// starting.
   std::vector<std::string> findings;
-  std::optional<CalibrationStudy> study;  ///< the study; empty if there are errors
+  std::optional<CalibrationStudy> study;  ///< checked study; empty if there are errors
 };
 
 /// Checks a study file. Errors in the study and in files that it names are returned, not thrown.

@@ -9,33 +9,35 @@
 namespace clast {
 
 struct SurrogateQuality {
-  std::size_t members = 0;  ///< number of members with a value
-  double error = 0.0;       ///< root mean square leave-one-out error, in the unit of the statistic
-  double explained = 0.0;   ///< 1 - error^2 / (variance of the statistic over the members)
-  double inflation =
-      1.0;  ///< factor, at least 1, that scales predicted variances to match the errors
-  double roughness = 0.0;  ///< standard deviation of the residuals in excess of the random scatter
+  std::size_t members = 0;  ///< number of members for which the statistic is defined
+  /// Root mean square leave-one-out error, in the unit of the statistic.
+  double leave_one_out_error = 0.0;
+  double explained_variance = 0.0;  ///< 1 - error^2 / (variance of the statistic over the members)
+  double inflation = 1.0;           ///< factor that scales the predicted variances, at least 1
+  double roughness = 0.0;  ///< standard deviation of the residuals in excess of the sampling error
 };
 
 }  // namespace clast
 
 namespace clast::study_detail {
 
-/// Surrogate of one statistic. The unknowns are given as prior probabilities, in the unit cube.
+/// Gaussian-process surrogate of one summary statistic. The unknown parameters are given as prior
+/// probabilities, in the unit cube.
 struct Surrogate {
   GaussianProcess process;
   SurrogateQuality quality;
 
-  /// Predicts means and variances, including the cross-validated `inflation` and `roughness`.
-  GaussianProcess::Prediction predict(const Eigen::MatrixXd& places) const;
+  /// Predicts means and variances of the statistic at points of the unit cube.
+  GaussianProcess::Prediction predict(const Eigen::MatrixXd& cube_points) const;
 };
 
-/// Fits a surrogate.
-/// @param places  unknowns in the unit cube, one column per member
+/// Fits the surrogate of one summary statistic.
+/// @param places  unknown parameters in the unit cube, one column per member
 /// @param values  value of the statistic of each member; NaN if undefined
-/// @param chance  variance of a value due to the finite number of releases
-/// @return empty if fewer than `fewest` members have a value
-std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& places, const Eigen::VectorXd& values,
-                                       double chance, std::size_t fewest, Kernel kernel);
+/// @param chance  variance of a value due to the limited number of releases
+/// @return empty if the statistic is defined for fewer than `min_members` members
+std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& cube_points,
+                                       const Eigen::VectorXd& values, double sampling_variance,
+                                       std::size_t min_members, Kernel kernel);
 
 }  // namespace clast::study_detail

@@ -69,12 +69,12 @@ std::size_t fewest_members(std::size_t members, std::size_t unknowns) {
   return std::min(members, std::max<std::size_t>(8, 2 * unknowns + 2));
 }
 
-std::string full_statistic_name(const CalibrationStudy& study, std::size_t figure) {
+std::string full_statistic_name(const CalibrationStudy& study, std::size_t statistic) {
   for (const Observation& observation : study.observations) {
-    if (figure < observation.figures.size()) {
-      return "observation " + observation.name + ", " + observation.figures[figure].name;
+    if (statistic < observation.statistics.size()) {
+      return "observation " + observation.name + ", " + observation.statistics[statistic].name;
     }
-    figure -= observation.figures.size();
+    statistic -= observation.statistics.size();
   }
   return "";
 }
@@ -84,21 +84,24 @@ std::string full_statistic_name(const CalibrationStudy& study, std::size_t figur
 MemberStatistics compute_member_statistics(
     const CalibrationStudy& study, const std::vector<SiteDescription>& sites,
     const std::vector<std::vector<std::vector<ReleaseOutcome>>>& simulated, unsigned threads) {
-  const std::size_t members = study.design.members;
-  MemberStatistics figures;
-  figures.groups = group_by_site(study.observations);
-  figures.places.resize(static_cast<Index>(study.unknowns.size()), static_cast<Index>(members));
-  const std::vector<std::vector<double>> places = study.design.places(study.unknowns.size());
+  const std::size_t members = study.design.member_count;
+  MemberStatistics statistics;
+  statistics.groups = group_statistics_by_site(study.observations);
+  statistics.cube_points.resize(static_cast<Index>(study.unknowns.size()),
+                                static_cast<Index>(members));
+  const std::vector<std::vector<double>> cube_points =
+      study.design.sobol_points(study.unknowns.size());
   for (std::size_t m = 0; m < members; ++m) {
     for (std::size_t i = 0; i < study.unknowns.size(); ++i) {
-      figures.places(static_cast<Index>(i), static_cast<Index>(m)) = places[m][i];
+      statistics.cube_points(static_cast<Index>(i), static_cast<Index>(m)) = cube_points[m][i];
     }
   }
-  figures.values.resize(static_cast<Index>(study.statistic_count()), static_cast<Index>(members));
-  figures.scatter.assign(figures.groups.size(), std::vector<StatisticScatter>(members));
+  statistics.values.resize(static_cast<Index>(study.statistic_count()),
+                           static_cast<Index>(members));
+  statistics.scatter.assign(statistics.groups.size(), std::vector<StatisticScatter>(members));
   parallel_for(members, threads, [&](std::size_t m) {
-    for (std::size_t g = 0; g < figures.groups.size(); ++g) {
-      const SiteStatistics& group = figures.groups[g];
+    for (std::size_t g = 0; g < statistics.groups.size(); ++g) {
+      const SiteStatisticIndices& group = statistics.groups[g];
       std::vector<const Observation*> observations;
       std::vector<std::vector<SelectedOutcome>> seen;
       for (const std::size_t o : group.observations) {
@@ -106,81 +109,85 @@ MemberStatistics compute_member_statistics(
         observations.push_back(&observation);
         seen.push_back(
             select_outcomes(observation, sites[observation.site], simulated[observation.site][m]));
-        check_enough(observation, seen.back());
+        check_outcome_count(observation, seen.back());
       }
       const std::uint64_t seed =
           derive_seed(study.design.seed, "scatter " + std::to_string(g) + "/" + std::to_string(m));
-      StatisticScatter& scatter = figures.scatter[g][m];
+      StatisticScatter& scatter = statistics.scatter[g][m];
       scatter = estimate_statistic_scatter(observations, seen, seed);
-      for (std::size_t k = 0; k < group.figures.size(); ++k) {
-        figures.values(static_cast<Index>(group.figures[k]), static_cast<Index>(m)) =
+      for (std::size_t k = 0; k < group.statistics.size(); ++k) {
+        statistics.values(static_cast<Index>(group.statistics[k]), static_cast<Index>(m)) =
             scatter.mean[static_cast<Index>(k)];
       }
     }
   });
-  return figures;
+  return statistics;
 }
 
 SyntheticLikelihood::SyntheticLikelihood(const CalibrationStudy& study,
-                                         const MemberStatistics& figures, unsigned threads)
+                                         const MemberStatistics& statistics, unsigned threads)
     : threads_(threads),
       surrogates_(study.statistic_count()),
       fitted_(study.statistic_count(), false) {
   const std::size_t count = study.statistic_count();
-  const std::size_t fewest = fewest_members(study.design.members, study.unknowns.size());
+  const std::size_t min_members = fewest_members(study.design.member_count, study.unknowns.size());
   observed_.resize(static_cast<Index>(count));
   std::size_t at = 0;
   for (const Observation& observation : study.observations) {
-    for (const SummaryStatistic& figure : observation.figures) {
+    for (const SummaryStatistic& statistic : observation.statistics) {
       fitted_[at] = observation.fitted;
-      observed_[static_cast<Index>(at++)] = figure.observed;
+      observed_[static_cast<Index>(at++)] = statistic.observed;
     }
   }
-  VectorXd chance = VectorXd::Zero(static_cast<Index>(count));
-  const VectorXd equal = VectorXd::Ones(static_cast<Index>(study.design.members));
-  for (std::size_t g = 0; g < figures.groups.size(); ++g) {
-    const MatrixXd within = pooled(figures.scatter[g], &StatisticScatter::within, equal);
-    for (std::size_t k = 0; k < figures.groups[g].figures.size(); ++k) {
+  VectorXd sampling_variance = VectorXd::Zero(static_cast<Index>(count));
+  const VectorXd equal = VectorXd::Ones(static_cast<Index>(study.design.member_count));
+  for (std::size_t g = 0; g < statistics.groups.size(); ++g) {
+    const MatrixXd within =
+        pooled(statistics.scatter[g], &StatisticScatter::release_covariance, equal);
+    for (std::size_t k = 0; k < statistics.groups[g].statistics.size(); ++k) {
       const auto place = static_cast<Index>(k);
-      chance[static_cast<Index>(figures.groups[g].figures[k])] = within(place, place);
+      sampling_variance[static_cast<Index>(statistics.groups[g].statistics[k])] =
+          within(place, place);
     }
   }
   parallel_for(count, threads, [&](std::size_t k) {
     const auto row = static_cast<Index>(k);
-    surrogates_[k] = fit_surrogate(figures.places, figures.values.row(row), chance[row], fewest,
-                                   study.design.kernel);
+    surrogates_[k] = fit_surrogate(statistics.cube_points, statistics.values.row(row),
+                                   sampling_variance[row], min_members, study.design.kernel);
   });
   for (std::size_t k = 0; k < count; ++k) {
     if (surrogates_[k] || !fitted_[k]) continue;
-    const auto with_value = figures.values.row(static_cast<Index>(k)).array().isFinite().count();
+    const auto with_value = statistics.values.row(static_cast<Index>(k)).array().isFinite().count();
     throw InputError(
         study.file.string() + ": " + full_statistic_name(study, k) + ": only " +
         format_count(static_cast<std::size_t>(with_value), "member") + " of " +
-        std::to_string(study.design.members) + " have it, but " + std::to_string(fewest) +
+        std::to_string(study.design.member_count) + " have a value, but " +
+        std::to_string(min_members) +
         " are needed; widen the ranges, simulate more releases, or set use = \"keep\"");
   }
-  estimate_scatter(figures);
+  estimate_scatter(statistics);
 }
 
-void SyntheticLikelihood::estimate_scatter(const MemberStatistics& figures) {
-  const auto members = static_cast<double>(figures.places.cols());
-  pool_scatter(figures, VectorXd::Ones(figures.places.cols()));
+void SyntheticLikelihood::estimate_scatter(const MemberStatistics& statistics) {
+  const auto members = static_cast<double>(statistics.cube_points.cols());
+  pool_scatter(statistics, VectorXd::Ones(statistics.cube_points.cols()));
   for (int round = 0; round < kRounds; ++round) {
     const double asked = std::min(members, std::max(8.0, members / 8.0));
-    pool_scatter(figures, member_weights(log_likelihood(figures.places), asked));
+    pool_scatter(statistics, member_weights(log_likelihood(statistics.cube_points), asked));
   }
 }
 
-void SyntheticLikelihood::pool_scatter(const MemberStatistics& figures, const VectorXd& weights) {
+void SyntheticLikelihood::pool_scatter(const MemberStatistics& statistics,
+                                       const VectorXd& weights) {
   scatter_ = MatrixXd::Zero(observed_.size(), observed_.size());
-  for (std::size_t g = 0; g < figures.groups.size(); ++g) {
-    const std::vector<StatisticScatter>& members = figures.scatter[g];
-    const MatrixXd field = pooled(members, &StatisticScatter::field, weights);
-    const MatrixXd points = pooled(members, &StatisticScatter::points, weights);
-    const MatrixXd within = pooled(members, &StatisticScatter::within, weights);
+  for (std::size_t g = 0; g < statistics.groups.size(); ++g) {
+    const std::vector<StatisticScatter>& members = statistics.scatter[g];
+    const MatrixXd field = pooled(members, &StatisticScatter::field_covariance, weights);
+    const MatrixXd points = pooled(members, &StatisticScatter::point_covariance, weights);
+    const MatrixXd within = pooled(members, &StatisticScatter::release_covariance, weights);
     // A bootstrap of points has the chance of the releases in it too, which surrogates smooth out.
     const MatrixXd group = covariance_part(field) + covariance_part(points - within);
-    const std::vector<std::size_t>& which = figures.groups[g].figures;
+    const std::vector<std::size_t>& which = statistics.groups[g].statistics;
     for (std::size_t i = 0; i < which.size(); ++i) {
       for (std::size_t k = 0; k < which.size(); ++k) {
         scatter_(static_cast<Index>(which[i]), static_cast<Index>(which[k])) =
@@ -190,13 +197,13 @@ void SyntheticLikelihood::pool_scatter(const MemberStatistics& figures, const Ve
   }
 }
 
-SyntheticLikelihood::Expected SyntheticLikelihood::predict_statistics(
-    const MatrixXd& places, const std::vector<Index>& which) const {
+SyntheticLikelihood::PredictedStatistics SyntheticLikelihood::predict_statistics(
+    const MatrixXd& cube_points, const std::vector<Index>& which) const {
   const auto count = static_cast<Index>(which.size());
-  Expected all{MatrixXd(count, places.cols()), MatrixXd(count, places.cols())};
+  PredictedStatistics all{MatrixXd(count, cube_points.cols()), MatrixXd(count, cube_points.cols())};
   std::vector<GaussianProcess::Prediction> one(which.size());
   parallel_for(which.size(), threads_, [&](std::size_t i) {
-    one[i] = surrogates_[static_cast<std::size_t>(which[i])]->predict(places);
+    one[i] = surrogates_[static_cast<std::size_t>(which[i])]->predict(cube_points);
   });
   for (Index i = 0; i < count; ++i) {
     all.mean.row(i) = one[static_cast<std::size_t>(i)].mean;
@@ -212,11 +219,12 @@ VectorXd SyntheticLikelihood::observed_values(const std::vector<Index>& which) c
   return values;
 }
 
-VectorXd SyntheticLikelihood::mean(std::size_t figure, const MatrixXd& places) const {
-  return surrogates_[figure]->process.predict_mean(places);
+VectorXd SyntheticLikelihood::predicted_mean(std::size_t statistic,
+                                             const MatrixXd& cube_points) const {
+  return surrogates_[statistic]->process.predict_mean(cube_points);
 }
 
-std::vector<Index> SyntheticLikelihood::known(bool fitted) const {
+std::vector<Index> SyntheticLikelihood::surrogate_indices(bool fitted) const {
   std::vector<Index> which;
   for (std::size_t k = 0; k < surrogates_.size(); ++k) {
     if (surrogates_[k] && fitted_[k] == fitted) which.push_back(static_cast<Index>(k));
@@ -246,11 +254,11 @@ struct Misfit {
   VectorXd log_determinant;
 };
 
-Misfit misfit_of(const SyntheticLikelihood::Expected& expected, const VectorXd& observed,
+Misfit misfit_of(const SyntheticLikelihood::PredictedStatistics& expected, const VectorXd& observed,
                  const MatrixXd& scatter) {
-  const Index places = expected.mean.cols();
-  Misfit misfit{VectorXd::Zero(places), VectorXd::Zero(places)};
-  for (Index p = 0; p < places; ++p) {
+  const Index cube_points = expected.mean.cols();
+  Misfit misfit{VectorXd::Zero(cube_points), VectorXd::Zero(cube_points)};
+  for (Index p = 0; p < cube_points; ++p) {
     MatrixXd covariance = scatter;
     covariance.diagonal() += expected.variance.col(p);
     const VectorXd apart = observed - expected.mean.col(p);
@@ -263,17 +271,17 @@ Misfit misfit_of(const SyntheticLikelihood::Expected& expected, const VectorXd& 
 
 }  // namespace
 
-VectorXd SyntheticLikelihood::log_likelihood(const MatrixXd& places) const {
-  const std::vector<Index> which = known(true);
-  const Misfit misfit = misfit_of(predict_statistics(places, which), observed_values(which),
+VectorXd SyntheticLikelihood::log_likelihood(const MatrixXd& cube_points) const {
+  const std::vector<Index> which = surrogate_indices(true);
+  const Misfit misfit = misfit_of(predict_statistics(cube_points, which), observed_values(which),
                                   scatter_covariance(which));
   const double constant = static_cast<double>(which.size()) * std::log(2.0 * kPi);
   return -0.5 * (misfit.squared + misfit.log_determinant).array() - 0.5 * constant;
 }
 
-VectorXd SyntheticLikelihood::squared_distance(const MatrixXd& places, bool fitted) const {
-  const std::vector<Index> which = known(fitted);
-  return misfit_of(predict_statistics(places, which), observed_values(which),
+VectorXd SyntheticLikelihood::squared_distance(const MatrixXd& cube_points, bool fitted) const {
+  const std::vector<Index> which = surrogate_indices(fitted);
+  return misfit_of(predict_statistics(cube_points, which), observed_values(which),
                    scatter_covariance(which))
       .squared;
 }

@@ -90,13 +90,13 @@ std::vector<Crossing> crossings_of_line(const Barrier& barrier, const RigidBody&
                                         const MotionStep& step, const TerrainSurface& terrain,
                                         double gravity) {
   std::vector<Crossing> found;
-  for (std::size_t i = 0; i + 1 < barrier.through.size(); ++i) {
-    const Vec2 &from = barrier.through[i], &to = barrier.through[i + 1];
+  for (std::size_t i = 0; i + 1 < barrier.vertices.size(); ++i) {
+    const Vec2 &from = barrier.vertices[i], &to = barrier.vertices[i + 1];
     const std::optional<SegmentPassage> passed = passage(from, to, body, step, gravity);
     if (!passed) continue;
     const double length = (to - from).norm();
     const double reach = ((to - from) / length).dot(passed->state.position.head<2>() - from);
-    const bool last = i + 2 == barrier.through.size();  // its end belongs to it
+    const bool last = i + 2 == barrier.vertices.size();  // its end belongs to it
     if (reach < 0.0 || reach > length || (reach == length && !last)) continue;
     if (const std::optional<Crossing> crossing =
             crossing_at(passed->time, passed->state, passed->from_left, body, terrain)) {
@@ -115,7 +115,7 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
                                         const MotionStep& step, const TerrainSurface& terrain,
                                         double gravity) {
   std::vector<Crossing> found;
-  const std::vector<Vec2>& ring = barrier.through;
+  const std::vector<Vec2>& ring = barrier.vertices;
   std::vector<SegmentPassage> passed;
   for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
     if (auto one = passage(ring[i], ring[i + 1], body, step, gravity)) passed.push_back(*one);
@@ -133,7 +133,7 @@ std::vector<Crossing> crossings_of_ring(const Barrier& barrier, const RigidBody&
             : step.end;
     if (is_inside(ring, after.position.head<2>()) == inside) continue;
     // A crossing from left to right leaves a ring with its inside on the left.
-    const bool forward = inside == inside_is_left(ring);
+    const bool forward = inside == is_counter_clockwise(ring);
     inside = !inside;
     if (const std::optional<Crossing> crossing =
             crossing_at(passed[i].time, passed[i].state, forward, body, terrain)) {
@@ -158,8 +158,8 @@ std::string name_of(CountedDirection crossings) {
 std::vector<Crossing> find_crossings(const Barrier& barrier, const RigidBody& body,
                                      const MotionStep& step, const TerrainSurface& terrain,
                                      double gravity) {
-  return is_ring(barrier.through) ? crossings_of_ring(barrier, body, step, terrain, gravity)
-                                  : crossings_of_line(barrier, body, step, terrain, gravity);
+  return is_ring(barrier.vertices) ? crossings_of_ring(barrier, body, step, terrain, gravity)
+                                   : crossings_of_line(barrier, body, step, terrain, gravity);
 }
 
 }  // namespace clast

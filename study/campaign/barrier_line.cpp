@@ -61,9 +61,9 @@ std::optional<Vec2> retraced(const Segment& before, const Segment& after) {
 
 bool is_ring(std::span<const Vec2> line) { return line.size() > 3 && line.front() == line.back(); }
 
-bool inside_is_left(std::span<const Vec2> ring) { return signed_area(ring) > 0.0; }
+bool is_counter_clockwise(std::span<const Vec2> ring) { return signed_area(ring) > 0.0; }
 
-std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line) {
+std::optional<LineSelfIntersection> find_line_self_intersection(std::span<const Vec2> line) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) segments.push_back({line[i], line[i + 1]});
   const std::size_t count = segments.size();
@@ -73,7 +73,7 @@ std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return segments[a].low().x() < segments[b].low().x();
   });
-  std::optional<SelfTouch> first;
+  std::optional<LineSelfIntersection> first;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = i + 1; k < count; ++k) {
       const auto [a, b] = std::minmax(order[i], order[k]);
@@ -94,12 +94,12 @@ std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line) {
 }
 
 void check_barrier_line(std::span<const Vec2> line) {
-  const std::optional<SelfTouch> found = find_self_touch(line);
+  const std::optional<LineSelfIntersection> found = find_line_self_intersection(line);
   if (!found) return;
   throw InputError("segments " + std::to_string(found->first + 1) + " and " +
                    std::to_string(found->second + 1) + " meet at (" +
-                   format_significant(found->place.x(), 9) + ", " +
-                   format_significant(found->place.y(), 9) +
+                   format_significant(found->position.x(), 9) + ", " +
+                   format_significant(found->position.y(), 9) +
                    "); a barrier must not cross, touch or retrace itself, apart from a ring, whose "
                    "last point is its first: make two barriers of it");
 }

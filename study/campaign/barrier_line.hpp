@@ -8,25 +8,27 @@
 
 namespace clast {
 
-/// True if the line ends at its first point.
+/// True if a barrier line is a ring: it ends at its first point.
 bool is_ring(std::span<const Vec2> line);
 
-/// True if the ring is counter-clockwise, so that its inside is on the left.
-bool inside_is_left(std::span<const Vec2> ring);
+/// True if a ring is counter-clockwise, so that its inside is on the left.
+bool is_counter_clockwise(std::span<const Vec2> ring);
 
-/// Pair of segments of a line that cross, touch or overlap elsewhere than at a shared vertex.
-struct SelfTouch {
+/// Self-intersection of a line: two segments that cross, touch or overlap elsewhere than at a
+/// shared vertex.
+struct LineSelfIntersection {
   std::size_t first = 0, second = 0;  ///< segment indices, from 0
-  Vec2 place = Vec2::Zero();
+  Vec2 position = Vec2::Zero();
 };
 /// Finds the first self-intersection of a line.
 /// @param line  plan coordinates, m; at least two points; consecutive points differ; a ring ends at
 ///              its first point
-std::optional<SelfTouch> find_self_touch(std::span<const Vec2> line);
+std::optional<LineSelfIntersection> find_line_self_intersection(std::span<const Vec2> line);
 
-/// Checks that the line has no self-intersection. Crossings could not be counted there.
+/// Checks that a barrier line has no self-intersection.
 /// @param line  plan coordinates, m; at least two points, consecutive points differ
-/// @throws InputError  if it has one; names both segments, counted from 1, and the position
+/// @throws InputError  if the line has a self-intersection; names both segments, counted from 1,
+///                     and the position
 void check_barrier_line(std::span<const Vec2> line);
 
 }  // namespace clast

@@ -62,30 +62,30 @@ void set_mass(Campaign& campaign, double value) {
 
 std::span<const Settable> settables() {
   using Law = Distribution::Law;
-  static constexpr NumberRange kSpeed{-kMaxSpeed, kMaxSpeed, "m/s"};
-  static constexpr NumberRange kSpin{-kMaxSpin, kMaxSpin, "rad/s"};
+  static constexpr NumberRange kSpeed{-kMaxInitialSpeed, kMaxInitialSpeed, "m/s"};
+  static constexpr NumberRange kSpin{-kMaxInitialSpin, kMaxInitialSpin, "rad/s"};
   static constexpr const char* kLogNormal =
       "no campaign has [blocks] draw with mass_kg = { log_normal = [median, sigma] }";
   static constexpr const char* kNormal =
       "no campaign has [blocks] draw with mass_kg = { normal = [mean, std] }";
   static constexpr std::array<Settable, 15> kSettables{
-      {{"blocks.mass_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kFixed>,
+      {{"blocks.mass_kg", kBlockMassRange, &set_mass<&Distribution::first>, &has_mass<Law::kFixed>,
         "no campaign has [blocks] draw with a number as mass_kg"},
-       {"blocks.mass_median_kg", kBlockMass, &set_mass<&Distribution::first>,
+       {"blocks.mass_median_kg", kBlockMassRange, &set_mass<&Distribution::first>,
         &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_sigma", kLogSigma, &set_mass<&Distribution::second>,
+       {"blocks.mass_sigma", kLogSigmaRange, &set_mass<&Distribution::second>,
         &has_mass<Law::kLogNormal>, kLogNormal},
-       {"blocks.mass_mean_kg", kBlockMass, &set_mass<&Distribution::first>, &has_mass<Law::kNormal>,
-        kNormal},
-       {"blocks.mass_std_kg", kBlockMass, &set_mass<&Distribution::second>, &has_mass<Law::kNormal>,
-        kNormal},
-       {"contact.stiffness_n_m", kStiffness,
+       {"blocks.mass_mean_kg", kBlockMassRange, &set_mass<&Distribution::first>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"blocks.mass_std_kg", kBlockMassRange, &set_mass<&Distribution::second>,
+        &has_mass<Law::kNormal>, kNormal},
+       {"contact.stiffness_n_m", kStiffnessRange,
         [](Campaign& campaign, double value) { campaign.stiffness.normal = value; }},
-       {"contact.tangential_stiffness_n_m", kStiffness,
+       {"contact.tangential_stiffness_n_m", kStiffnessRange,
         [](Campaign& campaign, double value) { campaign.stiffness.tangential = value; }},
-       {"contact.rolling_stiffness_n_m_rad", kRollingStiffness,
+       {"contact.rolling_stiffness_n_m_rad", kRollingStiffnessRange,
         [](Campaign& campaign, double value) { campaign.stiffness.rolling = value; }},
-       {"release.height_m", kDropHeight,
+       {"release.height_m", kDropHeightRange,
         [](Campaign& campaign, double value) {
           in_releases(campaign, [&](ReleaseSet& release) { release.drop_height = value; });
         },
@@ -118,7 +118,7 @@ ZoneField zone_field(const std::string& parameter) {
   const std::size_t begin = std::string(kGround).size();
   if (!parameter.starts_with(kGround) || point <= begin) return found;
   found.zone = parameter.substr(begin, point - begin);
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     if (parameter.substr(point + 1) == field.name) found.field = &field;
   }
   return found;
@@ -126,30 +126,30 @@ ZoneField zone_field(const std::string& parameter) {
 
 }  // namespace
 
-double Unknown::value(double below) const {
-  if (!logarithmic) return low + (high - low) * below;
-  return low * std::pow(high / low, below);
+double UnknownParameter::prior_quantile(double probability) const {
+  if (!logarithmic) return low + (high - low) * probability;
+  return low * std::pow(high / low, probability);
 }
 
-double Unknown::probability_below(double value) const {
+double UnknownParameter::probability_below(double value) const {
   if (!logarithmic) return (value - low) / (high - low);
   return std::log(value / low) / std::log(high / low);
 }
 
 std::vector<std::pair<std::string, NumberRange>> calibratable_parameters() {
   std::vector<std::pair<std::string, NumberRange>> all;
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     all.push_back({kGround + std::string("ZONE.") + field.name, field.range});
   }
-  all.push_back({kSharePrefix + std::string("CLASS"), kClassFraction});
+  all.push_back({kSharePrefix + std::string("CLASS"), kClassFractionRange});
   for (const Settable& one : settables()) all.push_back({one.name, one.range});
   return all;
 }
 
-NumberRange parameter_range(const std::string& parameter) {
+NumberRange calibratable_range(const std::string& parameter) {
   if (const Settable* found = settable(parameter)) return found->range;
   if (const GroundParameterField* field = zone_field(parameter).field) return field->range;
-  if (!fraction_class(parameter).empty()) return kClassFraction;
+  if (!class_of_fraction_parameter(parameter).empty()) return kClassFractionRange;
   std::vector<std::string> names;
   if (parameter.starts_with(kSharePrefix)) {
     for (const std::string& scheme : kSelectingSchemes) {
@@ -167,7 +167,7 @@ bool has_parameter(const Campaign& campaign, const std::string& parameter) {
   if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
     return campaign.ground.contains(of_zone.zone);
   }
-  if (const std::string name = fraction_class(parameter); !name.empty()) {
+  if (const std::string name = class_of_fraction_parameter(parameter); !name.empty()) {
     const std::optional<BlockSampling>& draw = campaign.blocks.draw;
     return draw && std::any_of(draw->shares.begin(), draw->shares.end(),
                                [&](const auto& share) { return share.first == name; });
@@ -177,7 +177,7 @@ bool has_parameter(const Campaign& campaign, const std::string& parameter) {
 }
 
 std::string explain_missing_parameter(const std::string& parameter) {
-  if (!fraction_class(parameter).empty()) {
+  if (!class_of_fraction_parameter(parameter).empty()) {
     return "no campaign has [blocks] draw with this class in shares";
   }
   const Settable* found = settable(parameter);
@@ -188,10 +188,10 @@ void set_parameter(Campaign& campaign, const std::string& parameter, double valu
   if (const ZoneField of_zone = zone_field(parameter); of_zone.field) {
     Distribution number;
     number.first = value;
-    campaign.ground.at(of_zone.zone).*of_zone.field->asked = number;
+    campaign.ground.at(of_zone.zone).*of_zone.field->distribution = number;
     return;
   }
-  if (const std::string name = fraction_class(parameter); !name.empty()) {
+  if (const std::string name = class_of_fraction_parameter(parameter); !name.empty()) {
     campaign.blocks.draw->set_shares[name] = value;
     return;
   }
@@ -202,16 +202,16 @@ bool is_ground_parameter(const std::string& parameter) {
   return zone_field(parameter).field != nullptr;
 }
 
-bool is_of_release(const std::string& parameter) {
+bool is_release_parameter(const std::string& parameter) {
   return parameter.starts_with("release.") && settable(parameter);
 }
 
 bool is_block_parameter(const std::string& parameter) {
-  return !fraction_class(parameter).empty() ||
+  return !class_of_fraction_parameter(parameter).empty() ||
          (parameter.starts_with("blocks.") && settable(parameter));
 }
 
-std::string fraction_class(const std::string& parameter) {
+std::string class_of_fraction_parameter(const std::string& parameter) {
   if (!parameter.starts_with(kSharePrefix)) return "";
   const std::string name = parameter.substr(std::string(kSharePrefix).size());
   for (const std::string& scheme : kSelectingSchemes) {

@@ -26,9 +26,10 @@ void read_zone_names(const DeclaredTable& table, Campaign& campaign) {
   TerrainOptions& terrain = campaign.terrain;
   table.read("zones", terrain.zones);
   if (std::optional<ZoneFile> file =
-          table.checked("zones", [&] { return parse_zone_file(terrain.zones); })) {
-    file->path = input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
-    terrain.zones = file->option_texts();
+          table.run_check("zones", [&] { return parse_zone_file(terrain.zones); })) {
+    file->path =
+        resolve_input_file(table, "zones", element(*table.find("zones"), 0), file->path.string());
+    terrain.zones = file->zone_option_values();
   } else if (terrain.zones.size() != terrain.surface.size() && !are_zone_rules(terrain.zones)) {
     table.refuse("zones",
                  "must name one zone per surface file (" + std::to_string(terrain.surface.size()) +
@@ -44,41 +45,41 @@ const MemberTable<Campaign>& terrain_keys() {
   static const MemberTable<Campaign> keys(
       {.name = "terrain", .meaning = "The ground surface", .required = true},
       {{"surface", "", "TIN, raster, cloud or terrain file; or a list of files",
-        required("a file or a list of files", texts()), kTerrain, &Options::surface},
-       {"zones", "", "a name per mesh, one zone file, or rules by slope and height", texts(),
+        required_format("a file or a list of files", texts_format()), kTerrain, &Options::surface},
+       {"zones", "", "a name per mesh, one zone file, or rules by slope and height", texts_format(),
         &read_zone_names},
        {"up", "", "axis that points up in surface, point and quaternion files",
-        words({"z", "y", "auto"}), kTerrain, &Options::up},
-       {"columns", "", "names or numbers of the columns x, y, z of a cloud in text", texts(),
+        word_format({"z", "y", "auto"}), kTerrain, &Options::up},
+       {"columns", "", "names or numbers of the columns x, y, z of a cloud in text", texts_format(),
         kTerrain, &Options::columns},
        {"radius_m", "m", "Minkowski radius by which the ground surface is raised",
-        number(kGroundRadius), &Campaign::terrain_radius},
-       {"resolution_m", "m", "cell size of clouds and resampled rasters", number(kCellSize),
-        kTerrain, &Options::resolution},
-       {"percentile", "", "height of a cloud's cell: percentile of its points", number(kPercentile),
-        kTerrain, &Options::percentile},
+        number_format(kGroundRadiusRange), &Campaign::terrain_radius},
+       {"resolution_m", "m", "cell size of clouds and resampled rasters",
+        number_format(kCellSizeRange), kTerrain, &Options::resolution},
+       {"percentile", "", "height of a cloud's cell: percentile of its points",
+        number_format(kPercentileRange), kTerrain, &Options::percentile},
        {"outliers_m", "m",
         "points of a cloud at a larger distance from the surrounding ground are left out",
-        number(kOutlierDistance), kTerrain, &Options::outliers},
-       {"fill_m", "m", "holes up to this width are filled", number(kHoleWidth), kTerrain,
-        &Options::fill},
-       {"crack_m", "m", "cracks between tiles up to this width are closed", number(kCrackWidth),
-        kTerrain, &Options::crack},
+        number_format(kOutlierDistanceRange), kTerrain, &Options::outliers},
+       {"fill_m", "m", "holes up to this width are filled", number_format(kHoleWidthRange),
+        kTerrain, &Options::fill},
+       {"crack_m", "m", "cracks between tiles up to this width are closed",
+        number_format(kCrackWidthRange), kTerrain, &Options::crack},
        {"spike_steepness", "",
         "single vertices are levelled if they protrude by more than this many times the distance "
         "to their neighbours",
-        number(kSpikeSteepness), kTerrain, &Options::spike_steepness},
-       {"smoothing", "", "number of smoothing rounds", count(0, kMaxSmoothing), kTerrain,
+        number_format(kSpikeSteepnessRange), kTerrain, &Options::spike_steepness},
+       {"smoothing", "", "number of smoothing rounds", count_format(0, kMaxSmoothing), kTerrain,
         &Options::smoothing},
        {"tolerance_m", "m",
         "vertices are removed if the surface moves up or down by no more than this",
-        number(kSurfaceTolerance), kTerrain, &Options::tolerance},
-       {"breaklines", "", "files with lines that become edges of the surface", texts(), kTerrain,
-        &Options::breaklines},
-       {"cut_zones", "", "cut the borders of zone polygons into the triangles", flag(), kTerrain,
-        &Options::cut_zones},
+        number_format(kSurfaceToleranceRange), kTerrain, &Options::tolerance},
+       {"breaklines", "", "files with lines that become edges of the surface", texts_format(),
+        kTerrain, &Options::breaklines},
+       {"cut_zones", "", "cut the borders of zone polygons into the triangles", flag_format(),
+        kTerrain, &Options::cut_zones},
        {"border_distance_m", "m", "release points nearer to the border give a warning",
-        number(kBorderDistance), &Campaign::border_distance}});
+        number_format(kBorderDistanceRange), &Campaign::border_distance}});
   return keys;
 }
 
@@ -87,53 +88,57 @@ const MemberTable<Campaign>& contact_keys() {
   constexpr auto kStiffnesses = &Campaign::stiffness;
   static const MemberTable<Campaign> keys(
       {.name = "contact", .meaning = "Contact law, stiffness and time step"},
-      {{"law", "", "law of the normal force", words(contact_law_names()), &parse_contact_law,
+      {{"law", "", "law of the normal force", word_format(contact_law_names()), &parse_contact_law,
         kStiffnesses, &Options::law},
        {"weights", "", "weights by which contact points share the stiffness",
-        words({"patch", "overlap", "count", "none"}), &parse_contact_weighting, &Campaign::weights},
-       {"stiffness", "", "chosen for each block, ground and start", words({"auto"})},
-       {"stiffness_n_m", "N/m", "normal stiffness k_n", number(kStiffness), kStiffnesses,
-        &Options::normal},
-       {"tangential_stiffness_n_m", "N/m", "tangential stiffness k_t", number(kStiffness),
-        kStiffnesses, &Options::tangential},
+        word_format({"patch", "overlap", "count", "none"}), &parse_contact_weighting,
+        &Campaign::weighting},
+       {"stiffness", "", "chosen for each block, ground and start", word_format({"auto"})},
+       {"stiffness_n_m", "N/m", "normal stiffness k_n", number_format(kStiffnessRange),
+        kStiffnesses, &Options::normal},
+       {"tangential_stiffness_n_m", "N/m", "tangential stiffness k_t",
+        number_format(kStiffnessRange), kStiffnesses, &Options::tangential},
        {"rolling_stiffness_n_m_rad", "N m/rad",
-        "rolling stiffness k_r on zones without rolling_length_m", number(kRollingStiffness),
-        kStiffnesses, &Options::rolling},
-       {"time_step_s", "s", "time step, kept throughout", number({1e-9, 1.0}), kStiffnesses,
+        "rolling stiffness k_r on zones without rolling_length_m",
+        number_format(kRollingStiffnessRange), kStiffnesses, &Options::rolling},
+       {"time_step_s", "s", "time step, kept throughout", number_format({1e-9, 1.0}), kStiffnesses,
         &Options::time_step},
        {"blocks", "", "contacts between two blocks, if blocks are persistent",
-        table(between_blocks_keys().keys)}});
+        table_format(between_blocks_keys().keys)}});
   return keys;
 }
 
 const MemberTable<Barrier>& barrier_keys() {
-  static const ValueFormat plan = list(number(kMapCoordinate), 2, 2);
+  static const ValueFormat plan = list_format(number_format(kMapCoordinateRange), 2, 2);
   static const MemberTable<Barrier> keys(
       {"barrier", "A line at which passing blocks are recorded", KeyTable::Repeat::kMany},
-      {{"name", "", "name of the barrier", required("a text in quotes", text()), &Barrier::name},
+      {{"name", "", "name of the barrier", required_format("a text in quotes", text_format()),
+        &Barrier::name},
        {"from", "m", "first end, [x, y]", plan},
        {"to", "m", "second end, [x, y]", plan},
-       {"through", "m", "all points of a line or ring; replaces from and to", list(plan, 2)},
-       {"direction", "", "which crossings count", words({"either", "forward"})}});
+       {"through", "m", "all points of a line or ring; replaces from and to", list_format(plan, 2)},
+       {"direction", "", "which crossings count", word_format({"either", "forward"})}});
   return keys;
 }
 
 const MemberTable<Campaign>& run_keys() {
   static const MemberTable<Campaign> keys(
       {.name = "run", .meaning = "When a run ends, and what is stored"},
-      {{"max_time_s", "s", "longest time of a run", number(kRunTime), &Campaign::max_time},
+      {{"max_time_s", "s", "longest time of a run", number_format(kRunTimeRange),
+        &Campaign::max_time},
        {"rest_energy_j_kg", "J/kg",
         "a block is at rest if its kinetic energy per mass stays below this for rest_duration_s",
-        number({1e-12, 1e3}), &Campaign::rest_energy},
+        number_format({1e-12, 1e3}), &Campaign::rest_energy},
        {"rest_duration_s", "s",
         "time for which a block must stay below rest_energy_j_kg to be at rest",
-        number({1e-6, 1e4}), &Campaign::rest_duration},
-       {"gravity_m_s2", "m/s^2", "gravity, downwards", number({1e-2, 1e3}), &Campaign::gravity},
+        number_format({1e-6, 1e4}), &Campaign::rest_duration},
+       {"gravity_m_s2", "m/s^2", "gravity, downwards", number_format({1e-2, 1e3}),
+        &Campaign::gravity},
        {"downslope", "", "downslope direction [dx, dy], along which runout is measured",
-        list(number({-1e6, 1e6}), 2, 2), &Campaign::downslope},
+        list_format(number_format({-1e6, 1e6}), 2, 2), &Campaign::downslope},
        // The minimum is a time step; shorter intervals need more storage and show nothing more.
        {"trajectory_interval_s", "s", "interval between stored states of trajectories",
-        number({1e-4, 1e5, "s", "none is stored"}), &Campaign::trajectory_interval}});
+        number_format({1e-4, 1e5, "s", "none is stored"}), &Campaign::trajectory_interval}});
   return keys;
 }
 
@@ -180,13 +185,13 @@ std::vector<Vec2> read_barrier_line(const DeclaredTable& table, const std::strin
   std::vector<Vec2> points;
   for (const TomlNode& point : line->list) {
     const std::vector<double> xy =
-        table.numbers("through", point, 2, 2, "points [x, y]", kMapCoordinate);
+        table.read_numbers("through", point, 2, 2, "points [x, y]", kMapCoordinateRange);
     points.emplace_back(xy[0], xy[1]);
     if (points.size() > 1 && !((points.back() - points[points.size() - 2]).norm() > 0.0)) {
       table.refuse("through", point, "consecutive points must differ");
     }
   }
-  table.checked(
+  table.run_check(
       "through", [&] { check_barrier_line(points); }, "barrier " + name + ": ");
   return points;
 }
@@ -196,15 +201,15 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
   for (const DeclaredTable& table : find_tables(top, barrier_keys())) {
     Barrier barrier;
     barrier_keys().read(table, barrier);
-    barrier.through = read_barrier_line(table, barrier.name);
-    if (const std::optional<std::string> direction = table.text("direction")) {
-      if (is_ring(barrier.through)) {
+    barrier.vertices = read_barrier_line(table, barrier.name);
+    if (const std::optional<std::string> direction = table.read_text("direction")) {
+      if (is_ring(barrier.vertices)) {
         table.refuse("direction", "is not for a ring, whose entries and exits both count");
       }
       barrier.counted =
-          table.checked("direction", [&] { return parse_counted_direction(*direction); });
+          table.run_check("direction", [&] { return parse_counted_direction(*direction); });
     }
-    check_new_name(table, barrier.name, barriers, "barrier");
+    check_unique_name(table, barrier.name, barriers, "barrier");
     barriers.push_back(barrier);
   }
   return barriers;
@@ -213,16 +218,17 @@ std::vector<Barrier> read_campaign_barriers(const TomlTable& top) {
 void read_run(const TomlTable& top, Campaign& campaign) {
   for (const DeclaredTable& table : find_tables(top, run_keys())) {
     run_keys().read(table, campaign);
-    if (campaign.downslope && !kDirectionLength.contains(campaign.downslope->norm())) {
-      table.refuse("downslope", "must be a direction with a length " + kDirectionLength.describe());
+    if (campaign.downslope && !kDirectionLengthRange.contains(campaign.downslope->norm())) {
+      table.refuse("downslope",
+                   "must be a direction with a length " + kDirectionLengthRange.describe());
     }
   }
 }
 
 }  // namespace
 
-Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& text,
-                       const PartReader& read) {
+Campaign read_campaign_by_parts(const fs::path& file, const std::optional<std::string>& text,
+                                const PartReader& read) {
   Campaign campaign;
   campaign.file = file;
   TomlNode root;
@@ -233,13 +239,13 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
   });
   if (!is_toml) return campaign;
   const TomlTable top = parse_top_level_table(root, file, campaign_key_tables(), read);
-  const bool blocks = read([&] { campaign.blocks = read_blocks(top); });
+  const bool blocks = read([&] { campaign.blocks = read_block_selection(top); });
   const bool terrain = read([&] {
     Campaign with_terrain = campaign;
     read_terrain_table(top, with_terrain);
     campaign = std::move(with_terrain);
   });
-  const bool ground = read([&] { campaign.ground = read_ground(top); });
+  const bool ground = read([&] { campaign.ground = read_ground_distributions(top); });
   const bool groups = ground && read([&] { campaign.groups = read_block_groups(top, campaign); });
   const bool ensemble = groups && read([&] { campaign.ensemble = read_ensemble(top, campaign); });
   const bool releases = terrain && read([&] {
@@ -248,7 +254,8 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
                           campaign.releases = read_releases(top, up == "y");
                         });
   if (blocks && groups && releases) {
-    const bool stay = read([&] { campaign.stay = read_persistent_blocks_plan(top, campaign); });
+    const bool stay =
+        read([&] { campaign.persistent_blocks = read_persistent_blocks_plan(top, campaign); });
     if (stay && ensemble) read([&] { check_posterior_parameters(top, campaign); });
   }
   read([&] { read_contact(top, campaign); });
@@ -262,11 +269,11 @@ Campaign read_by_parts(const fs::path& file, const std::optional<std::string>& t
 using namespace study_detail;
 
 Campaign read_campaign(const fs::path& file) {
-  return read_by_parts(file, std::nullopt, read_at_once);
+  return read_campaign_by_parts(file, std::nullopt, read_without_catching);
 }
 
 Campaign parse_campaign(const std::string& text, const fs::path& file) {
-  return read_by_parts(file, text, read_at_once);
+  return read_campaign_by_parts(file, text, read_without_catching);
 }
 
 double PersistentBlocksPlan::last_release_time() const {

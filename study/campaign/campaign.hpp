@@ -18,54 +18,57 @@
 
 namespace clast {
 
-/// Selection of library blocks: by id, by class, or all.
+/// Selection of blocks of a library: by id, by shape class, or all.
 struct BlockFilter {
-  std::vector<std::string> ids;  ///< ids of the blocks, in this order; if empty and `scheme` is
-                                 ///< empty, all blocks are selected
-  std::string scheme;            ///< classification scheme: "garcia", "sneed-folk" or "zingg"
+  /// Ids of the selected blocks, in this order; if empty, blocks are selected by class.
+  std::vector<std::string> ids;
+  /// Classification scheme of `shape_class`; if empty, all blocks are selected.
+  std::string scheme;
   std::string shape_class;
 };
 
-/// Scaling of the blocks at constant shape and density.
-struct BlockScale {
+/// Scaling of blocks to a mass or volume, at constant shape and density.
+struct BlockScaling {
   enum class Kind { kNone, kMass, kVolume, kEqualMass };
   Kind kind = Kind::kNone;
-  double value = 0.0;  ///< mass, kg, or volume, m^3; unused for kEqualMass (mean mass)
+  /// Mass, kg, or volume, m^3; unused for kEqualMass, where all blocks get the mean mass.
+  double value = 0.0;
 };
 
-/// Random sampling of the selected blocks by class. Each sampled block is scaled to a random mass.
-/// Persistent blocks are sampled again for each realisation.
+/// Random sampling of blocks from the selected library blocks, by shape class. Each sampled block
+/// is scaled to a random mass.
 struct BlockSampling {
   std::size_t count = 0;         ///< number of blocks in each realisation
-  std::optional<double> volume;  ///< total volume, which replaces `count`, m^3
+  std::optional<double> volume;  ///< total volume of the blocks, m^3; replaces `count`
   std::uint64_t seed = 1;
   std::string scheme = "garcia";
   std::vector<std::pair<std::string, double>>
-      shares;  ///< class fractions with sum 1; if empty, those of the selection are used
-  /// Class fractions that replace those of the selection. The other classes keep their proportions.
+      /// Fraction of each class, with sum 1; if empty, the fractions of the selected blocks.
+      shares;
+  /// Fractions of single classes that replace those of the selected blocks. The other classes keep
+  /// their proportions.
   std::map<std::string, double> set_shares = {};
-  std::optional<Distribution>
-      mass;  ///< mass of a block, kg; if empty, that of the library block is used
+  std::optional<Distribution> mass;  ///< mass of a block, kg; if empty, that of the library block
 };
 
 /// Blocks of a campaign and their sizes.
 struct BlockSelection {
   std::filesystem::path library;
   BlockFilter filter;
-  BlockScale scale;
+  BlockScaling scale;
   std::optional<BlockSampling> draw;
-  /// Series of bodies that replaces the selected blocks. It uses `library` and the ids of `filter`.
-  std::optional<SeriesRequest> vary;
-  bool any_size = false;  ///< true: blocks of unusual size, or large for the terrain, are accepted
+  /// Series of varied bodies that replaces the selected blocks.
+  std::optional<VariationSeriesRequest> vary;
+  bool any_size = false;  ///< true if blocks of unusual size are accepted
 };
 
-/// Ground parameters of a zone. Each is a value or a distribution. A block group states only the
-/// parameters that differ from those of the zone.
+/// Ground parameters of a zone, each a fixed value or a probability distribution. Empty parameters
+/// are not stated.
 struct GroundDistributions {
   std::optional<Distribution> energy_restitution;
   std::optional<Distribution> friction;
   std::optional<Distribution> rolling_friction;
-  std::optional<Distribution> rolling_length;  ///< m
+  std::optional<Distribution> rolling_length;  ///< rounding radius of the terrain surface, m
   std::optional<Distribution> friction_min;
   std::optional<Distribution> slip_growth;  ///< 1/m
   std::optional<Distribution> slip_memory;  ///< s
@@ -74,14 +77,15 @@ struct GroundDistributions {
   std::optional<Distribution> soil_memory;   ///< m
 };
 
-/// Blocks with ground parameters of their own.
+/// Group of blocks with ground parameters of their own.
 struct BlockGroup {
   std::string name;  ///< name of the group
   BlockFilter filter;
-  std::map<std::string, GroundDistributions> ground;  ///< parameters that differ, by zone
+  /// Parameters that differ from those of the zone, by zone name.
+  std::map<std::string, GroundDistributions> ground;
 };
 
-/// Ensemble: the uncertain parameters are drawn for each of its members.
+/// Ensemble: members with independent draws of the uncertain parameters.
 struct Ensemble {
   enum class Design {
     kRandom,  ///< independent random draws
@@ -90,70 +94,72 @@ struct Ensemble {
   std::uint32_t members = 1;
   std::uint64_t seed = 1;
   Design design = Design::kRandom;
-  /// Posterior draws, one per member. Other parameters keep the values of the campaign.
+  /// Posterior draws of a calibration, one of which is used by each member.
   std::optional<PosteriorDraws> posterior;
 };
 
-/// Release points (centres of mass, map coordinates, z up), orientations and initial velocities.
+/// Release set: release points, orientations and initial velocities of blocks.
 struct ReleaseSet {
   std::string name;  ///< empty if there is only one set
   std::vector<Vec3> points;
-  std::string orientation_source;  ///< text in the campaign: "grid-45", "random" or a file
+  /// Origin of the orientations in the campaign: "grid-45", "random" or a file.
+  std::string orientation_source;
   std::vector<Quat>
-      orientations;  ///< world_from_source, or world_from_body if `in_principal_frame`
-  bool in_principal_frame = false;  ///< true if `orientations` refer to the principal frame
-  /// If true, independent random orientations are drawn for each block and point. Their number is
-  /// that of `orientations`.
+      /// Rotations of the blocks; from their principal frame if `in_principal_frame`, otherwise
+      /// from the frame of the library.
+      orientations;
+  /// True if `orientations` refer to the principal frames of the blocks.
+  bool in_principal_frame = false;
+  /// True if other random orientations are drawn for each block and release point.
   bool fresh_orientations = false;
   std::uint64_t orientation_seed = 1;
-  std::optional<double>
-      drop_height;  ///< height above the ground, m; if set, only x and y of the points are used
-  Vec3 velocity = Vec3::Zero();          ///< m/s
-  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
+  /// Height of the release points above the ground, m; replaces their z.
+  std::optional<double> drop_height;
+  Vec3 velocity = Vec3::Zero();          ///< initial velocity, m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< initial angular velocity, rad/s
   std::uint64_t seed = 1;
   std::vector<std::filesystem::path> files;  ///< point and orientation files that were read
 };
 
-/// Simultaneous release of several blocks. They start at their positions in the frame of the
-/// library, or in a heap without overlaps. Its name is that of its ReleaseSet.
+/// Simultaneous release of several blocks. They start at their positions in the library, or in a
+/// heap without overlaps.
 struct MultiBlockRelease {
   bool in_place = false;
-  double raised = 0.0;  ///< height above the positions in the library, m
-  /// Outline in map coordinates, m. It is that of the heap. If several releases are in place, it
-  /// contains the centres of the blocks.
+  double height_offset = 0.0;  ///< height of the start above the positions in the library, m
+  /// Outline of the heap in map coordinates, m. For blocks at their library positions, it contains
+  /// their centres.
   std::vector<Vec2> polygon;
   std::optional<double> thickness;  ///< maximum height of the heap above the ground, m
-  /// Fraction of the blocks of a realisation; if `count` is empty too, proportional to polygon
-  /// area.
+  /// Fraction of the blocks of a realisation. If `count` is empty too, it is proportional to the
+  /// area of the outline.
   std::optional<double> share;
   std::optional<std::uint32_t> count;  ///< number of blocks in each realisation
   double release_time = 0.0;  ///< time since the first release until which the blocks are fixed, s
-  bool settle = false;  ///< true: the blocks settle behind confining walls at the sides of the
-                        ///< polygon before the release
+  bool settle = false;  ///< true if the blocks settle behind confining walls before the release
   double settle_time = 20.0;  ///< time limit for settling, s
-  /// Interval between removals of confining walls at the release, s. If 0, all are removed at once.
+  /// Interval between the removals of the confining walls, s; if 0, all are removed at once.
   double face_interval = 0.0;
 };
 
-/// Settings of persistent blocks, which stay on the terrain in a realisation. Blocks are released
-/// one after the other, each when the previous ones are at rest, or as multi-block releases.
+/// Settings of persistent blocks, which stay on the terrain and may collide. They are released one
+/// after the other, or several at once.
 struct PersistentBlocksPlan {
   std::uint32_t realisations = 1;
-  std::vector<MultiBlockRelease> masses;  ///< multi-block releases, one per ReleaseSet; if empty,
-                                          ///< one block is released after the other
-  bool random_order =
-      true;  ///< true: random release order in each realisation; false: order of the selection
+  /// Simultaneous releases; if empty, one block is released after the other.
+  std::vector<MultiBlockRelease> masses;
+  /// True if the release order is random; false if it is that of the selection.
+  bool random_order = true;
   std::vector<std::string> cleared_zones;  ///< zones in which blocks at rest are removed
   GroundParameters between_blocks;         ///< contact parameters between two blocks
 
-  /// Time from the first to the last release or wall removal, s; 0 without multi-block releases.
+  /// Returns the time from the first to the last release or wall removal, s; 0 for blocks released
+  /// one after the other.
   double last_release_time() const;
-  /// Returns the longest settling time limit, s; 0 if no release settles.
+  /// Returns the longest time limit for settling, s; 0 if no blocks settle.
   double settling_time() const;
 };
 
-/// Campaign that was read and checked. Paths are relative to the folder of the campaign file.
-/// ${CLAST_DATA} is replaced by that environment variable (default ../shared/data).
+/// Contents of a campaign file, read and checked.
 struct Campaign {
   std::filesystem::path file;
   std::string sha256;
@@ -161,39 +167,40 @@ struct Campaign {
   BlockSelection blocks;
   TerrainOptions terrain;
   double terrain_radius = 0.0;  ///< m
-  /// Minimum distance of release points from the terrain border, m. Smaller ones cause a warning.
+  /// Minimum distance of release points from the terrain border, m. Smaller distances cause a
+  /// warning.
   std::optional<double> border_distance;
-  std::map<std::string, GroundDistributions> ground;  ///< parameters by zone, complete
-  std::vector<BlockGroup> groups;                     ///< groups; each block is in at most one
+  std::map<std::string, GroundDistributions> ground;  ///< ground parameters by zone name, complete
+  /// Groups with ground parameters of their own; each block is in at most one.
+  std::vector<BlockGroup> groups;
   Ensemble ensemble;
-  /// Release sets with distinct names, at least one. Those of multi-block releases have no points.
+  /// Release sets with distinct names, at least one.
   std::vector<ReleaseSet> releases;
-  std::optional<PersistentBlocksPlan> stay;  ///< empty if each run simulates a single block
-  ContactWeighting weights = ContactWeighting::kPatch;
-  StiffnessOptions
-      stiffness;  ///< stiffness and contact law; empty members are chosen automatically
+  /// Empty if each run simulates a single block.
+  std::optional<PersistentBlocksPlan> persistent_blocks;
+  ContactWeighting weighting = ContactWeighting::kPatch;
+  StiffnessOptions stiffness;  ///< contact law and stiffness; empty values are chosen automatically
   std::vector<Barrier> barriers;  ///< in map coordinates
   double max_time = 60.0;         ///< time limit of a run, s
-  double rest_energy = 2e-4;      ///< kinetic energy per mass below which a block is at rest, J/kg
-  double rest_duration = 0.5;     ///< duration for which a block must be below `rest_energy`, s
+  double rest_energy = 2e-4;      ///< largest kinetic energy per mass of a block at rest, J/kg
+  double rest_duration = 0.5;     ///< time for which a block at rest must be below `rest_energy`, s
   double gravity = 9.81;          ///< m/s^2
   std::optional<Vec2> downslope;
-  double trajectory_interval =
-      0.1;  ///< interval of stored states, s; 0: no trajectories are stored
+  /// Interval of stored states, s; if 0, no trajectories are stored.
+  double trajectory_interval = 0.1;
 };
 
 /// Reads and checks a campaign file.
-/// @throws InputError  if a key is unknown, missing, of the wrong type or out of range, or if a
-///                     file that it names cannot be read; names file, line, key, value and
-///                     expectation
+/// @throws InputError  if a key or value is invalid, or if a file cannot be read; names file, line,
+///                     key, value and expectation
 Campaign read_campaign(const std::filesystem::path& file);
 /// Parses a campaign from text.
 /// @param file  path to which relative paths refer, used in messages; need not exist
 /// @throws InputError  if `read_campaign` would throw
 Campaign parse_campaign(const std::string& text, const std::filesystem::path& file);
 
-/// Returns the 64 rotations qz(c) qy(b) qx(a) about the axes z, y and x, with a, b, c in {0, 45,
-/// 90, 135} degrees; c varies fastest.
+/// Returns the 64 orientations of a grid: combined rotations about the axes x, y and z by 0, 45, 90
+/// or 135 degrees each.
 std::vector<Quat> orientations_in_45_degree_grid();
 
 }  // namespace clast

@@ -4,8 +4,8 @@
 
 namespace clast {
 
-/// Returns all tables in the order of docs/formats.md. "ground" declares the keys of a ground zone,
-/// "blocks.vary" those of `vary` in [blocks], and "contact.blocks" those of `blocks` in [contact].
+/// Returns the declarations of all tables and keys of a campaign file, in the order of
+/// docs/formats.md.
 const std::vector<KeyTable>& campaign_key_tables();
 
 }  // namespace clast

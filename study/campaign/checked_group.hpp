@@ -1,5 +1,5 @@
 #pragma once
-/// Checked reading of datasets of a results file.
+/// Reading of datasets of an HDF5 file with checks.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace clast::study_detail {
 
-/// HDF5 group whose datasets are checked on reading.
+/// HDF5 group of a results file, whose datasets are checked when they are read.
 struct CheckedGroup {
   std::string file;
   std::string path;  ///< path in the file, such as "/runs"
@@ -21,7 +21,7 @@ struct CheckedGroup {
                      "; the file is damaged: restore a backup, or run the campaign again");
   }
 
-  /// Reads a column. It must have `rows` values.
+  /// Reads a dataset and checks that it has `rows` values.
   template <class T>
   std::vector<T> column(const std::string& name, std::size_t rows) const {
     std::vector<T> values = group.read<T>(name);
@@ -54,7 +54,8 @@ struct CheckedGroup {
   }
 
   template <class T>
-  void check_below(const std::string& name, const std::vector<T>& values, std::size_t limit) const {
+  void check_values_below(const std::string& name, const std::vector<T>& values,
+                          std::size_t limit) const {
     for (const T value : values) {
       if (static_cast<std::size_t>(value) >= limit) {
         throw_damaged(name, "holds " + std::to_string(value) + ", which must be below " +

@@ -58,35 +58,35 @@ DeclaredTable::DeclaredTable(const TomlNode& node, const std::string& file,
 
 DeclaredTable DeclaredTable::inner_table(const std::string& key) const {
   std::vector<const TableKey*> keys;
-  add_keys(form(key), keys);
+  add_keys(value_format(key), keys);
   return {*find(key), file(), title_ + " " + key, std::move(keys)};
 }
 
-const ValueFormat& DeclaredTable::form(const std::string& key) const {
+const ValueFormat& DeclaredTable::value_format(const std::string& key) const {
   for (const TableKey* declared : keys_) {
-    if (declared->name == key) return declared->form;
+    if (declared->name == key) return declared->format;
   }
   throw std::out_of_range("no key " + key + " in " + title_);
 }
 
 const TomlNode& DeclaredTable::require_key(const std::string& key) const {
-  return require_key(key, form(key).required);
+  return require_key(key, value_format(key).required);
 }
 
-void DeclaredTable::check_required() const {
+void DeclaredTable::check_required_keys() const {
   for (const TableKey* key : keys_) {
     if (key->is_required()) require_key(key->name);
   }
 }
 
 std::optional<std::string> DeclaredTable::word(const std::string& key) const {
-  const std::vector<std::string>& words = form(key).leaf().words;
-  return words.empty() ? text(key) : choice(*this, key, words);
+  const std::vector<std::string>& words = value_format(key).innermost_format().words;
+  return words.empty() ? read_text(key) : read_choice(*this, key, words);
 }
 
 std::optional<std::vector<std::string>> DeclaredTable::word_or_words(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = text_list(key);
-  const std::vector<std::string>& words = form(key).leaf().words;
+  const std::optional<std::vector<std::string>> names = read_text_list(key);
+  const std::vector<std::string>& words = value_format(key).innermost_format().words;
   for (std::size_t i = 0; names && !words.empty() && i < names->size(); ++i) {
     if (std::find(words.begin(), words.end(), (*names)[i]) == words.end()) {
       refuse(key, element(*find(key), i), "must be of " + comma_separated(words));
@@ -99,16 +99,18 @@ std::optional<std::vector<double>> DeclaredTable::number_or_numbers(
     const std::string& key, const NumberRange& range) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
-  if (node->kind != TomlNode::Kind::kList) return std::vector{*number(key, range)};
-  const ValueFormat& list = form(key).items.back();
-  return numbers(key, *node, list.least, list.most, "a number or a list of numbers", range);
+  if (node->kind != TomlNode::Kind::kList) return std::vector{*read_number(key, range)};
+  const ValueFormat& list = value_format(key).items.back();
+  return read_numbers(key, *node, list.minimum, list.maximum, "a number or a list of numbers",
+                      range);
 }
 
 std::optional<std::vector<std::size_t>> DeclaredTable::count_or_counts(
     const std::string& key) const {
-  const ValueFormat& leaf = form(key).leaf();
+  const ValueFormat& innermost_format = value_format(key).innermost_format();
   const std::optional<std::vector<double>> numbers =
-      number_or_numbers(key, {static_cast<double>(leaf.least), static_cast<double>(leaf.most)});
+      number_or_numbers(key, {static_cast<double>(innermost_format.minimum),
+                              static_cast<double>(innermost_format.maximum)});
   if (!numbers) return std::nullopt;
   for (const double value : *numbers) {
     if (value != std::floor(value)) refuse(key, *find(key), "must be whole numbers");
@@ -119,30 +121,31 @@ std::optional<std::vector<std::size_t>> DeclaredTable::count_or_counts(
 std::optional<std::vector<Vec2>> DeclaredTable::places(const std::string& key) const {
   const TomlNode* node = find(key);
   if (!node) return std::nullopt;
-  const std::uint64_t least = form(key).least;
-  if (node->kind != TomlNode::Kind::kList || node->list.size() < least) {
-    refuse(key, "must be a list of at least " + std::to_string(least) + " points");
+  const std::uint64_t minimum = value_format(key).minimum;
+  if (node->kind != TomlNode::Kind::kList || node->list.size() < minimum) {
+    refuse(key, "must be a list of at least " + std::to_string(minimum) + " points");
   }
   std::vector<Vec2> places;
   for (const TomlNode& row : node->list) {
-    const std::vector<double> values = numbers(
-        key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]", form(key).leaf().range);
+    const std::vector<double> values =
+        read_numbers(key, row, 2, 3, "points of finite numbers, [x, y] or [x, y, z]",
+                     value_format(key).innermost_format().range);
     places.emplace_back(values[0], values[1]);
   }
   return places;
 }
 
 std::optional<fs::path> DeclaredTable::file_of(const std::string& key) const {
-  if (!text(key)) return std::nullopt;
-  return input_file(*this, key, *find(key));
+  if (!read_text(key)) return std::nullopt;
+  return resolve_input_file(*this, key, *find(key));
 }
 
 std::optional<std::vector<fs::path>> DeclaredTable::files_of(const std::string& key) const {
-  const std::optional<std::vector<std::string>> names = text_list(key);
+  const std::optional<std::vector<std::string>> names = read_text_list(key);
   if (!names) return std::nullopt;
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < names->size(); ++i) {
-    files.push_back(input_file(*this, key, element(*find(key), i)));
+    files.push_back(resolve_input_file(*this, key, element(*find(key), i)));
   }
   return files;
 }
@@ -178,9 +181,9 @@ DeclaredTable find_required_table(const TomlTable& top, const KeyTable& declared
   return std::move(tables.front());
 }
 
-std::optional<std::string> choice(const TomlTable& table, const std::string& key,
-                                  const std::vector<std::string>& words) {
-  const std::optional<std::string> text = table.text(key);
+std::optional<std::string> read_choice(const TomlTable& table, const std::string& key,
+                                       const std::vector<std::string>& words) {
+  const std::optional<std::string> text = table.read_text(key);
   if (text && std::find(words.begin(), words.end(), *text) == words.end()) {
     std::string list;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -191,8 +194,8 @@ std::optional<std::string> choice(const TomlTable& table, const std::string& key
   return text;
 }
 
-fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node,
-                    std::string text) {
+fs::path resolve_input_file(const TomlTable& table, const std::string& key, const TomlNode& node,
+                            std::string text) {
   const std::string variable = "${CLAST_DATA}";
   for (std::size_t at; (at = text.find(variable)) != std::string::npos;) {
     text.replace(at, variable.size(), data_folder());
@@ -207,8 +210,8 @@ fs::path input_file(const TomlTable& table, const std::string& key, const TomlNo
   return path;
 }
 
-fs::path input_file(const TomlTable& table, const std::string& key, const TomlNode& node) {
-  return input_file(table, key, node, node.text);
+fs::path resolve_input_file(const TomlTable& table, const std::string& key, const TomlNode& node) {
+  return resolve_input_file(table, key, node, node.text);
 }
 
 const TomlNode& element(const TomlNode& node, std::size_t index) {
@@ -223,7 +226,7 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const std:
   number.low = range.low;
   number.high = range.high;
   if (node->kind != TomlNode::Kind::kTable) {
-    number.first = *table.number(key, range);
+    number.first = *table.read_number(key, range);
     return number;
   }
   const std::string expected =
@@ -240,9 +243,9 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const std:
   } else {
     table.refuse(key, *node, expected);
   }
-  const double most = std::max(range.high, kLogSigma.high);
+  const double maximum = std::max(range.high, kLogSigmaRange.high);
   const std::vector<double> values =
-      table.numbers(key, value, 2, 2, "two numbers, as in " + law, {-most, most});
+      table.read_numbers(key, value, 2, 2, "two numbers, as in " + law, {-maximum, maximum});
   number.first = values[0];
   number.second = values[1];
   if (!range.contains(number.first)) {
@@ -259,7 +262,7 @@ std::optional<Distribution> read_distribution(const TomlTable& table, const std:
   }
   // A wider law hardly ever draws a value inside the range.
   const NumberRange spread = number.law == Distribution::Law::kLogNormal
-                                 ? kLogSigma
+                                 ? kLogSigmaRange
                                  : NumberRange{range.low, range.high, range.unit};
   if (!spread.contains(number.second)) {
     table.refuse(key, *node, "its second number, the spread, must be " + spread.describe());

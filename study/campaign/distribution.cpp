@@ -49,14 +49,14 @@ double Distribution::draw(Random& random) const {
   // Mean and median lie inside the range, so about every second draw does at worst.
   while (true) {
     const double value = drawn_once(*this, random);
-    if (fixed() || (value > low && value <= high)) return value;
+    if (is_fixed() || (value > low && value <= high)) return value;
   }
 }
 
 double Distribution::quantile(double below) const {
   // Shares of a normal law that no draw in a campaign is beyond.
   constexpr double kLeast = 1e-12;
-  if (fixed()) return first;
+  if (is_fixed()) return first;
   if (law == Law::kUniform) return first + (second - first) * below;
   const auto probability_below = [&](double value) {
     if (law == Law::kNormal) return normal_cdf((value - first) / second);

@@ -8,15 +8,14 @@ namespace clast {
 struct Distribution {
   enum class Law { kFixed, kUniform, kNormal, kLogNormal };
   Law law = Law::kFixed;
-  double first = 0.0;  ///< fixed value, lower bound, mean or median, by law
-  double second =
-      0.0;  ///< upper bound, standard deviation, or standard deviation of the logarithm, by law
-  /// Truncation: normal and log-normal draws outside (low, high] are repeated.
+  double first = 0.0;   ///< fixed value, lower bound, mean or median, depending on the law
+  double second = 0.0;  ///< upper bound or standard deviation (of the logarithm for kLogNormal)
+  /// Lower limit of draws: normal and log-normal draws outside (low, high] are repeated.
   double low = -1e300;
   double high = 1e300;
 
-  bool fixed() const { return law == Law::kFixed; }
-  /// Returns the fixed value, midpoint, mean or median.
+  bool is_fixed() const { return law == Law::kFixed; }
+  /// Returns the central value: fixed value, midpoint, mean or median, depending on the law.
   double central_value() const;
   /// Returns the mean of the truncated distribution.
   double mean() const;

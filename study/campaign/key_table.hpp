@@ -10,7 +10,7 @@ namespace clast {
 
 struct TableKey;
 
-/// Format of a value: type, words, range and length.
+/// Declared format of a TOML value: type, allowed words, range and length.
 struct ValueFormat {
   enum class Kind {
     kText,    ///< one of `words`, or a text that matches `pattern`
@@ -24,26 +24,29 @@ struct ValueFormat {
   };
   Kind kind = Kind::kText;
   std::vector<std::string> words = {};
-  std::string pattern = {};  ///< regular expression of texts other than `words`
-  std::uint64_t least = 0, most = INT64_MAX;
+  std::string pattern = {};  ///< regular expression of allowed texts other than `words`
+  std::uint64_t minimum = 0, maximum = INT64_MAX;
   NumberRange range = {0.0, 0.0};
   std::vector<ValueFormat> items = {};
   std::vector<TableKey> keys = {};
-  /// Description of the value, for the error if it is missing. If empty, the key is optional.
+  /// Description of the value in the message if it is missing. If empty, the key is optional.
   std::string required = {};
 
-  /// Returns the innermost of the first items, which has words, range and limits.
-  const ValueFormat& leaf() const { return items.empty() ? *this : items.front().leaf(); }
+  /// Returns the format of the innermost list items, or this format if it has no items.
+  const ValueFormat& innermost_format() const {
+    return items.empty() ? *this : items.front().innermost_format();
+  }
 };
 
 struct TableKey {
   std::string name;     ///< name of the key
-  std::string unit;     ///< unit; empty if there is none, or if the parts state it
+  std::string unit;     ///< unit of the value; may be empty
   std::string meaning;  ///< clause that describes the key in editors
-  ValueFormat form;
-  std::vector<std::string> with = {};  ///< if not empty, one of these keys must exist, too
+  ValueFormat format;
+  /// Keys of which one must exist as well; empty if none is needed.
+  std::vector<std::string> required_with = {};
 
-  bool is_required() const { return !form.required.empty(); }
+  bool is_required() const { return !format.required.empty(); }
 };
 
 struct KeyTable {
@@ -53,12 +56,13 @@ struct KeyTable {
     kEither,  ///< one [name], or several [[name]]
     kNamed    ///< [name.NAME] with user-chosen names
   };
-  std::string name;  ///< "blocks"; a table within another is "contact.blocks"
+  std::string name;  ///< name of the table, such as "blocks" or "contact.blocks"
   std::string meaning;
   Repeat repeat = Repeat::kOnce;
   std::vector<TableKey> keys = {};
   bool required = false;
-  std::vector<std::string> one_of = {};  ///< if not empty, exactly one of these keys must exist
+  /// Keys of which exactly one must exist; may be empty.
+  std::vector<std::string> exactly_one_of = {};
 
   std::vector<std::string> key_names() const;
 };

@@ -1,5 +1,6 @@
 #pragma once
-/// Checks of user-drawn plan polygons. Either orientation; the first vertex may also be the last.
+/// Checks of polygons in plan, given by the user in either orientation. The first vertex may be
+/// repeated at the end.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -11,7 +12,7 @@ namespace clast {
 /// Finds the first reflex vertex; empty if the polygon is convex, also with collinear vertices.
 std::optional<std::size_t> find_reflex_vertex(std::span<const Vec2> polygon);
 
-/// Checks that the polygon has an area.
+/// Checks that a polygon has an area.
 /// @throws InputError  if there are fewer than three vertices, or all are collinear
 void check_has_area(std::span<const Vec2> polygon);
 

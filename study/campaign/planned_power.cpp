@@ -6,22 +6,23 @@
 
 namespace clast {
 
-double assume_design_effect(std::size_t runs, std::size_t blocks) {
+double assumed_design_effect(std::size_t runs, std::size_t blocks) {
   const double each = static_cast<double>(runs) / static_cast<double>(blocks);
-  return 1.0 + (each - 1.0) * kAssumedBlockFraction;
+  return 1.0 + (each - 1.0) * kAssumedIntraclassCorrelation;
 }
 
 bool PlannedPower::is_known() const {
-  return trial_runs > 1 && blocks >= kMinBlocksOfPower && scatter > 0.0;
+  return trial_runs > 1 && blocks >= kMinBlocksForPower && runout_deviation > 0.0;
 }
 
-double PlannedPower::smallest() const {
+double PlannedPower::detectable_difference() const {
   // Values needed go with one over the square of the difference.
-  return std::sqrt(required_sample_size(1.0, scatter, design_effect()) / static_cast<double>(runs));
+  return std::sqrt(required_sample_size(1.0, runout_deviation, design_effect()) /
+                   static_cast<double>(runs));
 }
 
 double PlannedPower::runs_needed() const {
-  const double times = smallest() / *margin;
+  const double times = detectable_difference() / *margin;
   return std::ceil(times * times * static_cast<double>(runs));
 }
 

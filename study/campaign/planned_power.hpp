@@ -5,30 +5,31 @@
 
 namespace clast {
 
-/// Assumed intraclass correlation: the fraction of the variance that is due to the block. Because
-/// of it, runs of one block are not independent.
-inline constexpr double kAssumedBlockFraction = 0.1;
-/// Returns the design effect of a comparison of two halves of the blocks: 1 + (runs per block - 1)
-/// kAssumedBlockFraction.
+/// Assumed intraclass correlation of runs of one block: the fraction of the variance that is due to
+/// the block.
+inline constexpr double kAssumedIntraclassCorrelation = 0.1;
+/// Returns the assumed design effect of a comparison of two halves of the blocks: the factor by
+/// which correlated runs increase the variance.
 /// @cite kish1965
-double assume_design_effect(std::size_t runs, std::size_t blocks);
+double assumed_design_effect(std::size_t runs, std::size_t blocks);
 
-/// Minimum number of blocks for which two halves are compared.
-inline constexpr std::size_t kMinBlocksOfPower = 4;
+/// Minimum number of blocks for which the power of comparing two halves is estimated.
+inline constexpr std::size_t kMinBlocksForPower = 4;
 
 /// Planned power: smallest detectable runout difference between two halves of the blocks.
 struct PlannedPower {
   std::size_t runs = 0, blocks = 0;
-  std::size_t trial_runs = 0;    ///< number of trial runs from which `scatter` was estimated
-  double scatter = 0.0;          ///< standard deviation of the trial runouts, m
-  std::optional<double> margin;  ///< smallest relevant difference in runout, m
+  std::size_t trial_runs = 0;  ///< number of trial runs from which `runout_deviation` was estimated
+  double runout_deviation = 0.0;  ///< standard deviation of the trial runouts, m
+  std::optional<double> margin;   ///< equivalence margin: smallest relevant difference in runout, m
 
-  /// True if there are at least four blocks, two trial runs and a positive scatter.
+  /// True if there are enough blocks and trial runs to estimate the power.
   bool is_known() const;
-  double design_effect() const { return assume_design_effect(runs, blocks); }
-  double smallest() const;     ///< minimum detectable difference at 80 % power, m
-  double runs_needed() const;  ///< number of runs needed to detect `margin`, if the number of
-                               ///< blocks grows in proportion
+  double design_effect() const { return assumed_design_effect(runs, blocks); }
+  /// Returns the smallest difference in runout that is detected with 80 % power, m.
+  double detectable_difference() const;
+  /// Returns the number of runs needed to detect a difference of `margin` with 80 % power.
+  double runs_needed() const;
 };
 
 }  // namespace clast

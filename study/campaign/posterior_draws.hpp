@@ -9,11 +9,11 @@ namespace clast {
 inline constexpr const char* kPosteriorFormat = "clast posterior";
 inline constexpr int kPosteriorSchema = 1;
 
-/// Equally weighted posterior draws of the unknowns.
+/// Equally weighted posterior draws of unknown parameters.
 struct PosteriorDraws {
   std::filesystem::path file;
-  std::vector<std::string> parameters;     ///< names, such as "ground.blue.friction"
-  std::vector<std::vector<double>> draws;  ///< values in the order of `parameters`
+  std::vector<std::string> parameters;  ///< names of the parameters, such as "ground.blue.friction"
+  std::vector<std::vector<double>> draws;  ///< draws, each with the values of all parameters
 };
 
 /// Reads the draws of a posterior file.

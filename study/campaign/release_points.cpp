@@ -23,24 +23,24 @@ constexpr double kNormTolerance = 1e-3;
 
 }  // namespace
 
-std::vector<Vec3> read_points(const std::filesystem::path& file) {
+std::vector<Vec3> read_point_table(const std::filesystem::path& file) {
   std::vector<Vec3> points;
   const auto find = [](const std::vector<std::string_view>& headings) {
     const auto found = find_coordinate_columns(headings);
     return found ? std::optional(std::vector<std::size_t>(found->axes.begin(), found->axes.end()))
                  : std::nullopt;
   };
-  const NumericTableSpec table{.names = {{"x"}, {"y"}, {"z"}},
-                               .range = kMapCoordinate,
-                               .meaning = "three numbers, x y z",
-                               .find = find};
+  const NumericTableSpec table{.column_names = {{"x"}, {"y"}, {"z"}},
+                               .range = kMapCoordinateRange,
+                               .expected_line = "three numbers, x y z",
+                               .find_columns = find};
   for (const NumericRow& row : read_numeric_table(file, table)) {
     points.emplace_back(row.values[0], row.values[1], row.values[2]);
   }
   return points;
 }
 
-std::vector<Quat> read_orientations(const std::filesystem::path& file) {
+std::vector<Quat> read_orientation_table(const std::filesystem::path& file) {
   std::vector<Quat> orientations;
   constexpr NumberRange kComponent{-2.0, 2.0};
   const NumericTableSpec table{

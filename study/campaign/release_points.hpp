@@ -10,18 +10,17 @@
 
 namespace clast {
 
-/// Reads a table of points with columns x, y and z in m (`core/files/number_table.hpp`). Columns
-/// are found by heading (x or easting, y or northing, z, height or elevation). Without a heading,
-/// there must be three columns.
+/// Reads points from a text table with columns x, y and z in m. Columns are found by their
+/// headings. Without headings, there must be three columns.
 /// @throws InputError  if the file is missing or empty, or a line is invalid; names file and line
-std::vector<Vec3> read_points(const std::filesystem::path& file);
+std::vector<Vec3> read_point_table(const std::filesystem::path& file);
 
-/// Reads a table of unit quaternions with columns w, x, y and z (or qw, q0, ... in a heading).
-/// Quaternions whose norm is within 1e-3 of 1 are normalised.
+/// Reads unit quaternions from a text table with columns w, x, y and z. Their norms may differ from
+/// 1 by up to 1e-3; they are normalised.
 /// @throws InputError  if `read_points` would throw, or if a norm differs more from 1
-std::vector<Quat> read_orientations(const std::filesystem::path& file);
+std::vector<Quat> read_orientation_table(const std::filesystem::path& file);
 
-/// Converts the rotation world_from_source from a y-up to a z-up world (`core/files/up_axis.hpp`).
+/// Converts the orientation of a block from a world with y up to a world with z up.
 Quat y_up_to_z_up(const Quat& orientation);
 
 /// Returns `count` equally spaced points on a polyline, including both ends; for 1, its midpoint.

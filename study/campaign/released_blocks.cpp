@@ -50,13 +50,13 @@ RockMassBlocks cut_released_mass(const ReleasedMass& mass, const BeforeAfterTerr
           (options.polygon ? " polygon=" + to_utf8(options.polygon->filename().string()) : ""),
       ""};
   std::vector<TriangleMesh> masses;
-  for (const MassBody& body : mass.bodies) masses.push_back(body.mesh);
+  for (const ReleasedBody& body : mass.bodies) masses.push_back(body.mesh);
   return cut_rock_masses(masses, source, cutting);
 }
 
-TriangleMesh make_mass_mesh(const ReleasedMass& mass) {
+TriangleMesh make_released_mass_mesh(const ReleasedMass& mass) {
   TriangleMesh mesh;
-  for (const MassBody& body : mass.bodies) mesh = merged(std::move(mesh), body.mesh);
+  for (const ReleasedBody& body : mass.bodies) mesh = merged(std::move(mesh), body.mesh);
   return mesh;
 }
 

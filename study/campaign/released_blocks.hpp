@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks of a rock mass that is given by the terrains before and after its fall.
+/// Blocks of a rock mass that is given by the terrains before and after its release.
 #include <filesystem>
 #include <optional>
 
@@ -9,25 +9,24 @@
 
 namespace clast {
 
-/// Terrain files before and after, as `read_terrain` accepts.
+/// Terrain files before and after the release of a rock mass.
 struct BeforeAfterTerrains {
   std::vector<std::filesystem::path> before, after;
-  std::string up = "auto";  ///< up axis of both, as in TerrainOptions
+  std::string up = "auto";  ///< up axis of both terrains, as in `TerrainOptions`
 };
 
-/// Reads both terrains and computes the released mass.
+/// Reads both terrains and computes the released rock mass between them.
 /// @throws InputError, GeometryError  if `read_terrain` or `find_released_mass` throws
 ReleasedMass read_released_mass(const BeforeAfterTerrains& terrains,
                                 const ReleasedMassOptions& options);
 
-/// Cuts each body of the mass by joints. Blocks are in map coordinates, as required by `[[mass]]
-/// in_place`. Their source states both terrains and the options.
+/// Cuts each body of a released rock mass by joints. The blocks are in map coordinates.
 /// @throws InputError, GeometryError  if `cut_rock_masses` throws
 RockMassBlocks cut_released_mass(const ReleasedMass& mass, const BeforeAfterTerrains& terrains,
                                  const ReleasedMassOptions& options,
                                  const RockMassOptions& cutting);
 
-/// Returns the bodies of the mass as one mesh in map coordinates.
-TriangleMesh make_mass_mesh(const ReleasedMass& mass);
+/// Returns the bodies of a released rock mass as one mesh in map coordinates.
+TriangleMesh make_released_mass_mesh(const ReleasedMass& mass);
 
 }  // namespace clast

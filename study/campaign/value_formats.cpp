@@ -6,24 +6,25 @@
 
 namespace clast::study_detail {
 
-ValueFormat point() { return list(number(kMapCoordinate), 2, 3); }
+ValueFormat point_format() { return list_format(number_format(kMapCoordinateRange), 2, 3); }
 
 ValueFormat with_unit(ValueFormat form, const char* unit) {
-  ValueFormat* leaf = &form;
-  while (!leaf->items.empty()) leaf = &leaf->items.front();
-  if (*leaf->range.unit == '\0') leaf->range.unit = unit;
+  ValueFormat* innermost_format = &form;
+  while (!innermost_format->items.empty()) innermost_format = &innermost_format->items.front();
+  if (*innermost_format->range.unit == '\0') innermost_format->range.unit = unit;
   return form;
 }
 
-ValueFormat uncertain(const NumberRange& range) {
+ValueFormat uncertain_number_format(const NumberRange& range) {
   const auto law = [](const char* name, const char* meaning, ValueFormat values) {
-    return table({{name, "", meaning, required("two numbers", std::move(values))}});
+    return table_format({{name, "", meaning, required_format("two numbers", std::move(values))}});
   };
-  const ValueFormat spread = number({0.0, std::max(range.high, kLogSigma.high)});
-  return either({number(range), law("uniform", "[low, high]", list(number(range), 2, 2)),
-                 law("normal", "[mean, standard deviation]", list(spread, 2, 2)),
-                 law("log_normal", "[median, standard deviation of the natural logarithm]",
-                     list(spread, 2, 2))});
+  const ValueFormat spread = number_format({0.0, std::max(range.high, kLogSigmaRange.high)});
+  return alternative_formats(
+      {number_format(range), law("uniform", "[low, high]", list_format(number_format(range), 2, 2)),
+       law("normal", "[mean, standard deviation]", list_format(spread, 2, 2)),
+       law("log_normal", "[median, standard deviation of the natural logarithm]",
+           list_format(spread, 2, 2))});
 }
 
 }  // namespace clast::study_detail

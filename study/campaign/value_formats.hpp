@@ -1,5 +1,5 @@
 #pragma once
-/// Constructors of value formats for key declarations.
+/// Functions that make the formats of TOML values, for key declarations.
 #include <utility>
 
 #include "study/campaign/key_table.hpp"
@@ -8,44 +8,45 @@ namespace clast::study_detail {
 
 using Kind = ValueFormat::Kind;
 
-inline ValueFormat text() { return {}; }
-inline ValueFormat words(std::vector<std::string> all) { return {.words = std::move(all)}; }
-inline ValueFormat fitting(std::string pattern) { return {.pattern = std::move(pattern)}; }
-inline ValueFormat flag() { return {.kind = Kind::kFlag}; }
-inline ValueFormat count(std::uint64_t least, std::uint64_t most) {
-  return {.kind = Kind::kCount, .least = least, .most = most};
+inline ValueFormat text_format() { return {}; }
+inline ValueFormat word_format(std::vector<std::string> all) { return {.words = std::move(all)}; }
+inline ValueFormat pattern_format(std::string pattern) { return {.pattern = std::move(pattern)}; }
+inline ValueFormat flag_format() { return {.kind = Kind::kFlag}; }
+inline ValueFormat count_format(std::uint64_t minimum, std::uint64_t maximum) {
+  return {.kind = Kind::kCount, .minimum = minimum, .maximum = maximum};
 }
-inline ValueFormat seed() { return count(0, INT64_MAX); }
-inline ValueFormat number(const NumberRange& range) {
+inline ValueFormat seed_format() { return count_format(0, INT64_MAX); }
+inline ValueFormat number_format(const NumberRange& range) {
   return {.kind = Kind::kNumber, .range = range};
 }
-inline ValueFormat list(ValueFormat item, std::uint64_t least, std::uint64_t most = INT64_MAX) {
-  return {.kind = Kind::kList, .least = least, .most = most, .items = {std::move(item)}};
+inline ValueFormat list_format(ValueFormat item, std::uint64_t minimum,
+                               std::uint64_t maximum = INT64_MAX) {
+  return {.kind = Kind::kList, .minimum = minimum, .maximum = maximum, .items = {std::move(item)}};
 }
-inline ValueFormat table(std::vector<TableKey> keys) {
+inline ValueFormat table_format(std::vector<TableKey> keys) {
   return {.kind = Kind::kTable, .keys = std::move(keys)};
 }
-inline ValueFormat named(ValueFormat item) {
+inline ValueFormat named_table_format(ValueFormat item) {
   return {.kind = Kind::kNamed, .items = {std::move(item)}};
 }
-inline ValueFormat either(std::vector<ValueFormat> forms) {
+inline ValueFormat alternative_formats(std::vector<ValueFormat> forms) {
   return {.kind = Kind::kEither, .items = std::move(forms)};
 }
-/// Format of a single value or a list of such values.
-inline ValueFormat one_or_more(const ValueFormat& form, std::uint64_t most = INT64_MAX) {
-  return either({form, list(form, 1, most)});
+/// Makes the format of a single value or a list of such values.
+inline ValueFormat one_or_more_format(const ValueFormat& form, std::uint64_t maximum = INT64_MAX) {
+  return alternative_formats({form, list_format(form, 1, maximum)});
 }
-inline ValueFormat texts() { return one_or_more(text()); }
-/// Format of a map point, with or without height.
-ValueFormat point();
-/// Format of a number or distribution that `read_distribution` accepts.
-ValueFormat uncertain(const NumberRange& range);
+inline ValueFormat texts_format() { return one_or_more_format(text_format()); }
+/// Makes the format of a point in map coordinates, with or without height.
+ValueFormat point_format();
+/// Makes the format of a number or a probability distribution.
+ValueFormat uncertain_number_format(const NumberRange& range);
 
-/// Sets the unit of a format. A range that has a unit keeps it.
+/// Sets the unit of a format, unless its range has a unit.
 ValueFormat with_unit(ValueFormat form, const char* unit);
-/// Marks a format as required.
-/// @param expected  description of the value for the message if it is missing
-inline ValueFormat required(std::string expected, ValueFormat form) {
+/// Marks the format of a key as required.
+/// @param expected  description of the value in the message if it is missing
+inline ValueFormat required_format(std::string expected, ValueFormat form) {
   form.required = std::move(expected);
   return form;
 }

@@ -20,7 +20,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> released(
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> blocks;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    if (results.stay) ++blocks[{row.file, find_cluster(results, *row.record)}];
+    if (results.persistent_blocks) ++blocks[{row.file, cluster_index_of_run(results, *row.record)}];
   }
   return blocks;
 }
@@ -28,9 +28,9 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> released(
 void find_peaks(RealisationCrossings& found) {
   std::stable_sort(found.passages.begin(), found.passages.end(),
                    [](const BlockCrossing& a, const BlockCrossing& b) { return a.time < b.time; });
-  found.most_blocks = find_window_maximum(found.passages, kPassageWindow, one);
-  found.most_mass = find_window_maximum(found.passages, kPassageWindow, mass_of);
-  found.most_energy = find_window_maximum(found.passages, kPassageWindow, energy_of);
+  found.max_blocks_in_window = find_window_maximum(found.passages, kPassageWindow, one);
+  found.max_mass_in_window = find_window_maximum(found.passages, kPassageWindow, mass_of);
+  found.max_energy_in_window = find_window_maximum(found.passages, kPassageWindow, energy_of);
   for (const BlockCrossing& passage : found.passages) {
     found.largest_energy = std::max(found.largest_energy, passage.energy);
   }
@@ -77,12 +77,13 @@ std::vector<RealisationCrossings> collect_barrier_crossings(const Comparison& co
     const RunRow& row = comparison.rows[crossing.row];
     const CampaignResults& results = comparison.results[row.file];
     const PersistentBlockRecord* stay = results.find_persistent_block(row.record->run);
-    if (!results.stay || !stay) continue;
+    if (!results.persistent_blocks || !stay) continue;
     // Times of blocks released at once count from the first release, others from their own.
-    const double begun = results.stay->at_once ? 0.0 : stay->released_at;
-    found[{crossing.barrier, row.file, find_cluster(results, *row.record)}].passages.push_back(
-        {crossing.row, begun + crossing.crossing->time, row.block->mass, row.block->volume,
-         crossing.crossing->translational_energy + crossing.crossing->rotational_energy});
+    const double begun = results.persistent_blocks->at_once ? 0.0 : stay->released_at;
+    found[{crossing.barrier, row.file, cluster_index_of_run(results, *row.record)}]
+        .passages.push_back(
+            {crossing.row, begun + crossing.crossing->time, row.block->mass, row.block->volume,
+             crossing.crossing->translational_energy + crossing.crossing->rotational_energy});
   }
   std::vector<RealisationCrossings> all;
   for (auto& [key, of_realisation] : found) {
@@ -115,9 +116,9 @@ RealisationCurve passage_curve(const std::vector<const RealisationCrossings*>& r
       }
     }
     curve.time.push_back(time);
-    curve.mean.push_back(summarise(sums).mean);
-    curve.least.push_back(*std::min_element(sums.begin(), sums.end()));
-    curve.most.push_back(*std::max_element(sums.begin(), sums.end()));
+    curve.mean.push_back(summarise_sample(sums).mean);
+    curve.minimum.push_back(*std::min_element(sums.begin(), sums.end()));
+    curve.maximum.push_back(*std::max_element(sums.begin(), sums.end()));
   }
   return curve;
 }

@@ -34,12 +34,12 @@ void check_run(const std::string& file, const CampaignResults& results, const Ru
   if (run.block >= results.blocks.size()) {
     throw InputError(item + " refers to block number " + std::to_string(run.block) + " of " +
                      std::to_string(results.blocks.size()) +
-                     "; the file is damaged, run the campaign again");
+                     "; the file is damaged; run the campaign again");
   }
   const bool measured = run.result.stop_reason != StopReason::kError;
   if (!finite(run.start.position) || (measured && !finite(run.result.final_state.position))) {
     throw InputError(item + " has a start or stop that is not a finite position; the file is " +
-                     "damaged, run the campaign again");
+                     "damaged; run the campaign again");
   }
 }
 
@@ -61,9 +61,9 @@ void check_given_once(const std::vector<CampaignResults>& results, std::size_t f
                          ": are parts of one campaign; join all its parts first with "
                          "`merge_results`");
       }
-      throw InputError(label(results, file) + ": holds the same runs as " + label(results, other) +
-                       " (same campaign, inputs and program), which would count twice; give it "
-                       "once");
+      throw InputError(
+          label(results, file) + ": holds the same runs as " + label(results, other) +
+          " (same campaign, inputs and program), so these would count twice; give the file once");
     }
   }
 }
@@ -102,14 +102,15 @@ std::optional<Vec2> asked_downslope(const std::vector<CampaignResults>& results)
     if (!results[file].downslope) continue;
     const Vec2 direction = *results[file].downslope;
     if (!direction.allFinite() || direction.norm() == 0.0) {
-      throw InputError(label(results, file) + ": downslope is not a direction; give two numbers, " +
-                       "not both zero, as [run] downslope");
+      throw InputError(label(results, file) +
+                       ": downslope is not a direction; write two numbers, " +
+                       "not both zero, in [run] downslope");
     }
     const Vec2 unit = direction.normalized();
     if (asked && (unit - *asked).norm() > 1e-9) {
       throw InputError(label(results, file) + ": has another downslope direction than " +
                        label(results, asked_by) +
-                       ", so their runouts can't be compared; compare the files one by one");
+                       ", so their runouts cannot be compared; compare the files one by one");
     }
     if (!asked) asked_by = file;
     asked = unit;
@@ -147,32 +148,32 @@ std::vector<RunRow> collect_rows(const std::vector<CampaignResults>& results) {
   return rows;
 }
 
-const std::string& key_of(const BlockSummary& block, GroupKind kind) {
+const std::string& key_of(const BlockSummary& block, RunGroupKind kind) {
   static const std::string none;
   switch (kind) {
-    case GroupKind::kBlock:
+    case RunGroupKind::kBlock:
       return block.library_block();
-    case GroupKind::kGarcia:
+    case RunGroupKind::kGarcia:
       return block.garcia;
-    case GroupKind::kSneedFolk:
+    case RunGroupKind::kSneedFolk:
       return block.sneed_folk;
-    case GroupKind::kAll:
-    case GroupKind::kColumn:
+    case RunGroupKind::kAll:
+    case RunGroupKind::kColumn:
       break;
   }
   return none;
 }
 
 /// Keys that occur, blocks in the order of the files, classes in the order of their scheme.
-std::vector<std::string> keys_in_order(const std::vector<RunRow>& rows, GroupKind kind) {
+std::vector<std::string> keys_in_order(const std::vector<RunRow>& rows, RunGroupKind kind) {
   std::vector<std::string> keys;
   std::set<std::string> seen;
   for (const RunRow& row : rows) {
     if (seen.insert(key_of(*row.block, kind)).second) keys.push_back(key_of(*row.block, kind));
   }
-  if (kind == GroupKind::kAll || kind == GroupKind::kBlock) return keys;
+  if (kind == RunGroupKind::kAll || kind == RunGroupKind::kBlock) return keys;
   const std::vector<std::string>& order =
-      class_names(kind == GroupKind::kGarcia ? "garcia" : "sneed-folk");
+      class_names(kind == RunGroupKind::kGarcia ? "garcia" : "sneed-folk");
   const auto rank = [&](const std::string& key) {
     return std::find(order.begin(), order.end(), key) - order.begin();
   };
@@ -181,29 +182,29 @@ std::vector<std::string> keys_in_order(const std::vector<RunRow>& rows, GroupKin
   return keys;
 }
 
-std::string group_name(GroupKind kind, const std::string& key) {
+std::string group_name(RunGroupKind kind, const std::string& key) {
   switch (kind) {
-    case GroupKind::kBlock:
+    case RunGroupKind::kBlock:
       return "block " + key;
-    case GroupKind::kGarcia:
+    case RunGroupKind::kGarcia:
       return "class " + key;
-    case GroupKind::kSneedFolk:
+    case RunGroupKind::kSneedFolk:
       return "sneed-folk " + key;
-    case GroupKind::kAll:
-    case GroupKind::kColumn:
+    case RunGroupKind::kAll:
+    case RunGroupKind::kColumn:
       break;
   }
   return "all";
 }
 
 void append_file_groups(const std::vector<RunRow>& rows, std::optional<std::uint32_t> file,
-                        std::vector<Group>& groups) {
-  for (const GroupKind kind :
-       {GroupKind::kAll, GroupKind::kBlock, GroupKind::kGarcia, GroupKind::kSneedFolk}) {
+                        std::vector<RunGroup>& groups) {
+  for (const RunGroupKind kind : {RunGroupKind::kAll, RunGroupKind::kBlock, RunGroupKind::kGarcia,
+                                  RunGroupKind::kSneedFolk}) {
     const std::vector<std::string> keys = keys_in_order(rows, kind);
-    if (kind == GroupKind::kSneedFolk && keys.size() < 2) continue;
+    if (kind == RunGroupKind::kSneedFolk && keys.size() < 2) continue;
     for (const std::string& key : keys) {
-      Group group;
+      RunGroup group;
       group.name = (file ? "file " + std::to_string(*file + 1) + ": " : "") + group_name(kind, key);
       group.kind = kind;
       group.key = key;
@@ -217,7 +218,7 @@ void append_file_groups(const std::vector<RunRow>& rows, std::optional<std::uint
   }
 }
 
-DepositStatistics deposits_of(const Group& group, const std::vector<RunRow>& rows) {
+DepositStatistics deposits_of(const RunGroup& group, const std::vector<RunRow>& rows) {
   DepositStatistics deposit;
   deposit.started = group.rows.size();
   std::vector<double> along, lateral;
@@ -243,8 +244,8 @@ DepositStatistics deposits_of(const Group& group, const std::vector<RunRow>& row
         break;
     }
   }
-  deposit.runout = summarise(along);
-  deposit.lateral = summarise(lateral);
+  deposit.runout = summarise_sample(along);
+  deposit.lateral = summarise_sample(lateral);
   if (deposit.stops.rest > 0) {
     deposit.mean_stop =
         rows[group.rows.front()].stop + sum / static_cast<double>(deposit.stops.rest);
@@ -264,8 +265,8 @@ std::vector<const Crossing*> find_counted_crossings(const Comparison& comparison
 }
 
 std::string BarrierLine::direction(const Crossing& crossing) const {
-  if (!of_ring()) return crossing.forward ? "forward" : "backward";
-  return crossing.forward == inside_is_left(through) ? "out" : "in";
+  if (!belongs_to_ring()) return crossing.forward ? "forward" : "backward";
+  return crossing.forward == is_counter_clockwise(vertices) ? "out" : "in";
 }
 
 std::string BarrierLine::counted_direction() const {
@@ -290,14 +291,15 @@ bool BarrierLine::counted(const Crossing& crossing) const {
   return counts == Counts::kEither || direction(crossing) == counted_direction();
 }
 
-std::uint32_t find_cluster(const CampaignResults& results, const RunRecord& run) {
-  return results.stay ? run.run / results.stay->blocks_each : run.point;
+std::uint32_t cluster_index_of_run(const CampaignResults& results, const RunRecord& run) {
+  return results.persistent_blocks ? run.run / results.persistent_blocks->blocks_per_realisation
+                                   : run.point;
 }
 
 std::uint32_t RunClustering::of(const RunRow& row) {
-  const std::pair key(row.file, find_cluster(results_[row.file], *row.record));
+  const std::pair key(row.file, cluster_index_of_run(results_[row.file], *row.record));
   const auto [found, added] = numbers_.emplace(key, static_cast<std::uint32_t>(numbers_.size()));
-  if (added && results_[row.file].stay) ++realisations_;
+  if (added && results_[row.file].persistent_blocks) ++realisations_;
   return found->second;
 }
 
@@ -307,13 +309,13 @@ const std::string& find_release_set(const CampaignResults& results, std::uint32_
   return results.release_sets[results.set_of_point[point]];
 }
 
-void CompareOptions::check() const {
+void ComparisonOptions::check() const {
   if (margin && !(*margin > 0.0 && std::isfinite(*margin))) {
     throw InputError("margin " + format_significant(*margin, 4) + " m: give a length above 0");
   }
 }
 
-Comparison compare(std::vector<CampaignResults> results, const CompareOptions& options) {
+Comparison compare(std::vector<CampaignResults> results, const ComparisonOptions& options) {
   options.check();
   check_results(results);
   Comparison comparison;
@@ -323,10 +325,10 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
 
   const std::optional<Vec2> asked = asked_downslope(comparison.results);
   const std::optional<Vec2> mean = mean_downslope(comparison.rows);
-  comparison.downslope_asked = asked.has_value();
+  comparison.downslope_given = asked.has_value();
   comparison.downslope = asked ? *asked : mean.value_or(Vec2::UnitX());
   for (RunRow& row : comparison.rows) {
-    const RunoutDistances measured = runout(row.start, row.stop, comparison.downslope);
+    const RunoutMeasures measured = compute_runout(row.start, row.stop, comparison.downslope);
     row.runout = measured.along;
     row.lateral = measured.lateral;
   }
@@ -346,7 +348,7 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
       append_file_groups(comparison.rows, file, comparison.groups);
     }
   }
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     comparison.deposits.push_back(deposits_of(group, comparison.rows));
   }
 
@@ -358,10 +360,10 @@ Comparison compare(std::vector<CampaignResults> results, const CompareOptions& o
   comparison.differences = compute_differences(comparison);
   if (options.measured) {
     comparison.measured = read_measured_stops(*options.measured);
-    compare_stops(comparison, *comparison.measured);
+    compare_measured_stops(comparison, *comparison.measured);
   }
 
-  add_warnings(comparison);
+  add_comparison_warnings(comparison);
   return comparison;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Cache of the analyses of a comparison; each is computed at its first use.
+/// Cache of the analyses of a comparison.
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -19,43 +19,45 @@
 
 namespace clast {
 
-/// Computes the analyses of a comparison once each, for tables, pages, maps and texts. Thread-safe.
+/// Computes the analyses of a comparison, each at its first use. Thread-safe.
 class ComparisonAnalyses {
  public:
-  /// Implicit, so that a `Comparison` can be passed to functions that take analyses.
+  /// Stores a reference to the comparison. Implicit, so that a `Comparison` can be passed instead.
   /// @param comparison  must outlive this object and stay unchanged
   ComparisonAnalyses(const Comparison& comparison) : comparison_(comparison) {}
 
   const Comparison& comparison() const { return comparison_; }
 
-  const KeyResults& answer() const { return cached(answer_, clast::summarise_key_results); }
-  const std::vector<RealisationCrossings>& passages() const {
+  const KeyResults& key_results() const { return cached(answer_, clast::summarise_key_results); }
+  const std::vector<RealisationCrossings>& barrier_crossings() const {
     return cached(passages_, collect_barrier_crossings);
   }
-  const std::vector<DesignEffects>& effects() const {
+  const std::vector<DesignEffects>& design_effects() const {
     return cached(effects_, compute_design_effects);
   }
-  const std::vector<ParameterEffect>& ensemble() const {
+  const std::vector<ParameterEffect>& ensemble_effects() const {
     return cached(ensemble_, compute_ensemble_effects);
   }
-  const std::vector<OutcomeByShape>& forms() const {
+  const std::vector<OutcomeByShape>& shape_outcomes() const {
     return cached(forms_, compute_outcomes_by_shape);
   }
-  const std::vector<DepositMobility>& mobility() const {
+  const std::vector<DepositMobility>& deposit_mobility() const {
     return cached(mobility_, compute_mass_mobility);
   }
-  const MapRasterSet& paths() const { return cached(paths_, compute_path_rasters); }
+  const MapRasterSet& path_rasters() const { return cached(paths_, compute_path_rasters); }
   const std::vector<ProfileBin>& profiles() const { return cached(profiles_, compute_profiles); }
-  const DepositResults& deposits() const { return cached(deposits_, measure_deposits); }
-  const std::vector<RealisationEnergies>& energies() const {
+  const DepositResults& deposit_results() const { return cached(deposits_, measure_deposits); }
+  const std::vector<RealisationEnergies>& realisation_energies() const {
     return cached(energies_, collect_realisation_energies);
   }
-  const DepositQuantityComparison& figures() const {
+  const DepositQuantityComparison& deposit_comparison() const {
     return cached(figures_, [this](const Comparison&) {
-      return compare_deposit_quantities(deposits().realisations);
+      return compare_deposit_quantities(deposit_results().realisations);
     });
   }
-  const std::vector<ShapeTrends>& trends() const { return cached(trends_, compute_shape_trends); }
+  const std::vector<ShapeTrends>& shape_trends() const {
+    return cached(trends_, compute_shape_trends);
+  }
 
  private:
   template <class Analysis>

@@ -65,8 +65,8 @@ void warn_of_lost_runs(Comparison& comparison) {
     warn(comparison, happened + advice, turning ? happened + "." : "");
   };
   const std::string in_none = "; they are excluded from deposit statistics";
-  const std::string too_short = ", so runout may be too short";
-  count_of(all.stops.error, "ended with an error", in_none);
+  const std::string too_short = ", so their runouts are not known";
+  count_of(all.stops.error, "failed with an error", in_none);
   count_of(all.stops.max_time, "were still moving at max_time" + too_short,
            in_none + ". Raise [run] max_time_s");
   count_of(all.stops.left_terrain, "left the surveyed terrain" + too_short,
@@ -82,7 +82,8 @@ void warn_of_lost_runs(Comparison& comparison) {
     }
   }
   count_of(below, "ended below ground", "; their stops are unreliable");
-  count_of(unbalanced, "miss more than 1 % of the dissipated energy in their balance",
+  count_of(unbalanced,
+           "have an error of more than 1 % of the dissipated energy in their energy balance",
            "; try a smaller [contact] time_step_s");
 }
 
@@ -92,7 +93,7 @@ void warn_of_reassigned(Comparison& comparison) {
   const RunRow* worst = nullptr;
   for (const RunRow& row : comparison.rows) {
     const std::optional<double> share = reassigned_energy_fraction(row.record->result.energy);
-    if (!share || !(*share > kNotableReassigned)) continue;
+    if (!share || !(*share > kNotableReassignedFraction)) continue;
     ++count;
     if (*share > largest) worst = &row;
     largest = std::max(largest, *share);
@@ -107,13 +108,13 @@ void warn_of_reassigned(Comparison& comparison) {
   warn(comparison,
        happened + " (at most " + format_significant(100.0 * largest, 3) + " %, run " +
            std::to_string(worst->record->run) + ", block " + worst->block->id +
-           "); the effect is like that of stronger or weaker friction. Run some of them with half "
-           "the "
-           "[contact] time_step_s to see whether the results depend on it",
-       turning ? of(count, comparison.rows.size()) +
-                     " runs lose or gain more than 10 % of their energy through the numerics of "
-                     "contacts, as if friction were wrong by as much."
-               : "");
+           "), with an effect like stronger or weaker friction. Simulate some of them with half "
+           "the [contact] time_step_s to see whether the results depend on it",
+       turning
+           ? of(count, comparison.rows.size()) +
+                 " runs lose or gain more than 10 % of the energy they dissipate through numerical "
+                 "errors at contacts, with an effect like stronger or weaker friction."
+           : "");
 }
 
 /// Speeds that observers of rockfall seldom report.
@@ -125,10 +126,10 @@ void warn_of_speeds(Comparison& comparison) {
     }
   }
   if (speeds.empty()) return;
-  const double p95 = summarise(speeds).p95;
+  const double p95 = summarise_sample(speeds).p95;
   if (!(p95 > kSeldomSpeed)) return;
-  const std::string fast = "5 % of the runs are faster than " + format_significant(p95, 3) +
-                           " m/s; blocks on slopes are seldom faster than " +
+  const std::string fast = "5 % of the runs exceed a speed of " + format_significant(p95, 3) +
+                           " m/s; rockfall speeds rarely exceed " +
                            format_significant(kSeldomSpeed, 3) + " m/s";
   warn(comparison,
        fast +
@@ -250,12 +251,12 @@ void warn_of_slopes(Comparison& comparison) {
         sliding_zones.insert(results.zone_names[zone]);
         sliding_texts.push_back(
             where + "above atan mu = " + degrees(sliding) +
-            ": friction stops no block there, so an effect of shape can vanish");
+            ": friction cannot stop a block there, so shape may have little effect");
       } else if (*slopes[zone] > rolling) {
         rolling_zones.insert(results.zone_names[zone]);
         rolling_texts.push_back(where + "between atan mu_R = " + degrees(rolling) +
                                 " and atan mu = " + degrees(sliding) +
-                                ": rolling blocks keep moving and sliding blocks stop, so an "
+                                ": rolling blocks keep moving and sliding blocks stop, so the "
                                 "effect of shape is larger than on other slopes");
       }
     }
@@ -270,10 +271,11 @@ void warn_of_slopes(Comparison& comparison) {
                                    texts});
   };
   add(sliding_texts, sliding_zones,
-      "the slope is too steep for friction to stop a block: shape may make little difference "
+      "the slope is too steep for friction to stop a block, so shape may have little effect "
       "there.");
   add(rolling_texts, rolling_zones,
-      "rolling blocks keep moving and sliding blocks stop: the effect of shape is larger there.");
+      "rolling blocks keep moving and sliding blocks stop, so the effect of shape is larger "
+      "there.");
 }
 
 void warn_of_changed_blocks(Comparison& comparison) {
@@ -287,7 +289,7 @@ void warn_of_changed_blocks(Comparison& comparison) {
     if (!same && changed.insert(block.id).second) {
       const std::string mixed =
           "block " + block.id +
-          " has another mass or size in another file; its groups contain both";
+          " has a different mass or size in another file; its groups contain both versions";
       warn(comparison, mixed, changed.size() == 1 ? "B" + mixed.substr(1) + "." : "");
     }
   }
@@ -313,12 +315,12 @@ void warn_of_measured(Comparison& comparison) {
       warn(comparison, found + " (first: " + first + ")", turning ? found + "." : "");
     }
   };
-  name("name a block that no run has, so they are in the group \"all\" alone", false,
+  name("name a block that was not simulated, so they are only in the group \"all\"", false,
        [&](const MeasuredStop& stop) {
          return blocks.contains(stop.block) ? std::string() : stop.block;
        });
-  name("have a shape that is neither compact nor elongated, so they are in no group of a shape",
-       false, [&](const MeasuredStop& stop) {
+  name("have a shape other than compact or elongated, so they are in no shape group", false,
+       [&](const MeasuredStop& stop) {
          const bool known = stop.shape == "compact" || stop.shape == "elongated";
          return known ? std::string() : stop.shape;
        });
@@ -328,15 +330,15 @@ void warn_of_measured(Comparison& comparison) {
     grounds.push_back(
         {results.terrain.frame.to_map(extent.low), results.terrain.frame.to_map(extent.high)});
   }
-  name("lie off the terrain; check their map system and units", true,
+  name("lie outside the terrain; check their map system and units", true,
        [&](const MeasuredStop& stop) {
          const bool over = std::any_of(grounds.begin(), grounds.end(), [&](const Bounds& ground) {
-           return (stop.place.array() >= ground.low.head<2>().array()).all() &&
-                  (stop.place.array() <= ground.high.head<2>().array()).all();
+           return (stop.position.array() >= ground.low.head<2>().array()).all() &&
+                  (stop.position.array() <= ground.high.head<2>().array()).all();
          });
          return over ? std::string()
-                     : "x " + format_significant(stop.place.x(), 9) + ", y " +
-                           format_significant(stop.place.y(), 9);
+                     : "x " + format_significant(stop.position.x(), 9) + ", y " +
+                           format_significant(stop.position.y(), 9);
        });
 }
 
@@ -344,23 +346,24 @@ void warn_of_measured(Comparison& comparison) {
 void warn_of_directions(Comparison& comparison) {
   for (const BarrierGroupStatistics& group : comparison.barriers) {
     const BarrierLine& line = comparison.lines[group.line];
-    const Group& runs = comparison.groups[group.group_index];
-    if (line.counts != BarrierLine::Counts::kForward || runs.kind != GroupKind::kAll || runs.file ||
-        group.backward <= group.crossed) {
+    const RunGroup& runs = comparison.groups[group.group_index];
+    if (line.counts != BarrierLine::Counts::kForward || runs.kind != RunGroupKind::kAll ||
+        runs.file || group.backward <= group.crossed) {
       continue;
     }
-    double most = 0.0;
+    double maximum = 0.0;
     for (const BarrierCrossing& row : comparison.crossings) {
       if (row.barrier != group.line || row.crossing->forward) continue;
-      most = std::max(most, row.crossing->translational_energy + row.crossing->rotational_energy);
+      maximum =
+          std::max(maximum, row.crossing->translational_energy + row.crossing->rotational_energy);
     }
     const std::string crossed = of(group.backward, group.started) +
-                                " runs crossed it the other way first, with up to " +
-                                format_significant(most / 1000.0, 4) + " kJ";
+                                " runs first crossed it in the opposite direction, with up to " +
+                                format_significant(maximum / 1000.0, 4) + " kJ";
     warn(comparison,
          "barrier " + line.name +
-             " counts only crossings from the left of its line to the right, but " + crossed +
-             "; swap its points, or leave direction out to count both ways",
+             " counts only crossings from the left side of its line to the right side, but " +
+             crossed + "; swap its points, or omit direction to count both directions",
          "Barrier " + line.name + " counts one direction only, but " + crossed + ".");
   }
 }
@@ -376,7 +379,7 @@ std::optional<double> reassigned_energy_fraction(const EnergyBalance& energy) {
   return std::abs(energy.reassigned) / dissipated;
 }
 
-void add_warnings(Comparison& comparison) {
+void add_comparison_warnings(Comparison& comparison) {
   warn_of_directions(comparison);
   warn_of_unfinished(comparison);
   warn_of_lost_runs(comparison);

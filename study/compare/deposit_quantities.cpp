@@ -17,17 +17,17 @@ DepositQuantitySummary figure_of_file(const std::vector<DepositMeasures>& realis
                                       std::uint32_t file, std::size_t figure) {
   DepositQuantitySummary found;
   found.file = file;
-  found.figure = figure;
+  found.quantity = figure;
   std::vector<double> values;
   for (const DepositMeasures& deposit : realisations) {
     if (deposit.file != file) continue;
     const double value = deposit_quantities()[figure].value(deposit);
     if (!std::isfinite(value)) continue;
-    if (!(found.least <= value)) found.least = value;
+    if (!(found.minimum <= value)) found.minimum = value;
     values.push_back(value);
   }
-  found.summary = summarise(values);
-  found.interval = mean_interval(found.summary, deposit_quantities()[figure].possible);
+  found.summary = summarise_sample(values);
+  found.interval = mean_interval(found.summary, deposit_quantities()[figure].possible_range);
   return found;
 }
 
@@ -55,22 +55,22 @@ const std::vector<DepositQuantity>& deposit_quantities() {
     return [value](const Row& row) { return row.energy ? value(*row.energy) : NAN; };
   };
   static const std::vector<DepositQuantity> kFigures = {
-      {"lying", "", "blocks that lie there", 1,
-       [](const Row& row) { return static_cast<double>(row.lying); }, kPositive},
-      {"lying_share", "", "share of blocks that lie there", 3,
+      {"lying", "", "blocks in the deposit", 1,
+       [](const Row& row) { return static_cast<double>(row.deposited_blocks); }, kPositive},
+      {"lying_share", "", "fraction of blocks in the deposit", 3,
        [](const Row& row) {
-         return static_cast<double>(row.lying) / static_cast<double>(row.blocks);
+         return static_cast<double>(row.deposited_blocks) / static_cast<double>(row.blocks);
        },
        kPossibleFraction},
       {"left_terrain", "", "blocks that left the terrain", 1,
        [](const Row& row) { return static_cast<double>(row.left_terrain); }, kPositive},
-      {"volume_m3", "m\xC2\xB3", "volume of the blocks", 2, &Row::volume, kPositive},
+      {"volume_m3", "m\xC2\xB3", "volume of the blocks in the deposit", 2, &Row::volume, kPositive},
       {"centre_distance_m", "m", "distance of the centre of mass", 2,
-       [](const Row& row) { return plan_distance(row.first_centre, row.centre); }, kPositive},
+       [](const Row& row) { return plan_distance(row.start_centre, row.centre); }, kPositive},
       {"centre_drop_m", "m", "drop of the centre of mass", 2,
-       [](const Row& row) { return row.first_centre.z() - row.centre.z(); }},
+       [](const Row& row) { return row.start_centre.z() - row.centre.z(); }},
       {"centre_drop_ratio", "", "drop / distance of the centre of mass", 3,
-       [](const Row& row) { return height_length_ratio(row.first_centre, row.centre); }},
+       [](const Row& row) { return height_length_ratio(row.start_centre, row.centre); }},
       {"toe_distance_m", "m", "distance L from crest to toe", 2,
        [](const Row& row) { return plan_distance(row.crest, row.toe); }, kPositive},
       {"toe_drop_m", "m", "drop H from crest to toe", 2,
@@ -83,26 +83,26 @@ const std::vector<DepositQuantity>& deposit_quantities() {
        }},
       {"area_m2", "m\xC2\xB2", "area", 1, &Row::area, kPositive},
       {"bulk_volume_m3", "m\xC2\xB3", "bulk volume", 2, &Row::bulk_volume, kPositive},
-      {"solid_share", "", "share of the bulk volume that is rock", 3,
+      {"solid_share", "", "rock fraction of the bulk volume", 3,
        [](const Row& row) { return row.volume / row.bulk_volume; }, kPositive},
-      {"first_solid_share", "", "share of the bulk volume that was rock at the start", 3,
-       [](const Row& row) { return row.first_volume / row.first_bulk_volume; }, kPositive},
+      {"first_solid_share", "", "rock fraction of the bulk volume at the start", 3,
+       [](const Row& row) { return row.start_volume / row.start_bulk_volume; }, kPositive},
       {"mean_thickness_m", "m", "mean thickness", 2,
        [](const Row& row) { return row.bulk_volume / row.area; }, kPositive},
       {"thickness_m", "m", "largest thickness", 2, &Row::thickness, kPositive},
-      {"largest_kinetic_j", "J", "largest kinetic energy of all blocks together", 0,
+      {"largest_kinetic_j", "J", "largest total kinetic energy of all blocks", 0,
        of_energy([](const EnergyFractions& energy) { return energy.largest_kinetic; }), kPositive},
-      {"dissipated_by_friction", "", "share dissipated by friction", 3,
+      {"dissipated_by_friction", "", "fraction dissipated by friction", 3,
        of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.friction + energy.between_blocks.friction;
        }),
        kPossibleFraction},
-      {"dissipated_by_rolling", "", "share dissipated by rolling resistance", 3,
+      {"dissipated_by_rolling", "", "fraction dissipated by rolling resistance", 3,
        of_energy([](const EnergyFractions& energy) {
          return energy.on_ground.rolling + energy.between_blocks.rolling;
        }),
        kPossibleFraction},
-      {"dissipated_between_blocks", "", "share dissipated between blocks", 3,
+      {"dissipated_between_blocks", "", "fraction dissipated between blocks", 3,
        of_energy([](const EnergyFractions& energy) { return energy.between_blocks.sum(); }),
        kPossibleFraction}};
   return kFigures;
@@ -120,7 +120,7 @@ DepositQuantityComparison compare_deposit_quantities(
       if (of_file.back().summary.count > 0) found.files.push_back(of_file.back());
     }
   }
-  if (by_file.size() > kMaxGroups) return found;
+  if (by_file.size() > kMaxComparedGroups) return found;
   found.differences = pairs_of(by_file);
   correct_multiple_tests(found.differences);
   return found;

@@ -127,15 +127,16 @@ std::vector<OutcomeEffects> outcomes_with(const std::vector<RunOutcome>& outcome
                                           const Shares& shares) {
   std::vector<const RunOutcome*> differing;
   for (const RunOutcome& outcome : outcomes) {
-    const auto [least, most] = std::minmax_element(outcome.values.begin(), outcome.values.end());
-    if (*least < *most) differing.push_back(&outcome);  // else there is nothing to explain
+    const auto [minimum, maximum] =
+        std::minmax_element(outcome.values.begin(), outcome.values.end());
+    if (*minimum < *maximum) differing.push_back(&outcome);  // else there is nothing to explain
   }
   std::vector<std::vector<double>> values;
   for (const RunOutcome* outcome : differing) values.push_back(outcome->values);
   const std::vector<VarianceDecomposition> found = shares(values);
   std::vector<OutcomeEffects> effects;
   for (std::size_t i = 0; i < differing.size(); ++i) {
-    const Summary summary = summarise(values[i]);
+    const SampleSummary summary = summarise_sample(values[i]);
     effects.push_back(
         {differing[i]->name, differing[i]->unit, summary.mean, summary.std, found[i]});
   }
@@ -169,8 +170,8 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
   DesignEffects effects;
   effects.file = file;
   const CampaignResults& results = comparison.results[file];
-  if (results.stay) {
-    effects.refusal = "its blocks are persistent, so runs depend on each other";
+  if (results.persistent_blocks) {
+    effects.refusal_reason = "its blocks are persistent, so runs depend on each other";
     return effects;
   }
   const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
@@ -180,9 +181,10 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
     std::erase_if(factors, [](const FactorLevels& factor) { return factor.name == "orientation"; });
   }
   if (factors.empty()) {
-    effects.refusal = fresh ? "its orientations are drawn for each block and point, so none occurs "
-                              "twice, and nothing else differs between runs"
-                            : "nothing differs between its runs";
+    effects.refusal_reason =
+        fresh ? "its orientations are drawn for each block and release point, so "
+                "none occurs twice, and nothing else differs between runs"
+              : "its runs do not differ in anything";
     return effects;
   }
   for (const FactorLevels& factor : factors) effects.factors.push_back({factor.name, factor.count});
@@ -190,7 +192,8 @@ DesignEffects effects_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<std::size_t> places = places_in(factors, rows.size());
   if (fresh) {
     effects.estimated =
-        "orientations are drawn for each block and point, and count as interactions";
+        "orientations are drawn for each block and release point, so their effect is part of the "
+        "interactions";
   } else if (places.empty()) {
     effects.estimated = gap_of(factors, rows.size());
   }

@@ -67,7 +67,7 @@ struct GroupSample {
   bool one_realisation = false;
 };
 
-GroupSample sample_of(const Comparison& comparison, const Group& group,
+GroupSample sample_of(const Comparison& comparison, const RunGroup& group,
                       const ComparedQuantity& quantity, RunClustering& clusters) {
   GroupSample sample;
   RunClustering own(comparison.results);
@@ -92,8 +92,9 @@ bool are_points_alone(const ClusteredValues& a, const ClusteredValues& b) {
   return all_of_first(a.clusters) && all_of_first(b.clusters);
 }
 
-std::optional<Difference> difference_between(const Comparison& comparison, std::size_t first,
-                                             std::size_t second, const ComparedQuantity& quantity) {
+std::optional<GroupDifference> difference_between(const Comparison& comparison, std::size_t first,
+                                                  std::size_t second,
+                                                  const ComparedQuantity& quantity) {
   RunClustering clusters(comparison.results);
   const GroupSample first_sample =
       sample_of(comparison, comparison.groups[first], quantity, clusters);
@@ -101,15 +102,15 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
       sample_of(comparison, comparison.groups[second], quantity, clusters);
   const ClusteredValues &a = first_sample.values, &b = second_sample.values;
   if (a.values.size() < kFewest || b.values.size() < kFewest) return std::nullopt;
-  Difference found;
+  GroupDifference found;
   found.first = first;
   found.second = second;
   found.quantity = quantity.name;
   found.first_runs = a.values.size();
   found.second_runs = b.values.size();
   found.points = clusters.count();
-  found.first_mean = summarise(a.values).mean;
-  found.second_mean = summarise(b.values).mean;
+  found.first_mean = summarise_sample(a.values).mean;
+  found.second_mean = summarise_sample(b.values).mean;
   found.estimate = found.first_mean - found.second_mean;
   found.cliffs_delta = *cliffs_delta(a.values, b.values);
   found.hedges_g = hedges_g(a.values, b.values);
@@ -121,11 +122,11 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
   const std::size_t runs = a.values.size() + b.values.size();
   const std::size_t drawn_from = by_runs ? 1 : clusters.count();
   // Large samples are drawn less often.
-  const auto draws = [&](std::size_t numbers, std::size_t most) {
-    return std::clamp<std::size_t>(kMaxDifferenceDrawn / numbers, 200, most);
+  const auto draws = [&](std::size_t numbers, std::size_t maximum) {
+    return std::clamp<std::size_t>(kMaxDifferenceDrawn / numbers, 200, maximum);
   };
-  found.interval = bootstrap_difference(a, b, drawn_from, kDifferenceSeed,
-                                        draws(by_runs ? runs : clusters.count(), 2000));
+  found.interval = bootstrap_difference_interval(a, b, drawn_from, kDifferenceSeed,
+                                                 draws(by_runs ? runs : clusters.count(), 2000));
   const TestResult test = *clustered_ks_test(a, b, drawn_from, kDifferenceSeed, draws(runs, 9999));
   found.ks_distance = test.statistic;
   found.p_value = test.p_value;
@@ -133,12 +134,12 @@ std::optional<Difference> difference_between(const Comparison& comparison, std::
 }
 
 // Groups over all files, of every kind but "all"; those of one column are a kind.
-std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> families(
+std::map<std::pair<RunGroupKind, std::string>, std::vector<std::size_t>> families(
     const Comparison& comparison) {
-  std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> kinds;
+  std::map<std::pair<RunGroupKind, std::string>, std::vector<std::size_t>> kinds;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
-    const Group& group = comparison.groups[g];
-    if (group.kind == GroupKind::kAll || group.file) continue;
+    const RunGroup& group = comparison.groups[g];
+    if (group.kind == RunGroupKind::kAll || group.file) continue;
     kinds[{group.kind, group.column}].push_back(g);
   }
   return kinds;
@@ -146,16 +147,16 @@ std::map<std::pair<GroupKind, std::string>, std::vector<std::size_t>> families(
 
 }  // namespace
 
-std::vector<Difference> compute_differences(const Comparison& comparison) {
+std::vector<GroupDifference> compute_differences(const Comparison& comparison) {
   const std::vector<ComparedQuantity> all = quantities(comparison);
-  std::vector<Difference> found;
+  std::vector<GroupDifference> found;
   for (const auto& [kind, groups] : families(comparison)) {
-    if (groups.size() > kMaxGroups) continue;
-    std::vector<Difference> family;
+    if (groups.size() > kMaxComparedGroups) continue;
+    std::vector<GroupDifference> family;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       for (std::size_t k = i + 1; k < groups.size(); ++k) {
         for (const ComparedQuantity& quantity : all) {
-          if (std::optional<Difference> one =
+          if (std::optional<GroupDifference> one =
                   difference_between(comparison, groups[i], groups[k], quantity)) {
             family.push_back(std::move(*one));
           }
@@ -163,18 +164,18 @@ std::vector<Difference> compute_differences(const Comparison& comparison) {
       }
     }
     correct_multiple_tests(family);
-    for (Difference& one : family) found.push_back(std::move(one));
+    for (GroupDifference& one : family) found.push_back(std::move(one));
   }
   return found;
 }
 
-std::optional<Difference> compute_runout_difference(const Comparison& comparison, std::size_t first,
-                                                    std::size_t second) {
-  std::optional<Difference> found =
+std::optional<GroupDifference> compute_runout_difference(const Comparison& comparison,
+                                                         std::size_t first, std::size_t second) {
+  std::optional<GroupDifference> found =
       difference_between(comparison, first, second, quantities(comparison).front());
   if (found && found->p_value) {
-    found->p_holm = found->p_value;
-    found->tests = 1;
+    found->holm_p_value = found->p_value;
+    found->family_size = 1;
   }
   return found;
 }

@@ -64,7 +64,7 @@ std::vector<Outcome> outcomes_of(const Comparison& comparison, std::uint32_t fil
   for (std::uint32_t member = 0; member < runs.started.size(); ++member) {
     if (runs.runouts[member].empty()) continue;
     outcomes[0].members.push_back(member);
-    outcomes[0].values.push_back(summarise(runs.runouts[member]).mean);
+    outcomes[0].values.push_back(summarise_sample(runs.runouts[member]).mean);
   }
   for (std::size_t line = 0; line < comparison.lines.size(); ++line) {
     if (!comparison.lines[line].is_in(file)) continue;
@@ -97,7 +97,7 @@ void add_effects(const Comparison& comparison, std::uint32_t file, const std::st
        outcomes_of(comparison, file, runs_by_member(comparison, file, group))) {
     const std::vector<double> ordered = ascending(outcome.values);
     for (std::size_t zone = 0; zone < results.zone_names.size(); ++zone) {
-      for (const GroundParameterField& field : ground_fields()) {
+      for (const GroundParameterField& field : ground_parameter_fields()) {
         std::vector<double> drawn;
         for (const std::uint32_t member : outcome.members) {
           drawn.push_back(set_of[member]->zones[zone].*field.value);
@@ -137,14 +137,14 @@ std::optional<double> estimate_first_order_index(std::span<const double> x,
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
   const std::size_t groups = std::min(kMaxBins, count / kInBin);
-  const double mean = summarise(y).mean;
+  const double mean = summarise_sample(y).mean;
   double between = 0.0, within = 0.0;
   for (std::size_t group = 0; group < groups; ++group) {
     std::vector<double> values;
     for (std::size_t i = group * count / groups; i < (group + 1) * count / groups; ++i) {
       values.push_back(y[order[i]]);
     }
-    const double own = summarise(values).mean;
+    const double own = summarise_sample(values).mean;
     between += static_cast<double>(values.size()) * (own - mean) * (own - mean);
     for (const double value : values) within += (value - own) * (value - own);
   }

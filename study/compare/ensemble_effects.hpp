@@ -11,8 +11,8 @@
 
 namespace clast {
 
-/// Relation between a randomly drawn ground parameter and an outcome over the members of an
-/// ensemble. All members have the same blocks, release points and orientations.
+/// Effect of an uncertain ground parameter on an outcome, estimated over the members of an
+/// ensemble.
 struct ParameterEffect {
   std::uint32_t file = 0;  ///< index of the results file
   std::string group;       ///< name of the block group; empty for blocks that belong to no group
@@ -20,26 +20,28 @@ struct ParameterEffect {
   std::string parameter;                       ///< name of a ground parameter, such as "friction"
   std::size_t members = 0;                     ///< number of members with the outcome
   double low = 0.0, median = 0.0, high = 0.0;  ///< minimum, median and maximum of the drawn values
-  std::string outcome;  ///< "mean runout" (m, runs at rest) or "past BARRIER" (a proportion)
+  /// Name of the outcome: mean runout, or fraction of runs that pass a barrier.
+  std::string outcome;
   double outcome_p5 = 0.0, outcome_median = 0.0,
          outcome_p95 = 0.0;               ///< percentiles over the members
   std::optional<TestResult> correlation;  ///< Spearman rank correlation; empty below three members
-  std::optional<double> first_order;      ///< `estimate_first_order_index`
+  /// First-order Sobol index; empty if there are too few members.
+  std::optional<double> first_order;
 };
 
-/// Estimates the first-order Sobol index of `x` for `y`, in [0, 1]. The pairs are sorted by `x` and
-/// divided into groups of equal size. The index is the variance of the group means of `y` divided
-/// by its total variance, corrected for sampling bias.
+/// Estimates the first-order Sobol index of `x` for `y`, in [0, 1]: the fraction of the variance of
+/// `y` that `x` explains. It is computed from the means of `y` in groups of similar `x`.
 /// @param x, y  finite, of equal length
 /// @return empty below 40 pairs, or if all x or all y are equal
 /// @cite hays1963, plischke2013
 std::optional<double> estimate_first_order_index(std::span<const double> x,
                                                  std::span<const double> y);
 
-/// Computes all effects, ordered by file, block group, outcome, zone and parameter.
+/// Computes the effects of all uncertain ground parameters, ordered by file, block group and
+/// outcome.
 std::vector<ParameterEffect> compute_ensemble_effects(const Comparison& comparison);
 
-/// Returns the number of ground draws of a campaign; 1 without an ensemble.
+/// Returns the number of ensemble members of a campaign; 1 without an ensemble.
 std::uint32_t count_ensemble_members(const CampaignResults& results);
 
 }  // namespace clast

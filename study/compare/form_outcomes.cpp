@@ -24,7 +24,7 @@ bool is_stretched(const std::string& name) {
 std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparison) {
   std::vector<OutcomeByShape> outcomes;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
-    if (comparison.results[file].stay) continue;
+    if (comparison.results[file].persistent_blocks) continue;
     std::map<std::string, Axes> axes;
     for (const BlockSummary& block : comparison.results[file].blocks) {
       axes.emplace(block.library_block(), block.axes);
@@ -39,7 +39,7 @@ std::vector<OutcomeByShape> compute_outcomes_by_shape(const Comparison& comparis
       if (of_form.size() < kMinForms) continue;
       OutcomeByShape outcome{file, of_runs.name, of_runs.unit, {}};
       for (const auto& [name, all] : of_form) {
-        const Summary summary = summarise(all);
+        const SampleSummary summary = summarise_sample(all);
         outcome.forms.push_back(
             {name, axes.at(name), is_stretched(name), summary.count, summary.mean, summary.std});
       }

@@ -28,9 +28,9 @@ std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
   return draws;
 }
 
-Interval compute_draw_mean_range(std::vector<double> values) {
+Interval compute_range_over_draws(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  if (values.size() < kDrawsForTenths) return {values.front(), values.back()};
+  if (values.size() < kMinDrawsForPercentiles) return {values.front(), values.back()};
   return {quantile(values, 0.05), quantile(values, 0.95)};
 }
 

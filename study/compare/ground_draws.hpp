@@ -1,5 +1,5 @@
 #pragma once
-/// Grouping of runs by ground draw (ensemble member), and ranges over the draws.
+/// Grouping of runs by ensemble member. Each member has its own draw of the ground parameters.
 #include <cstdint>
 #include <vector>
 
@@ -7,23 +7,24 @@
 
 namespace clast {
 
-/// Runs of one ensemble member of a file.
+/// Runs of one ensemble member, which share a draw of the ground parameters.
 struct GroundDrawRows {
   std::uint32_t file = 0;
   std::uint32_t member = 0;
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
 };
 
-/// Groups rows by file, then ensemble member. Empty if no file has more than one ground draw.
+/// Groups runs by file, then ensemble member. Empty if no file has several members.
 std::vector<GroundDrawRows> group_rows_by_draw(const Comparison& comparison,
                                                const std::vector<std::size_t>& rows);
 
-/// Minimum number of draws for which percentiles are given as range.
-inline constexpr std::size_t kDrawsForTenths = 20;
+/// Minimum number of ensemble members for which ranges are percentiles instead of minimum and
+/// maximum.
+inline constexpr std::size_t kMinDrawsForPercentiles = 20;
 
-/// Returns the 5th and 95th percentile of values over ground draws, or their minimum and maximum if
-/// there are fewer than `kDrawsForTenths`.
-/// @param values  one per draw, not empty
-Interval compute_draw_mean_range(std::vector<double> values);
+/// Computes the range of values over ensemble members: 5th and 95th percentile, or minimum and
+/// maximum if there are fewer than `kMinDrawsForPercentiles`.
+/// @param values  one value per member, not empty
+Interval compute_range_over_draws(std::vector<double> values);
 
 }  // namespace clast

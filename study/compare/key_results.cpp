@@ -24,12 +24,13 @@ constexpr double kSameBlocksFraction = 0.25;
 using File = std::optional<std::uint32_t>;
 
 /// Groups of one kind, of one file or over all; those without a name left out.
-std::vector<std::size_t> groups_in(const Comparison& comparison, GroupKind kind, const File& file) {
+std::vector<std::size_t> groups_in(const Comparison& comparison, RunGroupKind kind,
+                                   const File& file) {
   std::vector<std::size_t> found;
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
-    const Group& group = comparison.groups[g];
+    const RunGroup& group = comparison.groups[g];
     if (group.kind != kind || group.file != file) continue;
-    if (kind != GroupKind::kAll && group.key.empty()) continue;
+    if (kind != RunGroupKind::kAll && group.key.empty()) continue;
     found.push_back(g);
   }
   return found;
@@ -37,10 +38,10 @@ std::vector<std::size_t> groups_in(const Comparison& comparison, GroupKind kind,
 
 /// Each class has files of its own, as where compact and elongated blocks were simulated apart.
 bool are_classes_apart(const Comparison& comparison) {
-  const std::size_t classes = groups_in(comparison, GroupKind::kGarcia, std::nullopt).size();
+  const std::size_t classes = groups_in(comparison, RunGroupKind::kGarcia, std::nullopt).size();
   if (classes < 2) return false;
   for (std::uint32_t file = 0; file < comparison.results.size(); ++file) {
-    if (groups_in(comparison, GroupKind::kGarcia, file).size() != 1) return false;
+    if (groups_in(comparison, RunGroupKind::kGarcia, file).size() != 1) return false;
   }
   return true;
 }
@@ -68,12 +69,12 @@ std::optional<double> mean_at_rest(const Comparison& comparison,
     if (run.record->result.stop_reason == StopReason::kRest) runouts.push_back(run.runout);
   }
   if (runouts.empty()) return std::nullopt;
-  return summarise(runouts).mean;
+  return summarise_sample(runouts).mean;
 }
 
 std::optional<Interval> range_of_draws(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
-  return compute_draw_mean_range(std::move(values));
+  return compute_range_over_draws(std::move(values));
 }
 
 RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
@@ -107,8 +108,9 @@ RunoutEstimate runout_of(const Comparison& comparison, std::size_t group) {
   }
   if (values.values.size() < 2) return found;
   const std::size_t drawn = clusters.count() > 1 ? clusters.count() : values.values.size();
-  found.interval = bootstrap_mean(values, clusters.count(), kAnswerSeed,
-                                  std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
+  found.interval =
+      bootstrap_mean_interval(values, clusters.count(), kAnswerSeed,
+                              std::clamp<std::size_t>(kMaxAnswerDrawn / drawn, 200, 2000));
   return found;
 }
 
@@ -133,20 +135,22 @@ std::vector<double> gaps_by_draw(const Comparison& comparison, std::size_t first
 }
 
 RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a,
-                           const RunoutEstimate& b, const std::optional<Difference>& difference) {
+                           const RunoutEstimate& b,
+                           const std::optional<GroupDifference>& difference) {
   const bool ahead = a.mean >= b.mean;
   RunoutContrast gap;
   gap.farther = ahead ? a.group : b.group;
   gap.nearer = ahead ? b.group : a.group;
-  gap.gap = std::abs(a.mean - b.mean);
-  gap.of_few = (ahead ? a.median - b.median : b.median - a.median) < kGapOfFew * gap.gap;
+  gap.mean_difference = std::abs(a.mean - b.mean);
+  gap.due_to_few_runs =
+      (ahead ? a.median - b.median : b.median - a.median) < kMaxFewRunsRatio * gap.mean_difference;
   if (!a.is_representative() || !b.is_representative() || !difference) return gap;
   gap.verdict = difference->verdict();
-  if (gap.verdict == Verdict::kUntested) return gap;
+  if (gap.verdict == ContrastVerdict::kUntested) return gap;
   if (const auto by_draw = gaps_by_draw(comparison, gap.farther, gap.nearer); !by_draw.empty()) {
-    gap.interval = compute_draw_mean_range(by_draw);
+    gap.interval = compute_range_over_draws(by_draw);
     if (gap.interval->low < 0.0 && gap.interval->high > 0.0) {
-      gap.verdict = Verdict::kGroundDependent;
+      gap.verdict = ContrastVerdict::kGroundDependent;
     }
     return gap;
   }
@@ -158,16 +162,18 @@ RunoutContrast gap_between(const Comparison& comparison, const RunoutEstimate& a
 }
 
 /// Returns the corrected difference of two classes, or computes it if there is none.
-std::optional<Difference> class_difference(const Comparison& comparison, std::size_t a,
-                                           std::size_t b) {
-  for (const Difference& one : comparison.differences) {
+std::optional<GroupDifference> class_difference(const Comparison& comparison, std::size_t a,
+                                                std::size_t b) {
+  for (const GroupDifference& one : comparison.differences) {
     if (one.first == a && one.second == b && one.quantity == "runout_m") return one;
   }
   return compute_runout_difference(comparison, a, b);
 }
 
 /// Returns p95 of the passages, or the largest if they are few.
-double limit_of_passages(const Summary& of, bool largest) { return largest ? of.max : of.p95; }
+double limit_of_passages(const SampleSummary& of, bool largest) {
+  return largest ? of.max : of.p95;
+}
 
 /// Sets the ranges over the draws of the ground.
 void add_draw_ranges(const Comparison& comparison, std::size_t line,
@@ -191,7 +197,7 @@ CrossingEstimate share_of(const Comparison& comparison, const BarrierGroupStatis
   share.group = group.group_index;
   share.started = group.started;
   share.crossed = group.crossed;
-  share.share = group.probability;
+  share.passing_probability = group.probability;
   share.interval = group.interval;
   share.largest = group.crossed < kMinPassages;
   share.energy = limit_of_passages(group.total, share.largest);
@@ -216,7 +222,7 @@ const BarrierGroupStatistics* barrier_group(const Comparison& comparison, std::s
 
 /// Returns the mean downslope position of a barrier.
 double place_downslope(const Comparison& comparison, std::size_t line) {
-  const std::vector<Vec2>& through = comparison.lines[line].through;
+  const std::vector<Vec2>& through = comparison.lines[line].vertices;
   Vec2 sum = Vec2::Zero();
   for (const Vec2& point : through) sum += point - through.front();
   return comparison.downslope.dot(through.front() + sum / static_cast<double>(through.size()));
@@ -271,22 +277,24 @@ bool samples_blocks(const Comparison& comparison, const std::vector<std::size_t>
 FileSummary statement_of(const Comparison& comparison, const File& file) {
   FileSummary statement;
   statement.file = file;
-  const std::size_t all = groups_in(comparison, GroupKind::kAll, file).front();
+  const std::size_t all = groups_in(comparison, RunGroupKind::kAll, file).front();
   statement.stops = comparison.deposits[all].stops;
   statement.all = runout_of(comparison, all);
   RunClustering clusters(comparison.results);
   for (const std::size_t row : comparison.groups[all].rows) {
     clusters.of(comparison.rows[row]);
-    statement.of_realisations =
-        statement.of_realisations || comparison.results[comparison.rows[row].file].stay.has_value();
+    statement.clusters_are_realisations =
+        statement.clusters_are_realisations ||
+        comparison.results[comparison.rows[row].file].persistent_blocks.has_value();
   }
   statement.clusters = clusters.count();
-  for (const std::size_t group : groups_in(comparison, GroupKind::kGarcia, file)) {
+  for (const std::size_t group : groups_in(comparison, RunGroupKind::kGarcia, file)) {
     statement.classes.push_back(runout_of(comparison, group));
   }
   if (statement.classes.size() > 1) {
     const RunoutEstimate &a = statement.classes[0], &b = statement.classes[1];
-    statement.gap = gap_between(comparison, a, b, class_difference(comparison, a.group, b.group));
+    statement.class_contrast =
+        gap_between(comparison, a, b, class_difference(comparison, a.group, b.group));
   }
   statement.passages = passages_of(comparison, statement);
   const std::vector<std::size_t>& rows = comparison.groups[all].rows;
@@ -301,7 +309,7 @@ FileSummary statement_of(const Comparison& comparison, const File& file) {
 }  // namespace
 
 bool KeyResults::has_draws() const {
-  return std::any_of(statements.begin(), statements.end(),
+  return std::any_of(file_summaries.begin(), file_summaries.end(),
                      [](const FileSummary& statement) { return statement.draws > 0; });
 }
 
@@ -309,18 +317,18 @@ KeyResults summarise_key_results(const Comparison& comparison) {
   KeyResults answer;
   const std::size_t files = comparison.results.size();
   if (files == 1 || are_classes_apart(comparison)) {
-    answer.statements.push_back(statement_of(comparison, std::nullopt));
+    answer.file_summaries.push_back(statement_of(comparison, std::nullopt));
     return answer;
   }
   for (std::uint32_t file = 0; file < files; ++file) {
-    if (!groups_in(comparison, GroupKind::kAll, file).empty()) {
-      answer.statements.push_back(statement_of(comparison, file));
+    if (!groups_in(comparison, RunGroupKind::kAll, file).empty()) {
+      answer.file_summaries.push_back(statement_of(comparison, file));
     }
   }
-  if (answer.statements.size() == 2 &&
-      share_points(comparison.results[*answer.statements[0].file],
-                   comparison.results[*answer.statements[1].file])) {
-    const RunoutEstimate &a = answer.statements[0].all, &b = answer.statements[1].all;
+  if (answer.file_summaries.size() == 2 &&
+      share_points(comparison.results[*answer.file_summaries[0].file],
+                   comparison.results[*answer.file_summaries[1].file])) {
+    const RunoutEstimate &a = answer.file_summaries[0].all, &b = answer.file_summaries[1].all;
     answer.files =
         gap_between(comparison, a, b, compute_runout_difference(comparison, a.group, b.group));
   }

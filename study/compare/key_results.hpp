@@ -1,5 +1,5 @@
 #pragma once
-/// Key results of a comparison: the few numbers with intervals that open a report.
+/// Key results of a comparison, shown at the beginning of a report.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace clast {
 
-/// Runout of a group of runs. Intervals in this header are 95 % confidence intervals. If the ground
-/// is drawn more than once, they are ranges over the draws (`compute_draw_mean_range`).
+/// Runout of a group of runs, with 95 % confidence intervals. In ensembles, intervals are ranges
+/// over the members.
 struct RunoutEstimate {
   std::size_t group = 0;             ///< index into Comparison::groups
   std::size_t started = 0;           ///< number of runs
@@ -27,42 +27,44 @@ struct RunoutEstimate {
 
 /// Difference in mean runout between two groups.
 struct RunoutContrast {
-  std::size_t farther = 0;  ///< index into Comparison::groups of the group with the larger mean
-  std::size_t nearer = 0;   ///< index of the other group
-  /// Result of the test. `kTooFewValues` if one of the groups is not representative.
-  Verdict verdict = Verdict::kTooFewValues;
-  double gap = 0.0;  ///< difference of the means, m
-  std::optional<Interval>
-      interval;  ///< interval of the difference, m; empty for a single realisation
-  /// True if the difference is due to a few long runouts. The medians then differ by less than
-  /// `kGapOfFew` times the difference of the means.
-  bool of_few = false;
+  /// Index into Comparison::groups of the group with the larger mean runout.
+  std::size_t farther = 0;
+  std::size_t nearer = 0;  ///< index into Comparison::groups of the other group
+  /// Result of the test of the difference.
+  ContrastVerdict verdict = ContrastVerdict::kTooFewValues;
+  double mean_difference = 0.0;  ///< difference of the means, m
+  /// Interval of the difference, m; empty for a single realisation.
+  std::optional<Interval> interval;
+  /// True if the difference is due to a few long runouts, so that the medians hardly differ.
+  bool due_to_few_runs = false;
 };
 
-/// Passing probability of a group at a barrier, and the intensity of its passages.
+/// Passing probability of a group of runs at a barrier, with energy, speed and height of the
+/// passages.
 struct CrossingEstimate {
   std::size_t group = 0;
   std::size_t started = 0;
   std::size_t crossed = 0;
-  double share = 0.0;
-  std::optional<Interval>
-      interval;  ///< interval of the probability; empty for a single realisation
-  /// The following four are 95th percentiles over the passages, or maxima if `largest` is true.
-  double energy = 0.0;   ///< J
+  double passing_probability = 0.0;
+  /// Interval of the probability; empty for a single realisation.
+  std::optional<Interval> interval;
+  /// Kinetic energy of the passages, J. It and the next three members are 95th percentiles, or
+  /// maxima if `largest` is true.
+  double energy = 0.0;
   double speed = 0.0;    ///< m/s
-  double height = 0.0;   ///< of the centre of mass above the ground, m
-  double top = 0.0;      ///< upper bound of the block surface (`BarrierGroupStatistics::top`), m
+  double height = 0.0;   ///< height of the centre of mass above the ground, m
+  double top = 0.0;      ///< upper bound of the height of the block surface above the ground, m
   bool largest = false;  ///< true if there are fewer than `kMinPassages` passages
   double largest_energy = 0.0;  ///< maximum over the passages, J
   double largest_top = 0.0;     ///< m
-  /// Ranges of `energy`, `speed` and `top` over the ground draws with passages. Empty for one draw.
+  /// Ranges of `energy`, `speed` and `top` over the ensemble members. Empty for one member.
   std::optional<Interval> energy_range, speed_range, top_range;
 };
 
 struct BarrierSummary {
   std::size_t line = 0;  ///< index into Comparison::lines
   CrossingEstimate all;
-  std::vector<CrossingEstimate> classes;  ///< one entry per Garcia class that occurs
+  std::vector<CrossingEstimate> classes;  ///< estimates by shape class (compact, elongated)
 };
 
 /// Key results of one file, or of all files together.
@@ -70,32 +72,34 @@ struct FileSummary {
   std::optional<std::uint32_t> file;  ///< index into Comparison::results; empty: all files
   StopCounts stops;
   RunoutEstimate all;
-  std::vector<RunoutEstimate> classes;  ///< one entry per Garcia class that occurs
-  std::optional<RunoutContrast> gap;    ///< between the first two classes
-  std::vector<BarrierSummary>
-      passages;  ///< one entry per barrier, the lowest one first; barriers without passages last
-  /// Number of independent clusters (release points or realisations) behind the intervals.
+  std::vector<RunoutEstimate> classes;           ///< one entry per Garcia class that occurs
+  std::optional<RunoutContrast> class_contrast;  ///< difference between the first two shape classes
+  /// Summaries of the barriers, the lowest one first, those without passages last.
+  std::vector<BarrierSummary> passages;
+  /// Number of clusters of dependent runs (release points or realisations) on which the intervals
+  /// are based.
   std::size_t clusters = 0;
-  bool of_realisations = false;  ///< true if the clusters are realisations
-  std::size_t draws = 0;         ///< number of ground draws if there is more than one; otherwise 0
-  std::size_t blocks = 0;        ///< number of blocks of the library
-  /// True if clusters have different blocks. Intervals then include the uncertainty due to the
-  /// sampling of blocks. Otherwise, they are valid for these blocks only.
+  bool clusters_are_realisations = false;  ///< true if the clusters are realisations
+  std::size_t draws = 0;   ///< number of ensemble members if there are several; otherwise 0
+  std::size_t blocks = 0;  ///< number of blocks of the library
+  /// True if clusters have different blocks, so that intervals include the uncertainty due to the
+  /// sampling of blocks.
   bool samples_blocks = false;
 };
 
 struct KeyResults {
-  /// One entry per file. If each file has blocks of one class only, one entry for all files.
-  std::vector<FileSummary> statements;
-  /// Runout difference between the files. Only for exactly two files with equal release points.
+  /// Key results of each file, or of all files together if each has blocks of one class only.
+  std::vector<FileSummary> file_summaries;
+  /// Runout difference between two files with equal release points; empty for other comparisons.
   std::optional<RunoutContrast> files;
 
-  /// True if any entry has more than one ground draw.
+  /// True if any file has several ensemble members.
   bool has_draws() const;
 };
 
-/// Upper limit of the ratio of the differences of medians and of means for `of_few`.
-inline constexpr double kGapOfFew = 0.25;
+/// Upper limit of the ratio of median difference to mean difference for
+/// `RunoutContrast::due_to_few_runs`.
+inline constexpr double kMaxFewRunsRatio = 0.25;
 
 /// Minimum number of passages for which a 95th percentile is given.
 inline constexpr std::size_t kMinPassages = 20;

@@ -16,7 +16,9 @@ struct Runouts {
   std::vector<double> masses;
   std::vector<double> start_x, start_y;  ///< map
 
-  Vec2 mean_start() const { return {summarise(start_x).mean, summarise(start_y).mean}; }
+  Vec2 mean_start() const {
+    return {summarise_sample(start_x).mean, summarise_sample(start_y).mean};
+  }
 };
 
 std::set<std::string> library_blocks(const Comparison& comparison, std::uint32_t file) {
@@ -36,10 +38,11 @@ Runouts runouts_of(const Comparison& comparison, std::uint32_t file,
   for (const RunRow& row : comparison.rows) {
     if (row.file != file || !blocks.contains(row.block->library_block())) continue;
     if (!garcia.empty() && row.block->garcia != garcia) continue;
-    const bool at_rest = results.stay ? is_in_deposit(comparison, row)
-                                      : row.record->result.stop_reason == StopReason::kRest;
+    const bool at_rest = results.persistent_blocks
+                             ? is_in_deposit(comparison, row)
+                             : row.record->result.stop_reason == StopReason::kRest;
     if (!at_rest) continue;
-    runouts.by_cluster[find_cluster(results, *row.record)].push_back(row.runout);
+    runouts.by_cluster[cluster_index_of_run(results, *row.record)].push_back(row.runout);
     runouts.masses.push_back(row.block->mass);
     runouts.start_x.push_back(row.start.x());
     runouts.start_y.push_back(row.start.y());
@@ -49,10 +52,10 @@ Runouts runouts_of(const Comparison& comparison, std::uint32_t file,
 
 /// Summarises a value of each cluster.
 template <class Value>
-Summary over_clusters(const Runouts& runouts, const Value& value) {
+SampleSummary over_clusters(const Runouts& runouts, const Value& value) {
   std::vector<double> values;
   for (const auto& [cluster, of_cluster] : runouts.by_cluster) values.push_back(value(of_cluster));
-  return summarise(values);
+  return summarise_sample(values);
 }
 
 std::vector<double> joined_values(const Runouts& runouts) {
@@ -73,31 +76,31 @@ std::optional<DepositMobility> mobility_of(const Comparison& comparison, std::ui
   const Runouts together = runouts_of(comparison, file, both, garcia);
   const Runouts single = runouts_of(comparison, alone, both, garcia);
   if (together.masses.empty() || single.masses.empty()) return std::nullopt;
-  const auto mean = [](const std::vector<double>& values) { return summarise(values).mean; };
+  const auto mean = [](const std::vector<double>& values) { return summarise_sample(values).mean; };
   const std::vector<double> runs = joined_values(single);
   DepositMobility found;
   found.file = file;
-  found.alone = alone;
+  found.single_block_file = alone;
   found.group = garcia.empty() ? "all" : "class " + garcia;
   found.blocks = joined_values(together).size();
   found.runs = runs.size();
   found.together_runout = over_clusters(together, mean);
   const bool one_point = single.by_cluster.size() == 1;
-  found.alone_runout = one_point ? summarise(runs) : over_clusters(single, mean);
+  found.alone_runout = one_point ? summarise_sample(runs) : over_clusters(single, mean);
   found.difference = welch_difference(found.together_runout, found.alone_runout);
   found.together_toe = over_clusters(together, [](const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end());
   });
-  found.alone_toe = expected_largest(
+  found.alone_toe = expected_maximum(
       runs, static_cast<double>(found.blocks) / static_cast<double>(together.by_cluster.size()));
-  found.starts_apart = (together.mean_start() - single.mean_start()).norm();
-  found.mass_ratio = summarise(together.masses).mean / summarise(single.masses).mean;
+  found.start_distance = (together.mean_start() - single.mean_start()).norm();
+  found.mass_ratio = summarise_sample(together.masses).mean / summarise_sample(single.masses).mean;
   return found;
 }
 
 }  // namespace
 
-double expected_largest(std::span<const double> values, double count) {
+double expected_maximum(std::span<const double> values, double count) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
   const auto n = static_cast<double>(sorted.size());
@@ -114,9 +117,9 @@ std::vector<DepositMobility> compute_mass_mobility(const Comparison& comparison)
   std::vector<DepositMobility> all;
   const auto count = static_cast<std::uint32_t>(comparison.results.size());
   for (std::uint32_t file = 0; file < count; ++file) {
-    if (!comparison.results[file].stay) continue;
+    if (!comparison.results[file].persistent_blocks) continue;
     for (std::uint32_t alone = 0; alone < count; ++alone) {
-      if (comparison.results[alone].stay) continue;
+      if (comparison.results[alone].persistent_blocks) continue;
       for (const char* garcia : {"", "compact", "elongated"}) {
         if (std::optional<DepositMobility> found = mobility_of(comparison, file, alone, garcia)) {
           all.push_back(std::move(*found));

@@ -38,9 +38,9 @@ Columns columns_of(const Record& header, const std::string& file) {
       refuse("has two columns \"" + name + "\"; keep only one of them");
     }
     const ColumnHeading heading = parse_heading(header.fields[column]);
-    if (heading.length && heading.length->factor != 1.0) {
+    if (heading.length_unit && heading.length_unit->factor != 1.0) {
       refuse("\"" + escape_nonprintable(header.fields[column]) + "\" is in " +
-             heading.length->name + "; positions must be in m");
+             heading.length_unit->name + "; positions must be in m");
     }
   };
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
@@ -77,10 +77,10 @@ double coordinate(const Record& record, const Columns& columns, const std::strin
                   const DelimitedTextReader& table, const std::string& file) {
   const std::string_view text = field(record, columns, name);
   const std::optional<double> value = parse_number_field(text, table.separator());
-  if (value && kMapCoordinate.contains(*value)) return *value;
+  if (value && kMapCoordinateRange.contains(*value)) return *value;
   throw InputError(
       file + ":" + std::to_string(record.line) + ": " + name + " \"" + std::string(text) +
-      "\" is not a number " + kMapCoordinate.describe() +
+      "\" is not a number " + kMapCoordinateRange.describe() +
       (is_ambiguous_number(text, table.separator()) ? "; " + std::string(kDecimalCommaHint) : ""));
 }
 
@@ -105,16 +105,16 @@ double largest_distance(const std::vector<double>& a, const std::vector<double>&
   return distance;
 }
 
-bool belongs(const MeasuredStop& stop, const Group& group) {
+bool belongs(const MeasuredStop& stop, const RunGroup& group) {
   switch (group.kind) {
-    case GroupKind::kAll:
+    case RunGroupKind::kAll:
       return true;
-    case GroupKind::kBlock:
+    case RunGroupKind::kBlock:
       return stop.block == group.key;
-    case GroupKind::kGarcia:
+    case RunGroupKind::kGarcia:
       return stop.shape == group.key;
-    case GroupKind::kSneedFolk:
-    case GroupKind::kColumn:
+    case RunGroupKind::kSneedFolk:
+    case RunGroupKind::kColumn:
       break;
   }
   return false;
@@ -130,8 +130,8 @@ struct BootstrapIntervals {
   Interval ks_distance;
 };
 
-/// Measured stops are drawn one by one, simulated ones by whole clusters (`find_cluster`); by runs
-/// where there is one cluster only.
+/// Measured stops are drawn one by one, simulated ones by whole clusters (`cluster_index_of_run`);
+/// by runs where there is one cluster only.
 BootstrapIntervals bootstrap_intervals(
     const std::vector<double>& seen,
     const std::map<std::uint32_t, std::vector<double>>& by_cluster) {
@@ -171,10 +171,11 @@ constexpr std::size_t kMaxCurvePoints = 100;  // of a curve
 
 /// Computes the curve at each value of the sample, or at `kMaxCurvePoints` values.
 /// @param banded  with intervals
-StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool banded = true) {
+RunoutDistributionCurve curve_of(const ClusteredValues& stops, std::size_t clusters,
+                                 bool banded = true) {
   std::vector<double> sorted = stops.values;
   std::sort(sorted.begin(), sorted.end());
-  StopCurve curve;
+  RunoutDistributionCurve curve;
   const std::size_t points = std::min(kMaxCurvePoints, sorted.size());
   for (std::size_t i = 0; i < points; ++i) {
     const double at = sorted[points == 1 ? 0 : i * (sorted.size() - 1) / (points - 1)];
@@ -182,7 +183,7 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
     ClusteredValues before{{}, stops.clusters};
     for (const double value : stops.values) before.values.push_back(value <= at ? 1.0 : 0.0);
     curve.runout.push_back(at);
-    curve.share.push_back(summarise(before.values).mean);
+    curve.fraction.push_back(summarise_sample(before.values).mean);
     if (!banded) continue;
     const Interval interval = clustered_proportion_interval(before, clusters);
     curve.low.push_back(interval.low);
@@ -193,15 +194,16 @@ StopCurve curve_of(const ClusteredValues& stops, std::size_t clusters, bool band
 
 }  // namespace
 
-Verdict judge_agreement(const MeasuredGroup& group) {
-  if (group.measured < kMinMeasured) return Verdict::kTooFewValues;
-  const Verdict verdict = group.medians.verdict();
-  return verdict == Verdict::kInsignificantAfterCorrection ? Verdict::kSignificant : verdict;
+ContrastVerdict judge_stop_agreement(const MeasuredStopGroup& group) {
+  if (group.measured < kMinMeasuredStops) return ContrastVerdict::kTooFewValues;
+  const ContrastVerdict verdict = group.medians.verdict();
+  return verdict == ContrastVerdict::kInsignificantAfterCorrection ? ContrastVerdict::kSignificant
+                                                                   : verdict;
 }
 
 MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   const std::string file = path.string(), bytes = read_text_file(path);
-  const DecodedText content = decode_text(bytes, file);
+  const DecodedText content = decode_table_text(bytes, file);
   DelimitedTextReader table(content.text, file);
   Record record;
   MeasuredStops measured{path, sha256(bytes), {}, {}};
@@ -209,14 +211,14 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
     throw InputError(file + ": is empty; it must be a table of stops");
   const Columns columns = columns_of(record, file);
   while (table.read_record(record)) {
-    if (detect_summary_label(record.fields.front()) == SummaryLabel::kCertain) {
+    if (detect_summary_row_label(record.fields.front()) == SummaryRowLabel::kCertain) {
       throw InputError(file + ":" + std::to_string(record.line) + ": \"" +
                        escape_nonprintable(record.fields.front()) +
                        "\" is a sum of other rows; remove that row");
     }
     MeasuredStop stop;
-    stop.place = {coordinate(record, columns, "x", table, file),
-                  coordinate(record, columns, "y", table, file)};
+    stop.position = {coordinate(record, columns, "x", table, file),
+                     coordinate(record, columns, "y", table, file)};
     if (columns.contains("start_x")) {
       stop.start = Vec2(coordinate(record, columns, "start_x", table, file),
                         coordinate(record, columns, "start_y", table, file));
@@ -229,18 +231,18 @@ MeasuredStops read_measured_stops(const std::filesystem::path& path) {
   return measured;
 }
 
-void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
+void compare_measured_stops(const Comparison& comparison, MeasuredStops& measured) {
   const Vec2 mean = mean_release(comparison);
   for (MeasuredStop& stop : measured.stops) {
     const Vec2 start = stop.start.value_or(mean);
-    const RunoutDistances offset =
-        runout(Vec3(start.x(), start.y(), 0.0), Vec3(stop.place.x(), stop.place.y(), 0.0),
-               comparison.downslope);
+    const RunoutMeasures offset =
+        compute_runout(Vec3(start.x(), start.y(), 0.0),
+                       Vec3(stop.position.x(), stop.position.y(), 0.0), comparison.downslope);
     stop.runout = offset.along;
     stop.lateral = offset.lateral;
   }
   for (std::size_t g = 0; g < comparison.groups.size(); ++g) {
-    const Group& group = comparison.groups[g];
+    const RunGroup& group = comparison.groups[g];
     if (group.file) continue;
     std::vector<double> seen, lateral, simulated;
     std::map<std::uint32_t, std::vector<double>> by_cluster;
@@ -260,14 +262,14 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     }
     if (seen.empty() || simulated.empty()) continue;
     const TestResult test = *two_sample_ks_test(seen, simulated);
-    MeasuredGroup found;
+    MeasuredStopGroup found;
     found.group = g;
     found.measured = seen.size();
     found.simulated = simulated.size();
-    found.runout = summarise(seen);
-    found.lateral = summarise(lateral);
+    found.runout = summarise_sample(seen);
+    found.lateral = summarise_sample(lateral);
     found.quartiles = quartiles_of(seen);
-    found.simulated_runout = summarise(simulated).mean;
+    found.simulated_runout = summarise_sample(simulated).mean;
     found.simulated_quartiles = quartiles_of(simulated);
     found.medians.estimate = found.quartiles.median - found.simulated_quartiles.median;
     found.cliffs_delta = *cliffs_delta(seen, simulated);
@@ -283,7 +285,7 @@ void compare_stops(const Comparison& comparison, MeasuredStops& measured) {
     found.simulated_curve = curve_of({simulated, cluster_of_run}, clusters.count(), tested);
     measured.groups.push_back(std::move(found));
   }
-  correct_multiple_tests(measured.groups, &MeasuredGroup::medians);
+  correct_multiple_tests(measured.groups, &MeasuredStopGroup::medians);
 }
 
 }  // namespace clast

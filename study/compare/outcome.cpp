@@ -18,7 +18,7 @@ StopReasonCounts count_stop_reasons(const CampaignResults& results) {
       outcome.largest_energy_error =
           std::max(outcome.largest_energy_error.value_or(0.0), run.result.energy.error);
       const double reassigned = reassigned_energy_fraction(run.result.energy).value_or(0.0);
-      if (reassigned > kNotableReassigned) ++outcome.reassigned;
+      if (reassigned > kNotableReassignedFraction) ++outcome.reassigned;
       outcome.largest_reassigned = std::max(outcome.largest_reassigned.value_or(0.0), reassigned);
     }
     if (run.result.stop_reason == StopReason::kError && outcome.first_error.empty()) {
@@ -32,14 +32,14 @@ std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome) {
   std::vector<std::string> warnings;
   if (outcome.reassigned > 0) {
     warnings.push_back(format_count(outcome.reassigned, "run loses or gains", "runs lose or gain") +
-                       " more than 10 % of the dissipated energy when contacts change, at most " +
+                       " more than 10 % of the dissipated energy when contacts change (at most " +
                        format_significant(100.0 * outcome.largest_reassigned.value_or(0.0), 2) +
-                       " %; clast compare names the worst run and what to try");
+                       " %); clast compare names the worst run and suggests a remedy");
   }
   return warnings;
 }
 
-void check_outcome(const CampaignResults& results, const std::filesystem::path& file) {
+void check_no_failed_runs(const CampaignResults& results, const std::filesystem::path& file) {
   const StopReasonCounts outcome = count_stop_reasons(results);
   if (outcome.errors() == 0) return;
   // A mass that does not settle says itself what to do.
@@ -49,7 +49,7 @@ void check_outcome(const CampaignResults& results, const std::filesystem::path& 
                                    "\"auto\", and check the ground at the position given";
   throw SimulationError(std::to_string(outcome.errors()) + " of " +
                         format_count(results.runs.size(), "run") +
-                        " ended with an error, first error: " + outcome.first_error +
+                        " failed with an error; first error: " + outcome.first_error +
                         ". All runs are in " + file.string() +
                         "; clast compare lists the failed ones and leaves them out of its "
                         "statistics" +

@@ -17,10 +17,11 @@ inline constexpr std::array<StopReason, 4> kStopReasons = {
 
 /// Number of runs by stop reason, and quality measures over all runs.
 struct StopReasonCounts {
-  std::array<std::size_t, 4> reasons = {};  ///< number of runs, by `kStopReasons`
+  /// Number of runs with each stop reason of `kStopReasons`.
+  std::array<std::size_t, 4> reasons = {};
   std::size_t below_ground = 0;
   std::optional<double> largest_energy_error;  ///< empty if contacts were not recorded
-  std::size_t reassigned = 0;                  ///< number of runs above `kNotableReassigned`
+  std::size_t reassigned = 0;                  ///< number of runs with a large reassigned energy
   std::optional<double> largest_reassigned;
   std::string first_error;
 
@@ -32,9 +33,9 @@ StopReasonCounts count_stop_reasons(const CampaignResults& results);
 /// Returns warnings about failed and implausible runs, one sentence each.
 std::vector<std::string> describe_failed_runs(const StopReasonCounts& outcome);
 
-/// Throws if any run failed. The results file is complete in this case, too.
+/// Checks that no run failed.
 /// @param file  results file named in the message
 /// @throws SimulationError  if any run ended with an error
-void check_outcome(const CampaignResults& results, const std::filesystem::path& file);
+void check_no_failed_runs(const CampaignResults& results, const std::filesystem::path& file);
 
 }  // namespace clast

@@ -33,7 +33,7 @@ double path_cell_size(const Comparison& comparison) {
     if (row.stop.allFinite()) box.include(row.stop);
   }
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(kNarrowestCell, longer > 0.0 ? round_up_to_nice(longer / kCells) : 0.0);
+  return std::max(kNarrowestCell, longer > 0.0 ? round_up_to_nice_number(longer / kCells) : 0.0);
 }
 
 /// Shares of the straight way between two places at which it enters another cell, ascending.
@@ -117,30 +117,30 @@ std::map<MapCell, Passed> cell_passages(const Comparison& comparison, double siz
 
 MapRasterSet compute_path_rasters(const Comparison& comparison) {
   MapRasterSet rasters;
-  rasters.cell = path_cell_size(comparison);
-  const std::map<MapCell, Passed> cells = cell_passages(comparison, rasters.cell);
+  rasters.cell_size = path_cell_size(comparison);
+  const std::map<MapCell, Passed> cells = cell_passages(comparison, rasters.cell_size);
   if (cells.empty()) return rasters;
   std::vector<MapCell> covered;
   for (const auto& [cell, passed] : cells) covered.push_back(cell);
   rasters = rasterize_cells(
-      covered, rasters.cell,
-      {{"Reach_probability", "share of runs started that pass the cell", {}},
+      covered, rasters.cell_size,
+      {{"Reach_probability", "fraction of the runs that pass the cell", {}},
        {"Nr_passages", "runs that pass the cell", {}},
        {"E_mean", "mean over runs of the largest kinetic energy in the cell, J", {}},
-       {"E_95", "95 % quantile of the same, J", {}},
+       {"E_95", "95 % quantile over runs of the largest kinetic energy in the cell, J", {}},
        {"E_max", "largest kinetic energy in the cell, J", {}},
        {"Ph_95", "95 % quantile over runs of the largest height of the centre above ground, m", {}},
        {"V_max", "largest speed of the centre in the cell, m/s", {}}});
   const double started = static_cast<double>(comparison.rows.size());
   for (const auto& [cell, passed] : cells) {
     const std::size_t at = rasters.index(cell);
-    const Summary energy = summarise(passed.energy);
+    const SampleSummary energy = summarise_sample(passed.energy);
     const double count = static_cast<double>(passed.energy.size());
-    const double height = passed.height.empty() ? NAN : summarise(passed.height).p95;
+    const double height = passed.height.empty() ? NAN : summarise_sample(passed.height).p95;
     const double values[] = {count / started, count,  energy.mean, energy.p95,
                              energy.max,      height, passed.speed};
     for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
-      rasters.layers[i].value[at] = static_cast<float>(values[i]);
+      rasters.layers[i].values[at] = static_cast<float>(values[i]);
     }
   }
   return rasters;

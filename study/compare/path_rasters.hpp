@@ -5,10 +5,9 @@
 
 namespace clast {
 
-/// Computes layers of reach probability, number of passages, energy (mean, 95th percentile,
-/// maximum), passing height (95th percentile) and velocity (maximum). A run counts once in each
-/// cell that its centre crosses, with its largest value there. Empty if no trajectories are stored.
-/// The cell size is about 1/400 of the longer side of the grid and at least 0.5 m.
+/// Computes raster layers of reach probability, number of passages, energy, passing height and
+/// speed along the paths of the runs. A run counts once in each cell that its centre crosses, with
+/// its largest value there. Empty if no trajectories are stored.
 MapRasterSet compute_path_rasters(const Comparison& comparison);
 
 }  // namespace clast

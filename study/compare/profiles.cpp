@@ -27,7 +27,7 @@ double bin_width(const Comparison& comparison) {
   for (const RunRow& row : comparison.rows) {
     if (std::isfinite(row.runout)) longest = std::max(longest, std::abs(row.runout));
   }
-  return std::max(kNarrowestBin, longest > 0.0 ? round_up_to_nice(longest / kBins) : 0.0);
+  return std::max(kNarrowestBin, longest > 0.0 ? round_up_to_nice_number(longest / kBins) : 0.0);
 }
 
 /// The passage of every row; empty where a run has no trajectory.
@@ -77,25 +77,25 @@ std::vector<ProfileBin> compute_profiles(const Comparison& comparison) {
       // Map frames of all files are the same.
       const Vec2 place = comparison.results.front().frame.origin.head<2>() + values.places / runs;
       bins.push_back({g, bin * width, (bin + 1) * width, values.energy.size(),
-                      summarise(values.energy), summarise(values.speed), summarise(values.height),
-                      place});
+                      summarise_sample(values.energy), summarise_sample(values.speed),
+                      summarise_sample(values.height), place});
     }
   }
   return bins;
 }
 
-const ProfileBin* find_least_energy_position(const std::vector<ProfileBin>& bins, std::size_t group,
-                                             std::size_t started) {
-  const ProfileBin *least = nullptr, *before = nullptr;
+const ProfileBin* find_least_energy_bin(const std::vector<ProfileBin>& bins, std::size_t group,
+                                        std::size_t started) {
+  const ProfileBin *minimum = nullptr, *before = nullptr;
   bool past_peak = false;
   for (const ProfileBin& bin : bins) {
     if (bin.group != group) continue;
     past_peak = past_peak || (before != nullptr && bin.energy.p95 < before->energy.p95);
     before = &bin;
     if (!past_peak || 2 * bin.runs < started) continue;
-    if (least == nullptr || bin.energy.p95 < least->energy.p95) least = &bin;
+    if (minimum == nullptr || bin.energy.p95 < minimum->energy.p95) minimum = &bin;
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace clast

@@ -5,8 +5,8 @@
 namespace clast {
 
 struct RealisationCurve {
-  std::vector<double> time;  ///< since the release of the first block, s
-  std::vector<double> mean, least, most;
+  std::vector<double> time;  ///< time since the release of the first block, s
+  std::vector<double> mean, minimum, maximum;
 };
 
 }  // namespace clast

@@ -15,16 +15,17 @@ namespace {
 constexpr double kDepositCellFraction = 1.0 / 3.0;  ///< of the mean S
 constexpr double kMaxDepositCells = 2000.0;         ///< along the longer side of all stops
 
-double deposit_cell_size(const std::vector<const RunRow*>& lying) {
+double deposit_cell_size(const std::vector<const RunRow*>& deposited_blocks) {
   Bounds box;
   double sum = 0.0;
-  for (const RunRow* row : lying) {
+  for (const RunRow* row : deposited_blocks) {
     box.include(row->stop);
     sum += row->block->axes.S;
   }
-  const double wanted = kDepositCellFraction * sum / static_cast<double>(lying.size());
+  const double wanted = kDepositCellFraction * sum / static_cast<double>(deposited_blocks.size());
   const double longer = (box.high - box.low).head<2>().maxCoeff();
-  return std::max(round_down_to_nice(wanted), round_up_to_nice(longer / kMaxDepositCells));
+  return std::max(round_down_to_nice_number(wanted),
+                  round_up_to_nice_number(longer / kMaxDepositCells));
 }
 
 /// The highest surface over the middle of each cell.
@@ -103,20 +104,20 @@ std::map<MapCell, double> thicknesses(const CampaignResults& results, const Terr
 /// Adds up what is said of a realisation.
 DepositMeasures deposit_of(std::uint32_t file, std::uint32_t realisation,
                            const std::vector<const RunRow*>& rows,
-                           const std::vector<const RunRow*>& lying) {
+                           const std::vector<const RunRow*>& deposited_blocks) {
   DepositMeasures deposit;
   deposit.file = file;
   deposit.realisation = realisation;
   deposit.blocks = rows.size();
-  deposit.lying = lying.size();
+  deposit.deposited_blocks = deposited_blocks.size();
   for (const RunRow* row : rows) {
     deposit.left_terrain += row->record->result.stop_reason == StopReason::kLeftTerrain;
     if (!(deposit.crest.z() >= row->start.z())) deposit.crest = row->start;
   }
-  if (lying.empty()) return deposit;
+  if (deposited_blocks.empty()) return deposit;
   Vec3 first = Vec3::Zero(), now = Vec3::Zero();
   const auto distance = [&](const Vec3& place) { return (place - deposit.crest).head<2>().norm(); };
-  for (const RunRow* row : lying) {
+  for (const RunRow* row : deposited_blocks) {
     deposit.mass += row->block->mass;
     deposit.volume += row->block->volume;
     first += row->block->mass * row->start;
@@ -125,7 +126,7 @@ DepositMeasures deposit_of(std::uint32_t file, std::uint32_t realisation,
       deposit.toe = row->stop;
     }
   }
-  deposit.first_centre = first / deposit.mass;
+  deposit.start_centre = first / deposit.mass;
   deposit.centre = now / deposit.mass;
   return deposit;
 }
@@ -151,14 +152,14 @@ class Layers {
         covered, width,
         {{"Deposit_mean", "thickness of the deposit, mean over realisations, m", {}},
          {"Deposit_max", "largest thickness of the deposit, m", {}},
-         {"Deposit_probability", "share of realisations with a block there", {}}});
+         {"Deposit_probability", "fraction of realisations with a block in the cell", {}}});
     const auto count = static_cast<double>(realisations_);
     for (const auto& [cell, sums] : cells_) {
       const std::size_t at = rasters.index(cell);
       const double values[] = {sums.thickness / count, sums.largest,
                                static_cast<double>(sums.realisations) / count};
       for (std::size_t i = 0; i < rasters.layers.size(); ++i) {
-        rasters.layers[i].value[at] = static_cast<float>(values[i]);
+        rasters.layers[i].values[at] = static_cast<float>(values[i]);
       }
     }
     return rasters;
@@ -192,8 +193,9 @@ DepositResults measure_deposits(const Comparison& comparison) {
   std::vector<const RunRow*> all_lying;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    if (!results.stay) continue;
-    rows[{row.file, row.record->run / results.stay->blocks_each}].push_back(&row);
+    if (!results.persistent_blocks) continue;
+    rows[{row.file, row.record->run / results.persistent_blocks->blocks_per_realisation}].push_back(
+        &row);
     if (is_in_deposit(comparison, row)) all_lying.push_back(&row);
   }
   if (rows.empty()) return deposits;
@@ -208,25 +210,26 @@ DepositResults measure_deposits(const Comparison& comparison) {
       ground.emplace(make_terrain_surface(results.terrain));
       file_of_ground = file;
     }
-    std::vector<const RunRow*> lying;
+    std::vector<const RunRow*> deposited_blocks;
     for (const RunRow* row : of_realisation) {
-      if (is_in_deposit(comparison, *row)) lying.push_back(row);
+      if (is_in_deposit(comparison, *row)) deposited_blocks.push_back(row);
     }
-    DepositMeasures deposit = deposit_of(file, realisation, of_realisation, lying);
-    const std::map<MapCell, double> cells = thicknesses(results, *ground, lying, last_state, width);
-    if (!lying.empty()) deposit.area = deposit.bulk_volume = deposit.thickness = 0.0;
+    DepositMeasures deposit = deposit_of(file, realisation, of_realisation, deposited_blocks);
+    const std::map<MapCell, double> cells =
+        thicknesses(results, *ground, deposited_blocks, last_state, width);
+    if (!deposited_blocks.empty()) deposit.area = deposit.bulk_volume = deposit.thickness = 0.0;
     for (const auto& [cell, thickness] : cells) {
       deposit.area += width * width;
       deposit.bulk_volume += width * width * thickness;
       deposit.thickness = std::max(deposit.thickness, thickness);
     }
     layers.include(cells);
-    if (results.stay->at_once) {
-      deposit.first_volume = deposit.first_bulk_volume = 0.0;
-      for (const RunRow* row : of_realisation) deposit.first_volume += row->block->volume;
+    if (results.persistent_blocks->at_once) {
+      deposit.start_volume = deposit.start_bulk_volume = 0.0;
+      for (const RunRow* row : of_realisation) deposit.start_volume += row->block->volume;
       for (const auto& [cell, thickness] :
            thicknesses(results, *ground, of_realisation, first_state, width)) {
-        deposit.first_bulk_volume += width * width * thickness;
+        deposit.start_bulk_volume += width * width * thickness;
       }
     }
     deposits.realisations.push_back(deposit);

@@ -12,19 +12,19 @@ namespace clast {
 /// True if the block of a run came to rest and was not removed.
 bool is_in_deposit(const Comparison& comparison, const RunRow& row);
 
-/// Deposit of one realisation. Positions are those of centres of mass, in map coordinates.
-/// Deposited blocks are blocks that came to rest and were not removed.
+/// Deposit of one realisation: position, size and thickness. Deposited blocks are those that came
+/// to rest and were not removed. Positions are in map coordinates, m.
 struct DepositMeasures {
-  std::uint32_t file = 0;         ///< index into Comparison::results
-  std::uint32_t realisation = 0;  ///< from 0
-  std::size_t blocks = 0;         ///< number of released blocks
-  std::size_t lying = 0;          ///< number of deposited blocks
-  std::size_t left_terrain = 0;   ///< number of blocks that left the terrain
-  double mass = 0.0;              ///< of the deposited blocks, kg
-  double volume = 0.0;            ///< solid volume of the deposited blocks, without voids, m^3
-  /// Common centre of mass of the deposited blocks at their starts and at rest. These and the
-  /// following members are NaN if no block is deposited.
-  Vec3 first_centre = Vec3::Constant(NAN);
+  std::uint32_t file = 0;            ///< index into Comparison::results
+  std::uint32_t realisation = 0;     ///< index of the realisation, from 0
+  std::size_t blocks = 0;            ///< number of released blocks
+  std::size_t deposited_blocks = 0;  ///< number of deposited blocks
+  std::size_t left_terrain = 0;      ///< number of blocks that left the terrain
+  double mass = 0.0;                 ///< mass of the deposited blocks, kg
+  double volume = 0.0;               ///< solid volume of the deposited blocks, without voids, m^3
+  /// Common centre of mass of the deposited blocks at their starts. It and the following members
+  /// are NaN if no block is deposited.
+  Vec3 start_centre = Vec3::Constant(NAN);
   Vec3 centre = Vec3::Constant(NAN);
   Vec3 crest = Vec3::Constant(NAN);  ///< highest start position of all blocks
   Vec3 toe =
@@ -34,27 +34,26 @@ struct DepositMeasures {
   double thickness = NAN;    ///< largest height of a block top above the ground, m
   // Of all blocks where a rock mass started, held or settled; not a number for blocks that were
   // released one after the other.
-  double first_volume = NAN;       ///< solid volume at the start, without voids, m^3
-  double first_bulk_volume = NAN;  ///< volume between ground and block tops at the start, m^3
-  /// Dissipated energy by mechanism. Empty if the results do not contain it.
+  double start_volume = NAN;       ///< solid volume at the start, without voids, m^3
+  double start_bulk_volume = NAN;  ///< volume between ground and block tops at the start, m^3
+  /// Fractions of the dissipated energy by mechanism; empty if not stored.
   std::optional<EnergyFractions> energy;
 };
 
-/// Returns the height-length ratio H/L: drop over horizontal distance.
+/// Returns the height-length ratio H/L: vertical drop divided by horizontal distance.
 /// @cite heim1932
 double height_length_ratio(const Vec3& from, const Vec3& to);
 
 /// Deposits of all realisations of a comparison.
 struct DepositResults {
-  std::vector<DepositMeasures>
-      realisations;  ///< ordered by file; empty if no file has persistent blocks
-  /// Layers: mean and maximum of the deposit thickness over the realisations, and the fraction of
-  /// realisations with a block in the cell. The cells are at most a third of the mean short axis S.
+  /// Deposits, ordered by file; empty if no file has persistent blocks.
+  std::vector<DepositMeasures> realisations;
+  /// Raster layers of deposit thickness (mean and maximum over the realisations) and of the
+  /// fraction of realisations with a block in the cell.
   MapRasterSet rasters;
 };
 
-/// Measures the deposits of all realisations. The height of a block top is that of the block's
-/// surface at the centre of a cell.
+/// Measures the deposits of all realisations of a comparison.
 DepositResults measure_deposits(const Comparison& comparison);
 
 }  // namespace clast

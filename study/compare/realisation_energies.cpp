@@ -65,9 +65,9 @@ RealisationCurve compute_energy_curve(const std::vector<const RealisationEnergie
     const double time = last * static_cast<double>(i) / static_cast<double>(kEnergyCurvePoints - 1);
     for (std::size_t k = 0; k < along.size(); ++k) values[k] = along[k].at(time);
     curve.time.push_back(time);
-    curve.mean.push_back(summarise(values).mean);
-    curve.least.push_back(*std::min_element(values.begin(), values.end()));
-    curve.most.push_back(*std::max_element(values.begin(), values.end()));
+    curve.mean.push_back(summarise_sample(values).mean);
+    curve.minimum.push_back(*std::min_element(values.begin(), values.end()));
+    curve.maximum.push_back(*std::max_element(values.begin(), values.end()));
   }
   return curve;
 }
@@ -76,7 +76,7 @@ EnergyFractions compute_energy_fractions(const std::vector<EnergySample>& sample
   EnergyFractions shares;
   const auto share_of = [lost =
                              samples.back().on_ground.sum() + samples.back().between_bodies.sum()](
-                            const Dissipation& part) -> Dissipation {
+                            const DissipatedEnergy& part) -> DissipatedEnergy {
     if (!(lost > 0.0)) return {NAN, NAN, NAN};
     return {part.normal / lost, part.friction / lost, part.rolling / lost};
   };

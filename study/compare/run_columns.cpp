@@ -27,7 +27,7 @@ std::uint64_t ensemble_member(const Row& row) {
 /// Columns that are not in the results file: of block, comparison and map.
 TableColumns<Row> own_columns() {
   const auto block = [](const Row& row) -> const BlockSummary& { return *row->block; };
-  return concatenated<Row>(
+  return concatenated_columns<Row>(
       {{{"block", "", "id of the block", [=](const Row& r) { return block(r).id; }},
         {"class", "", "Sneed and Folk class", [=](const Row& r) { return block(r).sneed_folk; }},
         {"zingg", "", "Zingg class", [=](const Row& r) { return block(r).zingg; }},
@@ -83,7 +83,7 @@ TableColumns<Row> own_columns() {
 
 /// Own columns first: where the file has one of the same name, it holds an index, or is local.
 const TableColumns<Row>& all_columns() {
-  static const TableColumns<Row> columns = concatenated<Row>(
+  static const TableColumns<Row> columns = concatenated_columns<Row>(
       {own_columns(),
        blank_unknown_cells(
            adapt_columns<Row>(stored_run_columns(),
@@ -219,7 +219,7 @@ void append_column_groups(Comparison& comparison, const std::string& name) {
   std::vector<Value> values;
   for (const RunRow& row : comparison.rows) {
     const CampaignResults& results = comparison.results[row.file];
-    if (!results.has_contacts() && is_of_contacts(name)) {
+    if (!results.has_contacts() && depends_on_contact_data(name)) {
       throw InputError(results.file.string() + ": its runs, computed by " + results.engine +
                        ", do not report their " + name + ", so they can't be grouped by it");
     }
@@ -228,7 +228,7 @@ void append_column_groups(Comparison& comparison, const std::string& name) {
   const std::set<Value> distinct(values.begin(), values.end());
   // Texts have the number 0.
   const bool numbers = distinct.begin()->first != distinct.rbegin()->first;
-  if (numbers && distinct.size() > kMaxValues) {
+  if (numbers && distinct.size() > kMaxColumnGroups) {
     std::vector<double> sorted;
     for (const Value& value : values) sorted.push_back(value.first);
     std::sort(sorted.begin(), sorted.end());
@@ -237,8 +237,8 @@ void append_column_groups(Comparison& comparison, const std::string& name) {
   std::map<Value, std::vector<std::size_t>> rows;
   for (std::size_t i = 0; i < values.size(); ++i) rows[values[i]].push_back(i);
   for (auto& [value, members] : rows) {
-    comparison.groups.push_back({name + " " + value.second, GroupKind::kColumn, value.second, name,
-                                 std::nullopt, std::move(members)});
+    comparison.groups.push_back({name + " " + value.second, RunGroupKind::kColumn, value.second,
+                                 name, std::nullopt, std::move(members)});
   }
 }
 

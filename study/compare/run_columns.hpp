@@ -20,12 +20,12 @@ struct ComparisonRow {
 /// Returns the columns of runs.csv in their order.
 const TableColumns<ComparisonRow<RunRow>>& run_columns();
 
-/// Adds one group per value of a column, over all files, in ascending order. Numeric columns with
-/// more than `kMaxValues` values are divided at their quartiles: "mass_kg 120 to 250".
+/// Adds one group of runs per value of a column. Numeric columns with more than `kMaxColumnGroups`
+/// values are divided at their quartiles.
 /// @throws InputError  if the column does not exist; the message lists the columns
 void append_column_groups(Comparison& comparison, const std::string& column);
 
 /// Maximum number of groups of a numeric column.
-inline constexpr std::size_t kMaxValues = 8;
+inline constexpr std::size_t kMaxColumnGroups = 8;
 
 }  // namespace clast

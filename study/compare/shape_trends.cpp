@@ -123,17 +123,18 @@ Grouping grouping_by(const ShapeProperty& property, const std::vector<const RunR
   grouping.trend.clusters = grouping.halves.strata;
   grouping.limit = limit_of(grouping.trend.property);
   for (const std::uint32_t unit : grouping.trend.units) {
-    grouping.halves.high.push_back(grouping.trend.property[unit] >= grouping.limit);
+    grouping.halves.in_second_group.push_back(grouping.trend.property[unit] >= grouping.limit);
   }
   return grouping;
 }
 
 /// True if the property differs between blocks by more than the measurement error.
 bool differs(const ShapeProperty& property, const TrendSample& sample) {
-  const auto [least, most] = std::minmax_element(sample.property.begin(), sample.property.end());
+  const auto [minimum, maximum] =
+      std::minmax_element(sample.property.begin(), sample.property.end());
   const double range =
-      property.least_range > 0.0 ? property.least_range : kSameProperty * std::abs(*most);
-  return *most - *least >= range;
+      property.least_range > 0.0 ? property.least_range : kSameProperty * std::abs(*maximum);
+  return *maximum - *minimum >= range;
 }
 
 std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapeProperty& property,
@@ -152,11 +153,11 @@ std::optional<ShapeTrend> trend_of(const RunOutcome& outcome, const ShapePropert
   found.trend = *trend;
   found.limit = grouping.limit;
   found.halves = *halves;
-  found.smallest =
+  found.detectable_difference =
       minimum_detectable_difference(halves->standard_error, halves->degrees_of_freedom);
   if (margin && outcome.unit == "m") {
     found.equivalence = equivalence_p_value(*halves, *margin);
-    const double times = found.smallest / *margin;
+    const double times = found.detectable_difference / *margin;
     found.runs_needed = std::ceil(static_cast<double>(found.runs) * times * times);
   }
   return found;
@@ -169,7 +170,7 @@ ShapeTrends trends_of(const Comparison& comparison, std::uint32_t file) {
   const std::vector<const RunRow*> rows = select_rows_of_file(comparison, file);
   std::set<std::uint32_t> blocks;
   for (const RunRow* row : rows) blocks.insert(row->record->block);
-  if (results.stay || blocks.size() < kMinBlocksOfPower) return result;
+  if (results.persistent_blocks || blocks.size() < kMinBlocksForPower) return result;
   const bool crossed_masses = has_crossed_masses(rows);
   std::vector<std::pair<ShapeProperty, Grouping>> groupings;
   for (const ShapeProperty& property : properties_of(results)) {

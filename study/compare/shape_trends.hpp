@@ -1,6 +1,5 @@
 #pragma once
 /// Trends of outcomes with elongation, flatness, convexity, rounding and mass of the blocks.
-/// Equivalence tests and required sample sizes are included.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,35 +11,34 @@
 
 namespace clast {
 
-/// Trend of one outcome with one block property.
+/// Trend of one outcome with one property of the blocks.
 struct ShapeTrend {
-  std::string outcome;   ///< "runout", "lateral angle", "largest energy", or "passing BARRIER"
-  std::string unit;      ///< "m", "rad", "J"; empty for a proportion of runs
-  std::string property;  ///< "I/L", "S/L", "convexity", "rounding", "mass"
+  std::string outcome;   ///< name of the outcome, such as "runout"
+  std::string unit;      ///< unit of the outcome; empty for a fraction of runs
+  std::string property;  ///< name of the property, such as "I/L" or "mass"
   std::size_t blocks = 0;
   std::size_t runs = 0;
-  TestResult trend;          ///< rank correlation (`clustered_trend_test`)
+  TestResult trend;          ///< rank correlation with its test
   double corrected_p = 1.0;  ///< p-value of the trend, Holm-corrected for the number of properties
-  double limit =
-      0.0;  ///< median of the property, which divides the blocks into a lower and an upper half
-  /// Mean outcome of the upper half of the blocks minus that of the lower half.
+  /// Median of the property, which divides the blocks into a lower and an upper half.
+  double limit = 0.0;
+  /// Difference of the mean outcomes of both halves, upper minus lower.
   CrossedDifference halves;
-  double smallest = 0.0;  ///< minimum difference that this design detects with 80 % power
-  /// The p-value of the equivalence test (`equivalence_p_value`), and the number of runs needed to
-  /// detect a difference as large as the margin. Only for the runout, and if there is a margin.
+  /// Smallest difference between the halves that is detected with 80 % power.
+  double detectable_difference = 0.0;
+  /// P-value of the test that the runouts of both halves are equivalent within the margin. Empty
+  /// for other outcomes or without a margin.
   std::optional<double> equivalence;
   std::optional<double> runs_needed;
 };
 
 struct ShapeTrends {
   std::uint32_t file = 0;
-  std::vector<ShapeTrend> trends;  ///< by outcome, then property; may be empty
+  std::vector<ShapeTrend> trends;  ///< trends, by outcome, then property; may be empty
 };
 
-/// Computes the trends of each file with at least four blocks and without persistent blocks. The
-/// design may be incomplete. Rounding is the Minkowski radius divided by S. Properties that vary by
-/// less than 0.01 over all blocks are omitted. If each library block occurs with several masses,
-/// masses are compared within blocks, and shapes over all masses.
+/// Computes the trends of outcomes with block properties, for each file with at least four blocks
+/// and without persistent blocks. Properties that vary by less than 0.01 are omitted.
 std::vector<ShapeTrends> compute_shape_trends(const Comparison& comparison);
 
 }  // namespace clast

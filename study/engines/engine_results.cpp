@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Starts are written with all digits.
-constexpr double kSameStart = 1e-6;  ///< m
+constexpr double kMaxSameStartDistance = 1e-6;  ///< m
 /// Conf files repeat parameters and tracks repeat times with six digits.
 constexpr double kSixDigits = 2e-5;
 
@@ -37,8 +37,8 @@ struct SceneCampaign {
 std::string last_word(const std::string& line) { return line.substr(line.rfind(' ') + 1); }
 
 SceneCampaign read_scene_campaign(const EngineResultsOptions& options) {
-  const fs::path file = options.scenes / kSceneFile;
-  const std::string mark = std::string(kSceneMark) + " for ";
+  const fs::path file = options.scenes / kSceneDescriptionFile;
+  const std::string mark = std::string(kSceneDescriptionMark) + " for ";
   std::istringstream lines(read_text_file(file));
   std::string line;
   std::getline(lines, line);
@@ -59,7 +59,7 @@ SceneCampaign read_scene_campaign(const EngineResultsOptions& options) {
 /// The campaign of the scenes, with the inputs that it had.
 CampaignPlan prepare(const EngineResultsOptions& options) {
   const SceneCampaign scene = read_scene_campaign(options);
-  const fs::path kept = options.scenes / kSceneCampaign;
+  const fs::path kept = options.scenes / kSceneCampaignFile;
   const fs::path text_file = options.campaign.value_or(kept);
   const std::string text = read_text_file(text_file);
   if (sha256(text) != scene.sha256) {
@@ -87,7 +87,7 @@ CampaignPlan prepare(const EngineResultsOptions& options) {
 class RockableReader {
  public:
   RockableReader(const CampaignPlan& prepared, fs::path folder)
-      : prepared_(prepared), folder_(std::move(folder)), set_(scene_set(prepared)) {
+      : prepared_(prepared), folder_(std::move(folder)), set_(collect_scene_contents(prepared)) {
     for (const SceneZone& zone : set_.zones) driven_ += zone.surface.triangles.empty() ? 0 : 1;
   }
 
@@ -132,11 +132,12 @@ class RockableReader {
       throw InputError(file.string() + ": " + what +
                        "; it belongs to another scene than clast export wrote for the campaign");
     };
-    if (conf.driven != driven_ || conf.bodies.size() != driven_ + scene.bodies.size()) {
-      refuse("has " + std::to_string(conf.driven) + " grounds and " +
-             std::to_string(conf.bodies.size() - std::min(conf.driven, conf.bodies.size())) +
-             " blocks, not " + std::to_string(driven_) + " and " +
-             std::to_string(scene.bodies.size()));
+    if (conf.fixed_body_count != driven_ || conf.bodies.size() != driven_ + scene.bodies.size()) {
+      refuse(
+          "has " + std::to_string(conf.fixed_body_count) + " grounds and " +
+          std::to_string(conf.bodies.size() - std::min(conf.fixed_body_count, conf.bodies.size())) +
+          " blocks, not " + std::to_string(driven_) + " and " +
+          std::to_string(scene.bodies.size()));
     }
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const RockableBody& body = conf.bodies[driven_ + i];
@@ -147,7 +148,7 @@ class RockableReader {
                ", not " + name + " of " + format_significant(planned.scale, 6));
       }
       const double away = (body.state.position - planned.start.position).norm();
-      if (conf.time == 0.0 && !(away < kSameStart)) {
+      if (conf.time == 0.0 && !(away < kMaxSameStartDistance)) {
         refuse("block " + name + " starts " + format_significant(away, 4) +
                " m from its planned position");
       }
@@ -199,7 +200,7 @@ class RockableReader {
     }
     const fs::path track = folder_ / scene.name / tracker_->file;
     const std::optional<TrackedState> end = read_last_tracked_state(track);
-    const double interval = last.time_step * kTrackedSteps;
+    const double interval = last.time_step * kStepsPerTrackLine;
     if (end && end->time + interval < (1.0 - kSixDigits) * last.time) {
       throw InputError(file.string() + ": is at t = " + format_significant(last.time, 6) +
                        " s, and " + track.string() + " ends at " +
@@ -227,16 +228,16 @@ class RockableReader {
     };
     for (const RockableConf& conf : confs) add(conf.time, conf.bodies[driven_ + body].state);
     if (end) add(end->time, end->state);
-    const RunEnd how = end_of(planned, confs, series, lost);
+    const RunEnding how = end_of(planned, confs, series, lost);
     StoredRun run = make_run_from_states(prepared_, planned, series, how);
     add_stay(run);
     return run;
   }
 
   /// Returns the end of the series; cuts off states beyond the terrain.
-  RunEnd end_of(const RunRecord& planned, const std::vector<RockableConf>& confs,
-                StateSeries& series, const std::optional<double>& lost) const {
-    const std::size_t off = find_first_off_terrain(prepared_, series);
+  RunEnding end_of(const RunRecord& planned, const std::vector<RockableConf>& confs,
+                   StateSeries& series, const std::optional<double>& lost) const {
+    const std::size_t off = find_first_state_off_terrain(prepared_, series);
     if (off < series.states.size()) {
       series.time.resize(off + 1);
       series.states.resize(off + 1);
@@ -250,7 +251,7 @@ class RockableReader {
     const bool tracked_rest = tracker_ && series.states.size() > 1 &&
                               last.velocity.norm() < tracker_->rest_speed &&
                               last.angular_velocity.norm() < tracker_->rest_spin;
-    if (tracked_rest || rests_at_end(prepared_, planned, series)) return {StopReason::kRest};
+    if (tracked_rest || is_at_rest_at_end(prepared_, planned, series)) return {StopReason::kRest};
     const RockableConf& conf = confs.back();
     const double interval =
         confs.size() > 1 ? conf.time - confs[confs.size() - 2].time : conf.max_time;
@@ -263,10 +264,10 @@ class RockableReader {
   }
 
   void add_stay(StoredRun& run) const {
-    if (!prepared_.header.stay) return;
+    if (!prepared_.header.persistent_blocks) return;
     PersistentBlockRecord stay;
     stay.run = run.record.run;
-    run.stays = {stay};
+    run.persistent_block_records = {stay};
   }
 
   const CampaignPlan& prepared_;
@@ -276,7 +277,7 @@ class RockableReader {
   std::optional<RockfallTracker> tracker_;
 };
 
-std::vector<std::string> notes_of(const RockableReader& reader, std::size_t without) {
+std::vector<std::string> notes_of(const RockableReader& reader, std::size_t without_output) {
   std::vector<std::string> notes = {
       "The runs were computed by Rockable. Its conf files hold states but no contacts: "
       "penetration, impacts, contact points and the kinds of dissipation are unknown.",
@@ -284,8 +285,9 @@ std::vector<std::string> notes_of(const RockableReader& reader, std::size_t with
       "states are interpolated unless the block flew from one to the other."};
   if (!reader.changed.empty())
     notes.push_back(reader.changed + "; the runs are those of the scene");
-  if (without > 0) {
-    notes.push_back(format_count(without, "scene") + (without == 1 ? " has" : " have") +
+  if (without_output > 0) {
+    notes.push_back(format_count(without_output, "scene") +
+                    (without_output == 1 ? " has" : " have") +
                     " no conf files, so its runs are not in the results");
   }
   return notes;
@@ -310,7 +312,7 @@ EngineImportSummary import_engine_results(const EngineResultsOptions& options,
                                           const fs::path& target) {
   options.check();
   check_results_target(target, options.replace);
-  refuse_interrupted(target);
+  check_not_interrupted(target);
   CampaignPlan prepared = prepare(options);
   RockableReader reader(prepared, options.scenes);
   const std::uint32_t together = prepared.header.runs_per_realisation();
@@ -320,7 +322,7 @@ EngineImportSummary import_engine_results(const EngineResultsOptions& options,
   for (std::uint32_t first = 0; first < prepared.runs.size(); first += together) {
     const std::vector<StoredRun> some = reader.read(first);
     const std::string name = scene_name(prepared, first);
-    if (some.empty() && fs::is_directory(options.scenes / name)) ++found.without;
+    if (some.empty() && fs::is_directory(options.scenes / name)) ++found.without_output;
     runs.insert(runs.end(), some.begin(), some.end());
     if (options.progress) options.progress({.done = first + together, .total = found.planned});
   }
@@ -330,7 +332,7 @@ EngineImportSummary import_engine_results(const EngineResultsOptions& options,
                      "run00000: rockable input.txt");
   }
   found.runs = runs.size();
-  found.notes = notes_of(reader, found.without);
+  found.notes = notes_of(reader, found.without_output);
   CampaignHeader header = std::move(prepared.header);
   header.engine = options.engine;
   header.physics_digest.clear();

@@ -29,8 +29,9 @@ std::vector<std::uint32_t> first_runs(const CampaignPlan& prepared,
   for (const std::uint32_t run : options.runs) {
     if (run >= count) {
       throw InputError(prepared.campaign.file.string() + ": has no " +
-                       (prepared.header.stay ? "realisation " : "run ") + std::to_string(run) +
-                       "; they are numbered from 0 to " + std::to_string(count - 1));
+                       (prepared.header.persistent_blocks ? "realisation " : "run ") +
+                       std::to_string(run) + "; they are numbered from 0 to " +
+                       std::to_string(count - 1));
     }
     first.push_back(run * together);
   }
@@ -42,19 +43,21 @@ std::vector<std::uint32_t> first_runs(const CampaignPlan& prepared,
 
 void check_campaign_fits(const CampaignPlan& prepared, const EngineSceneOptions& options) {
   const std::string file = prepared.campaign.file.string();
-  if (prepared.header.stay && !prepared.header.stay->at_once) {
+  if (prepared.header.persistent_blocks && !prepared.header.persistent_blocks->at_once) {
     throw InputError(file +
                      ": its blocks are released one after the other, each after the previous ones "
                      "have stopped, which a scene can't express; export a [[mass]], or the "
                      "campaign without sequence = \"stay\"");
   }
-  if (prepared.header.stay && prepared.campaign.stay->settling_time() > 0.0) {
+  if (prepared.header.persistent_blocks &&
+      prepared.campaign.persistent_blocks->settling_time() > 0.0) {
     throw InputError(
         file +
         ": its masses settle behind confining walls first, which a scene can't express; leave "
         "settle out");
   }
-  if (prepared.header.stay && prepared.campaign.stay->last_release_time() > 0.0) {
+  if (prepared.header.persistent_blocks &&
+      prepared.campaign.persistent_blocks->last_release_time() > 0.0) {
     throw InputError(file +
                      ": its masses are released at different times, which a scene can't express; "
                      "leave release_time_s out, or export a campaign for each");
@@ -68,8 +71,8 @@ void check_campaign_fits(const CampaignPlan& prepared, const EngineSceneOptions&
 
 std::string scene_text(const CampaignPlan& prepared, const EngineSceneOptions& options,
                        const SceneContents& set, const EngineScenes& scenes) {
-  std::string text = std::string(kSceneMark) + " for " + options.engine + ", written by clast " +
-                     prepared.header.program_version + "\n\ncampaign " +
+  std::string text = std::string(kSceneDescriptionMark) + " for " + options.engine +
+                     ", written by clast " + prepared.header.program_version + "\n\ncampaign " +
                      prepared.campaign.file.string() + "\nsha256 " + prepared.campaign.sha256 +
                      "\n";
   for (const std::string& input : prepared.header.inputs) text += "input " + input + "\n";
@@ -104,12 +107,13 @@ void EngineSceneOptions::check() const {
   throw InputError("`engine` \"" + engine + "\" is unknown; use rockable or exadem");
 }
 
-FolderKind scene_folder_kind() {
-  return {"scenes", kSceneFile, kSceneMark, [](const std::filesystem::path& file) {
+OutputFolderKind scene_folder_kind() {
+  return {"scenes", kSceneDescriptionFile, kSceneDescriptionMark,
+          [](const std::filesystem::path& file) {
             const std::string first = file.begin()->string();
             return first.starts_with("run") || first.starts_with("realisation") ||
-                   first.starts_with("ground") || first == "shapes.shp" || first == kSceneFile ||
-                   first == kSceneCampaign;
+                   first.starts_with("ground") || first == "shapes.shp" ||
+                   first == kSceneDescriptionFile || first == kSceneCampaignFile;
           }};
 }
 
@@ -118,7 +122,7 @@ EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineScene
   options.check();
   check_campaign_fits(prepared, options);
   const std::vector<std::uint32_t> runs = first_runs(prepared, options);
-  const SceneContents set = scene_set(prepared);
+  const SceneContents set = collect_scene_contents(prepared);
   EngineScenes scenes;
   scenes.notes =
       is_rockable(options) ? check_rockable_limits(prepared) : check_exadem_limits(prepared);
@@ -136,8 +140,8 @@ EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineScene
                                                                        folder);
     scenes.folders.push_back(scene.name);
   }
-  write_output(folder / kSceneCampaign, prepared.campaign.text, {});
-  write_output(folder / kSceneFile, scene_text(prepared, options, set, scenes), {});
+  write_output(folder / kSceneCampaignFile, prepared.campaign.text, {});
+  write_output(folder / kSceneDescriptionFile, scene_text(prepared, options, set, scenes), {});
   return scenes;
 }
 

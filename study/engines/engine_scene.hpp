@@ -10,12 +10,13 @@
 
 namespace clast {
 
-/// Returns the engines: "rockable" and "exadem".
+/// Returns the names of the engines to which scenes can be exported: "rockable" and "exadem".
 const std::vector<std::string>& exportable_engines();
 
 struct EngineSceneOptions {
   std::string engine = "rockable";
-  /// Indices of the exported runs, or realisations of multi-block releases. If empty, all.
+  /// Indices of the exported runs, or of realisations with persistent blocks. If empty, all are
+  /// exported.
   std::vector<std::uint32_t> runs;
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -23,23 +24,21 @@ struct EngineSceneOptions {
 
 struct EngineScenes {
   std::vector<std::string> folders;  ///< one folder per scene, such as "run00001"
-  /// Limitations and differences of the other engine, as sentences.
+  /// Sentences about limitations and differences of the other engine.
   std::vector<std::string> notes;
 };
 
-/// Names of the description and of the copy of the campaign in a folder of scenes, and the first
-/// words of the description.
-inline constexpr const char* kSceneFile = "SCENE.txt";
-inline constexpr const char* kSceneMark = "Scenes of a clast campaign";
-inline constexpr const char* kSceneCampaign = "campaign.toml";
+/// Name of the description in a folder of scenes.
+inline constexpr const char* kSceneDescriptionFile = "SCENE.txt";
+inline constexpr const char* kSceneDescriptionMark = "Scenes of a clast campaign";
+inline constexpr const char* kSceneCampaignFile = "campaign.toml";
 
-FolderKind scene_folder_kind();
+OutputFolderKind scene_folder_kind();
 
-/// Writes one scene per run, or per realisation of multi-block releases. A scene contains starts,
-/// blocks as sphero-polyhedra with exact mass properties, the terrain as one surface per zone,
-/// stiffness and ground parameters. Positions are in metres in the local frame of the terrain.
-/// SCENE.txt states the map position, block names and notes.
-/// @param folder  existing, empty folder, such as `OutputFolder::temporary_path`
+/// Writes scenes for another engine: one per run, or per realisation of blocks that are released at
+/// once. A scene contains blocks, terrain, contact parameters and starts, in the local frame of the
+/// terrain.
+/// @param folder  existing, empty folder
 /// @throws InputError  if a run does not exist, blocks are persistent and released one after the
 ///                     other, or the engine lacks the contact law
 EngineScenes write_engine_scenes(const CampaignPlan& prepared, const EngineSceneOptions& options,

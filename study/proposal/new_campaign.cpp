@@ -34,14 +34,14 @@ constexpr double kMinDistance = 2.0;    ///< L that blocks go at least, for a ba
 
 /// The mass of all blocks where none has a size, at which each is short on the terrain, kg.
 double assumed_mass(const std::vector<Block>& blocks, double extent) {
-  double most = kUsualMass;
+  double maximum = kUsualMass;
   for (const Block& block : blocks) {
-    most =
-        std::min(most, block.mass.mass * std::pow(kSmallFraction * extent / block.axes().L, 3.0));
+    maximum = std::min(maximum,
+                       block.mass.mass * std::pow(kSmallFraction * extent / block.axes().L, 3.0));
   }
   // Two digits, rounded down.
-  const double digit = std::pow(10.0, std::floor(std::log10(most)) - 1.0);
-  return digit * std::floor(most / digit * (1.0 + 1e-12));
+  const double digit = std::pow(10.0, std::floor(std::log10(maximum)) - 1.0);
+  return digit * std::floor(maximum / digit * (1.0 + 1e-12));
 }
 
 ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
@@ -60,7 +60,7 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
                                                  : describe_unusual_size(block.id, block.axes().L,
                                                                          block.mass.mass, extent);
     if (!why.empty()) {
-      blocks.left_out.push_back(why);
+      blocks.omitted_blocks.push_back(why);
       continue;
     }
     const double scale = blocks.mass ? std::cbrt(*blocks.mass / block.mass.mass) : 1.0;
@@ -69,12 +69,12 @@ ProposedBlocks propose_blocks(const BlockLibrary& library, double extent) {
     sides.push_back(scale * block.axes().S);
   }
   if (sides.empty()) {
-    throw InputError("no block of the library fits the terrain: " + blocks.left_out.front() +
+    throw InputError("no block of the library fits the terrain: " + blocks.omitted_blocks.front() +
                      "; check the units of scans and terrain");
   }
   blocks.count = sides.size();
-  blocks.shortest_side = summarise(sides).median;
-  if (blocks.left_out.empty()) blocks.selected.clear();
+  blocks.shortest_side = summarise_sample(sides).median;
+  if (blocks.omitted_blocks.empty()) blocks.selected.clear();
   return blocks;
 }
 
@@ -97,7 +97,7 @@ CampaignProposal propose_campaign(const BlockLibrary& library, const Terrain& te
 /// that is placed where half of them have passed.
 void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
   TrialRuns& trial = proposal.trial;
-  ProposedLines& places = proposal.places;
+  ProposedReleaseAndBarrier& places = proposal.places;
   trial.count = std::min(kTrialRuns, prepared.runs.size());
   std::vector<StoredRun> runs(trial.count);
   parallel_for(trial.count, 0, [&](std::size_t i) {
@@ -112,13 +112,13 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
     trial.passed += run.crossings.empty() ? 0 : 1;
     trial.longest = std::max(trial.longest, result.duration);
   }
-  trial.median_distance = summarise(distances).median;
+  trial.median_distance = summarise_sample(distances).median;
   // Full minutes.
   proposal.max_time = std::min(60.0 * std::ceil(2.0 * trial.longest / 60.0), kLongestTime);
   if (static_cast<double>(trial.passed) >= kFewPass * static_cast<double>(trial.count)) return;
   std::string doubt = std::to_string(trial.passed) + " of " +
                       format_count(trial.count, "trial run") +
-                      " passed the foot of the slope, and half of them went less than " +
+                      " passed the foot of the slope, and half of them travelled less than " +
                       format_decimals(std::max(trial.median_distance, 0.0), 1) + " m";
   if (trial.median_distance > kMinDistance * places.block_length &&
       trial.median_distance < places.distance) {
@@ -127,35 +127,37 @@ void try_runs(const CampaignPlan& prepared, CampaignProposal& proposal) {
     doubt +=
         "; the barrier lies there, " + format_decimals(places.distance, 0) + " m from the releases";
   }
-  proposal.doubts.push_back(doubt);
+  proposal.proposal_warnings.push_back(doubt);
 }
 
 /// Lists the assumptions as text.
 std::vector<std::string> assumptions(const CampaignProposal& proposal) {
-  std::vector<std::string> doubts;
+  std::vector<std::string> proposal_warnings;
   const double slope = proposal.places.release_slope * kDegreesPerRadian;
   if (slope < 25.0) {
-    doubts.push_back("the steepest ground is " + format_decimals(slope, 0) +
-                     " degrees, on which many blocks stop where they land");
+    proposal_warnings.push_back("the steepest ground is " + format_decimals(slope, 0) +
+                                " degrees, on which many blocks stop where they land");
   }
   const auto guessed = static_cast<std::size_t>(
       std::count_if(proposal.ground.begin(), proposal.ground.end(),
-                    [](const ProposedGround& zone) { return !zone.by_name; }));
+                    [](const ProposedGround& zone) { return !zone.identified_by_name; }));
   if (guessed > 0) {
-    doubts.push_back(format_count(guessed, "ground zone is", "ground zones are") + " taken for " +
-                     default_ground_type().name + ", since the name gives no ground type");
+    proposal_warnings.push_back(format_count(guessed, "ground zone is", "ground zones are") +
+                                " taken for " + default_ground_type().name +
+                                ", since the name gives no ground type");
   }
   if (proposal.blocks.mass) {
-    doubts.push_back("the blocks have no known size; " +
-                     format_significant(*proposal.blocks.mass, 6) + " kg each is an assumption");
+    proposal_warnings.push_back("the blocks have no known size; " +
+                                format_significant(*proposal.blocks.mass, 6) +
+                                " kg each is an assumption");
   }
-  if (const std::vector<std::string>& out = proposal.blocks.left_out; !out.empty()) {
-    doubts.push_back(
+  if (const std::vector<std::string>& out = proposal.blocks.omitted_blocks; !out.empty()) {
+    proposal_warnings.push_back(
         format_count(out.size(), "block of the library is", "blocks of the library are") +
         " left out: " + out.front() +
         (out.size() > 1 ? ", and " + std::to_string(out.size() - 1) + " more" : ""));
   }
-  return doubts;
+  return proposal_warnings;
 }
 
 /// Path as written in a campaign of this folder.
@@ -185,7 +187,7 @@ CampaignProposal write_new_campaign(const fs::path& library, const std::vector<f
   for (const fs::path& path : surface) surface_paths.push_back(relative_path(path, folder));
   const std::string library_path = relative_path(library, folder);
   proposal.max_time = kLongestTime;
-  proposal.doubts = assumptions(proposal);
+  proposal.proposal_warnings = assumptions(proposal);
   output.write(format_campaign_text(proposal, library_path, surface_paths));
   try_runs(prepare_campaign(read_campaign(output.temporary_path())), proposal);
   output.write(format_campaign_text(proposal, library_path, surface_paths));

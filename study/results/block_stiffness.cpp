@@ -17,8 +17,8 @@ constexpr std::array<const char*, 7> kHeadings{
     "settled depth, m", "deepest impact, m", "turn to roll limit, deg"};
 constexpr std::size_t kRolling = 2, kRollingLimit = 6;  // indices
 
-BlockStiffness without_runs(const std::string& id) {
-  BlockStiffness block{id, 0, {}};
+BlockStiffnessRanges without_runs(const std::string& id) {
+  BlockStiffnessRanges block{id, 0, {}};
   const auto add = [&](const char* name, const auto&...) {
     block.values.push_back({name, kHeadings.at(block.values.size()), {}});
   };
@@ -35,7 +35,7 @@ std::span<const GroundParameters> zones_of(const CampaignHeader& header, const R
 }
 
 /// Includes k_r and the limit rotation on each zone.
-void include_rolling(BlockStiffness& block, const RunRecord& run, double smallest_side,
+void include_rolling(BlockStiffnessRanges& block, const RunRecord& run, double smallest_side,
                      std::span<const GroundParameters> zones) {
   for (const GroundParameters& zone : zones) {
     const double k_r = zone.rolling_stiffness(run.stiffness.normal, run.stiffness.rolling);
@@ -54,12 +54,12 @@ void ValueRange::include(double value) {
   high = std::max(high, value);
 }
 
-std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
-                                                       std::span<const RunRecord> runs) {
-  std::vector<BlockStiffness> list;
+std::vector<BlockStiffnessRanges> collect_stiffness_by_block(const CampaignHeader& header,
+                                                             std::span<const RunRecord> runs) {
+  std::vector<BlockStiffnessRanges> list;
   for (const BlockSummary& block : header.blocks) list.push_back(without_runs(block.id));
   for (const RunRecord& run : runs) {
-    BlockStiffness& block = list[run.block];
+    BlockStiffnessRanges& block = list[run.block];
     ++block.runs;
     auto value = block.values.begin();
     visit_stiffness([&](const auto&, const auto&, const auto&, const auto& field) {
@@ -72,9 +72,9 @@ std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& hea
   return list;
 }
 
-BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks) {
-  BlockStiffness all = without_runs("all " + std::to_string(blocks.size()));
-  for (const BlockStiffness& block : blocks) {
+BlockStiffnessRanges combine_stiffness(std::span<const BlockStiffnessRanges> blocks) {
+  BlockStiffnessRanges all = without_runs("all " + std::to_string(blocks.size()));
+  for (const BlockStiffnessRanges& block : blocks) {
     all.runs += block.runs;
     for (std::size_t i = 0; i < all.values.size(); ++i) {
       const ValueRange& range = block.values[i].range;
@@ -86,7 +86,7 @@ BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks) {
   return all;
 }
 
-std::vector<std::string> format_stiffness_cells(const BlockStiffness& block) {
+std::vector<std::string> format_stiffness_cells(const BlockStiffnessRanges& block) {
   std::vector<std::string> cells;
   for (const StiffnessRange& value : block.values) {
     if (value.range.empty()) {

@@ -9,41 +9,39 @@
 
 namespace clast {
 
-/// Range of values. If it is empty, `low` exceeds `high`.
+/// Range of values; `low` exceeds `high` if it is empty.
 struct ValueRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  void include(double value);  ///< ignores NaN
+  void include(double value);  ///< extends the range to contain a value; NaN is ignored
   bool empty() const { return low > high; }
 };
 
 /// Range of one stiffness quantity of a block.
 struct StiffnessRange {
-  std::string name;     ///< column of /runs, such as "stiffness_n_m", or "rolling_limit_deg"
+  std::string name;     ///< name of the quantity, such as "stiffness_n_m"
   std::string heading;  ///< heading with unit, such as "k_n, N/m"
-  ValueRange range;     ///< over the runs of the block
+  ValueRange range;     ///< range over the runs of the block
 };
 
-/// Stiffness quantities of the runs of a block. They vary if ground parameters vary between
-/// ensemble members, or if a fall from a release point can be too fast for the automatic stiffness.
-struct BlockStiffness {
+/// Contact stiffness and related quantities of a block, as ranges over its runs.
+struct BlockStiffnessRanges {
   std::string block;
   std::size_t runs = 0;
-  /// Ranges of k_n, k_t, k_r, time step, settled depth, impact depth and rolling limit. The rolling
-  /// limit is the rotation at which the rolling resistance reaches its maximum mu_R l k_n h, where
-  /// l = S/2 and h is the impact depth. k_r and the rolling limit also vary over ground zones.
+  /// Ranges of normal, tangential and rolling stiffness, time step, settled depth, impact depth,
+  /// and the rotation at which the rolling resistance reaches its maximum.
   std::vector<StiffnessRange> values;
 };
 
-/// Collects the ranges for each block, in the order of the blocks. Empty for blocks without runs.
-/// @param header  header with blocks and ground
+/// Collects the stiffness ranges of each block. They are empty for blocks without runs.
+/// @param header  header with blocks and ground parameters
 /// @param runs  planned or finished runs
-std::vector<BlockStiffness> collect_stiffness_by_block(const CampaignHeader& header,
-                                                       std::span<const RunRecord> runs);
-BlockStiffness combine_stiffness(std::span<const BlockStiffness> blocks);
+std::vector<BlockStiffnessRanges> collect_stiffness_by_block(const CampaignHeader& header,
+                                                             std::span<const RunRecord> runs);
+BlockStiffnessRanges combine_stiffness(std::span<const BlockStiffnessRanges> blocks);
 
-/// Formats the ranges as "9.52e+07", "2.1e+06 to 3.4e+06", or "-" if empty.
-std::vector<std::string> format_stiffness_cells(const BlockStiffness& block);
+/// Formats the stiffness ranges of a block, such as "2.1e+06 to 3.4e+06", or "-" if empty.
+std::vector<std::string> format_stiffness_cells(const BlockStiffnessRanges& block);
 
 }  // namespace clast

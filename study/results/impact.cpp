@@ -10,7 +10,7 @@ void ImpactObserver::begin_impact(const MotionStep& step) {
   open_->run = run_;
   open_->zone = step.contact_summary.zone;
   open_->time = step.end_time;
-  open_->place = step.contact_summary.position;
+  open_->position = step.contact_summary.position;
   open_->speed_before = step.end.velocity.norm();
   open_->translational_before = translational_energy(body_, step.end);
   open_->rotational_before = rotational_energy(body_, step.end);
@@ -22,7 +22,7 @@ void ImpactObserver::end_impact() {
   open_->translational_after = translational_energy(body_, last_touch_);
   open_->rotational_after = rotational_energy(body_, last_touch_);
   impacts.push_back(*open_);
-  last_touches.push_back(last_touch_);
+  last_contact_states.push_back(last_touch_);
   open_.reset();
 }
 
@@ -43,8 +43,8 @@ void ImpactObserver::observe_step(const MotionStep& step) {
   if (first_) update_maxima(step.begin);
   first_ = false;
   if (!step.correction_pending) update_maxima(step.end);
-  statistics.most_points =
-      std::max<std::uint64_t>(statistics.most_points, step.contact_summary.contact_count);
+  statistics.max_contact_points =
+      std::max<std::uint64_t>(statistics.max_contact_points, step.contact_summary.contact_count);
   if (step.flight) {
     if (!take_off_) take_off_ = step.begin.position.head<2>();
     flight_ += duration;
@@ -56,7 +56,8 @@ void ImpactObserver::observe_step(const MotionStep& step) {
   } else {
     take_off_.reset();
     statistics.contact_time += duration;
-    statistics.mean_points += duration * step.contact_summary.contact_count;  // divided at the end
+    statistics.mean_contact_points +=
+        duration * step.contact_summary.contact_count;  // divided at the end
   }
   if (open_ && (step.contact_summary.contact_count > 0 || !step.flight)) {
     open_->depth = std::max(open_->depth, step.contact_summary.overlap);
@@ -68,7 +69,7 @@ void ImpactObserver::observe_step(const MotionStep& step) {
 
 void ImpactObserver::finish() {
   if (open_) end_impact();
-  if (statistics.contact_time > 0.0) statistics.mean_points /= statistics.contact_time;
+  if (statistics.contact_time > 0.0) statistics.mean_contact_points /= statistics.contact_time;
 }
 
 }  // namespace clast

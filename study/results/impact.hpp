@@ -8,26 +8,27 @@
 
 namespace clast {
 
-/// Impact: contact phase between two flights. Flights shorter than `kMinFlight` do not end an
-/// impact, so rolling over corners is one impact.
+/// Impact: phase of contact between two flights. Flights shorter than `kMinFlight` do not end an
+/// impact.
 struct Impact {
   std::uint32_t run = 0;
-  std::uint32_t zone = 0;             ///< ground zone of the first contact
-  double time = 0.0;                  ///< time of the first contact, s
-  double contact_duration = 0.0;      ///< duration until the next flight or the end of the run, s
-  Vec3 place = Vec3::Zero();          ///< position of the first contact, m
+  std::uint32_t zone = 0;  ///< ground zone of the first contact
+  double time = 0.0;       ///< time of the first contact, s
+  /// Time from the first contact to the next flight or the end of the run, s.
+  double contact_duration = 0.0;
+  Vec3 position = Vec3::Zero();       ///< position of the first contact, m
   double speed_before = 0.0;          ///< speed of the centre of mass at the first contact, m/s
   double speed_after = 0.0;           ///< speed of the centre of mass at the last contact, m/s
-  double translational_before = 0.0;  ///< J
+  double translational_before = 0.0;  ///< kinetic energy of the translation at the first contact, J
   double translational_after = 0.0;
   double rotational_before = 0.0;
   double rotational_after = 0.0;
-  double depth = 0.0;  ///< largest overlap, m
+  double depth = 0.0;  ///< largest overlap during the impact, m
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(run, zone, time, contact_duration, place, speed_before, speed_after, translational_before,
-          translational_after, rotational_before, rotational_after, depth);
+    bytes(run, zone, time, contact_duration, position, speed_before, speed_after,
+          translational_before, translational_after, rotational_before, rotational_after, depth);
   }
 };
 
@@ -36,16 +37,17 @@ inline constexpr double kMinFlight = 0.01;
 
 /// Contact statistics and maxima of motion of a run.
 struct ContactStatistics {
-  double contact_time = 0.0;  ///< time with a contact, s
-  double mean_points = 0.0;   ///< mean number of contact points during `contact_time`
-  std::uint64_t most_points = 0;
+  double contact_time = 0.0;         ///< time with a contact, s
+  double mean_contact_points = 0.0;  ///< mean number of contact points during `contact_time`
+  std::uint64_t max_contact_points = 0;
   double longest_flight = 0.0;  ///< longest horizontal distance between two contacts, m
   double max_energy = 0.0;      ///< largest kinetic energy of translation and rotation, J
-  double max_spin = 0.0;        ///< rad/s
+  double max_spin = 0.0;        ///< largest angular speed, rad/s
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(contact_time, mean_points, most_points, longest_flight, max_energy, max_spin);
+    bytes(contact_time, mean_contact_points, max_contact_points, longest_flight, max_energy,
+          max_spin);
   }
 };
 
@@ -60,12 +62,12 @@ class ImpactObserver {
   /// Serialises the recorded impacts and the open one.
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(impacts, last_touches, statistics, first_, open_, last_touch_, last_touch_time_, flight_,
-          take_off_);
+    bytes(impacts, last_contact_states, statistics, first_, open_, last_touch_, last_touch_time_,
+          flight_, take_off_);
   }
 
   std::vector<Impact> impacts;
-  std::vector<RigidState> last_touches;  ///< state at the last contact of each impact
+  std::vector<RigidState> last_contact_states;  ///< state at the last contact of each impact
   ContactStatistics statistics;
 
  private:
@@ -77,7 +79,7 @@ class ImpactObserver {
   std::uint32_t run_;
   bool first_ = true;
   std::optional<Impact> open_;
-  RigidState last_touch_;  ///< last contact of the open impact
+  RigidState last_touch_;  ///< state at the last contact of the open impact
   double last_touch_time_ = 0.0;
   double flight_ = 0.0;           ///< time since the last contact, s
   std::optional<Vec2> take_off_;  ///< start of the current flight

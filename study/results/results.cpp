@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 
 const PersistentBlockRecord* CampaignResults::find_persistent_block(std::uint32_t run) const {
   const auto found = std::lower_bound(
-      stays.begin(), stays.end(), run,
+      persistent_block_records.begin(), persistent_block_records.end(), run,
       [](const PersistentBlockRecord& record, std::uint32_t other) { return record.run < other; });
-  return found != stays.end() && found->run == run ? &*found : nullptr;
+  return found != persistent_block_records.end() && found->run == run ? &*found : nullptr;
 }
 
-fs::path journal_path(const fs::path& target) {
+fs::path results_journal_path(const fs::path& target) {
   fs::path part = target;
   part += ".part";
   return part;
@@ -35,7 +35,7 @@ void check_results_target(const fs::path& target, bool replace) {
   check_output_target(target, {.kind = kResultsFormat, .replace = replace});
 }
 
-bool is_finished(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
+bool has_finished_results(const fs::path& target, const CampaignHeader& header, std::size_t runs) {
   if (detect_file_kind(target) != kResultsFormat) return false;
   const CampaignResults stored = read_results(target);
   std::string difference = describe_campaign_difference(stored, header);
@@ -75,19 +75,23 @@ ResultsWriter ResultsWriter::create(const fs::path& target, const CampaignHeader
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
   check_results_disk_space(target, header, runs);
-  return ResultsWriter(std::unique_ptr<Impl>(new Impl{
-      std::move(lock), target, header, ResultsJournal::create(journal_path(target), header), {}}));
+  return ResultsWriter(
+      std::unique_ptr<Impl>(new Impl{std::move(lock),
+                                     target,
+                                     header,
+                                     ResultsJournal::create(results_journal_path(target), header),
+                                     {}}));
 }
 
 ResultsWriter ResultsWriter::resume(const fs::path& target, const CampaignHeader& header,
                                     std::size_t runs) {
   std::unique_ptr<FileLock> lock = locked(target);
-  ResultsJournal journal = ResultsJournal::resume(journal_path(target), header);
-  std::vector<std::uint32_t> stored = journal.runs();
+  ResultsJournal journal = ResultsJournal::resume(results_journal_path(target), header);
+  std::vector<std::uint32_t> stored = journal.run_indices();
   std::sort(stored.begin(), stored.end());
   check_results_disk_space(target, header, runs - std::min(runs, stored.size()));
   CampaignHeader with_old_runs = header;
-  with_old_runs.physics_digest = journal.physics();
+  with_old_runs.physics_digest = journal.physics_digest();
   return ResultsWriter(std::unique_ptr<Impl>(new Impl{
       std::move(lock), target, std::move(with_old_runs), std::move(journal), std::move(stored)}));
 }
@@ -102,7 +106,7 @@ void ResultsWriter::add(const StoredRun& run) {
 }
 
 void ResultsWriter::finish() {
-  const std::vector<std::uint32_t>& runs = impl_->journal.runs();
+  const std::vector<std::uint32_t>& runs = impl_->journal.run_indices();
   std::vector<std::size_t> order(runs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),

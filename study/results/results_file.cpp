@@ -66,7 +66,7 @@ void write_ground_sets(Hdf5Group group, const CampaignHeader& header) {
   const std::vector<GroundParameterSet>& sets = header.ground_sets;
   write_column(group, "group", "", sets, [](const GroundParameterSet& set) { return set.group; });
   write_column(group, "member", "", sets, [](const GroundParameterSet& set) { return set.member; });
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     std::vector<double> values;
     for (const GroundParameterSet& set : sets) {
       for (const GroundParameters& zone : set.zones) values.push_back(zone.*field.value);
@@ -118,11 +118,11 @@ void write_header(Hdf5Group root, const CampaignHeader& header) {
   Hdf5Group barriers = root.create_group("barriers");
   std::vector<Vec2> points;
   for (const Barrier& barrier : header.barriers) {
-    points.insert(points.end(), barrier.through.begin(), barrier.through.end());
+    points.insert(points.end(), barrier.vertices.begin(), barrier.vertices.end());
   }
   write_column(barriers, "name", "", header.barriers, [](const Barrier& b) { return b.name; });
   write_column(barriers, "point_count", "", header.barriers,
-               [](const Barrier& b) { return static_cast<std::uint32_t>(b.through.size()); });
+               [](const Barrier& b) { return static_cast<std::uint32_t>(b.vertices.size()); });
   write_vectors(barriers, "points_m", "m", points);
   write_column(barriers, "direction", "", header.barriers,
                [](const Barrier& b) { return name_of(b.counted); });
@@ -130,7 +130,7 @@ void write_header(Hdf5Group root, const CampaignHeader& header) {
   Hdf5Group ground = root.create_group("ground");
   const auto& zones = header.ground;
   write_texts(ground, "zone", header.zone_names);
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     write_column(ground, field.name, field.unit, zones,
                  [&](const GroundParameters& zone) { return zone.*field.value; });
   }
@@ -139,7 +139,7 @@ void write_header(Hdf5Group root, const CampaignHeader& header) {
 
   Hdf5Group contact = root.create_group("contact");
   contact.set_attribute<std::string>("law", name_of(header.law));
-  contact.set_attribute<std::string>("weights", name_of(header.weights));
+  contact.set_attribute<std::string>("weights", name_of(header.weighting));
 
   write_terrain_group(root.create_group("terrain"), header.terrain, header.frame);
 }
@@ -147,21 +147,22 @@ void write_header(Hdf5Group root, const CampaignHeader& header) {
 /// @param contacts  whether the runs tell of them
 template <class Row>
 void write_rows(Hdf5Group group, const std::vector<Row>& rows, bool contacts = true) {
-  visit_columns(kRowsOf<Row>, [&](const std::string& name, const std::string& unit, const auto&,
-                                  const auto& field) {
-    if (!contacts && is_of_contacts(name)) return;
+  visit_columns(kRowType<Row>, [&](const std::string& name, const std::string& unit, const auto&,
+                                   const auto& field) {
+    if (!contacts && depends_on_contact_data(name)) return;
     write_column(group, name, unit, rows,
-                 [&](const Row& row) { return stored(std::invoke(field, row)); });
+                 [&](const Row& row) { return to_stored_value(std::invoke(field, row)); });
   });
 }
 
 void write_stays(Hdf5Group group, const CampaignHeader& header,
                  const std::vector<PersistentBlockRecord>& rows) {
-  const PersistentBlocksSettings& stay = *header.stay;
-  group.set_attribute<std::int64_t>("blocks_each", stay.blocks_each);
+  const PersistentBlocksSettings& stay = *header.persistent_blocks;
+  group.set_attribute<std::int64_t>("blocks_each", stay.blocks_per_realisation);
   group.set_attribute<std::int64_t>("at_once", stay.at_once ? 1 : 0);
-  for (const GroundParameterField& field : ground_fields()) {
-    if (!field.of_soil) group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
+  for (const GroundParameterField& field : ground_parameter_fields()) {
+    if (!field.is_soil_parameter)
+      group.set_attribute<double>(field.name, stay.between_blocks.*field.value);
   }
   write_rows(group, rows, header.has_contacts());
 }
@@ -169,9 +170,10 @@ void write_stays(Hdf5Group group, const CampaignHeader& header,
 void write_trajectory(Hdf5Group& group, std::uint32_t run, const Trajectory& trajectory) {
   if (trajectory.time.empty()) return;
   std::vector<double> rows = trajectory.time;
-  visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
-    for (const RigidState& state : trajectory.states) rows.push_back(field(state));
-  });
+  visit_columns(kRowType<RigidState>,
+                [&](const auto&, const auto&, const auto&, const auto& field) {
+                  for (const RigidState& state : trajectory.states) rows.push_back(field(state));
+                });
   group.write<double>(trajectory_dataset_name(run), rows,
                       {trajectory_row_count(), trajectory.time.size()});
 }
@@ -193,7 +195,7 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
     write_header(root, header);
     Hdf5Group trajectories = root.create_group("trajectories");
     std::string row_names = "time_s";
-    visit_columns(kRowsOf<RigidState>,
+    visit_columns(kRowType<RigidState>,
                   [&](const std::string& name, const auto&...) { row_names += " " + name; });
     trajectories.set_attribute<std::string>("rows", row_names);
     std::vector<RunRecord> records;
@@ -206,15 +208,17 @@ void write_results_file(const fs::path& target, const CampaignHeader& header, st
       records.push_back(stored.record);
       crossings.insert(crossings.end(), stored.crossings.begin(), stored.crossings.end());
       impacts.insert(impacts.end(), stored.impacts.begin(), stored.impacts.end());
-      stays.insert(stays.end(), stored.stays.begin(), stored.stays.end());
+      stays.insert(stays.end(), stored.persistent_block_records.begin(),
+                   stored.persistent_block_records.end());
       energies.insert(energies.end(), stored.energies.begin(), stored.energies.end());
       write_trajectory(trajectories, stored.record.run, stored.trajectory);
     }
     write_rows(root.create_group("runs"), records, header.has_contacts());
     write_rows(root.create_group("crossings"), crossings);
     write_rows(root.create_group("impacts"), impacts);
-    if (header.stay) write_stays(root.create_group("stays"), header, stays);
-    if (header.stay && header.has_contacts()) write_rows(root.create_group("energies"), energies);
+    if (header.persistent_blocks) write_stays(root.create_group("stays"), header, stays);
+    if (header.persistent_blocks && header.has_contacts())
+      write_rows(root.create_group("energies"), energies);
     file.flush();
   }
   output.commit();

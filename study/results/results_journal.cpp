@@ -25,7 +25,7 @@ const std::string kJournalMagic = "clast results journal 5\n";
 
 template <class Bytes, class Row>
 void serialize_row(Bytes& bytes, Row& row) {
-  visit_columns(kRowsOf<Row>, [&](const auto&, const auto&, const auto&, const auto& field) {
+  visit_columns(kRowType<Row>, [&](const auto&, const auto&, const auto&, const auto& field) {
     bytes(std::invoke(field, row));
   });
 }
@@ -41,7 +41,7 @@ void serialize_run(Bytes& bytes, StoredRun& run) {
   serialize_row(bytes, run.record);
   serialize_rows(bytes, run.crossings);
   serialize_rows(bytes, run.impacts);
-  serialize_rows(bytes, run.stays);
+  serialize_rows(bytes, run.persistent_block_records);
   serialize_rows(bytes, run.energies);
   bytes(run.trajectory.time);
   serialize_rows(bytes, run.trajectory.states);
@@ -140,7 +140,7 @@ std::fstream opened(const fs::path& path) {
 
 }  // namespace
 
-std::string pack_record(StoredRun run) {
+std::string serialize_stored_run(StoredRun run) {
   std::ostringstream text;
   ByteWriter writer(text);
   serialize_run(writer, run);
@@ -162,7 +162,7 @@ std::string describe_campaign_difference(ByteReader& stored, const CampaignHeade
   return identity_difference(identity, identity_of(now));
 }
 
-StoredRun unpack_record(const std::string& bytes) {
+StoredRun deserialize_stored_run(const std::string& bytes) {
   StoredRun run;
   ByteReader reader(bytes);
   serialize_run(reader, run);
@@ -201,7 +201,7 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader
   journal.physics_ = stored.physics;
   journal.end_ = kJournalMagic.size() + record_size(*content);
   while ((content = read_record(journal.file_, journal.end_, size))) {
-    journal.runs_.push_back(unpack_record(*content).record.run);
+    journal.runs_.push_back(deserialize_stored_run(*content).record.run);
     journal.begins_.push_back(journal.end_);
     journal.end_ += record_size(*content);
   }
@@ -210,11 +210,11 @@ ResultsJournal ResultsJournal::resume(const fs::path& path, const CampaignHeader
 }
 
 std::uint64_t ResultsJournal::smallest_record_size() {
-  return record_size(pack_record(StoredRun{}));
+  return record_size(serialize_stored_run(StoredRun{}));
 }
 
 void ResultsJournal::add(const StoredRun& run) {
-  const std::string record = record_of(pack_record(run));
+  const std::string record = record_of(serialize_stored_run(run));
   file_.clear();
   file_.seekp(static_cast<std::streamoff>(end_));
   file_.write(record.data(), static_cast<std::streamsize>(record.size()));
@@ -236,7 +236,7 @@ StoredRun ResultsJournal::read(std::size_t index) {
         path_.string() +
         ": was changed by another program; continue with `resume`, which repeats the lost runs");
   }
-  return unpack_record(*content);
+  return deserialize_stored_run(*content);
 }
 
 }  // namespace clast::study_detail

@@ -1,7 +1,6 @@
 #pragma once
-/// Journal that stores runs until a campaign is complete. It is a sequence of records with
-/// checksums. If the program is killed, at most the last record is lost. An HDF5 file, which is
-/// modified in place, could be lost as a whole.
+/// Journal that stores runs until a campaign is complete. If the program is killed, at most the
+/// last run is lost.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,18 +11,19 @@
 
 namespace clast::study_detail {
 
-/// Serialises a run, for the journal and for messages between processes.
-std::string pack_record(StoredRun run);
+/// Serialises a run for the journal and for messages between processes.
+std::string serialize_stored_run(StoredRun run);
 /// Deserialises a run.
 /// @throws InputError  if the bytes are not a run
-StoredRun unpack_record(const std::string& bytes);
+StoredRun deserialize_stored_run(const std::string& bytes);
 
 /// Serialises the identity of a campaign: campaign text, inputs and program.
 std::string format_campaign_identity(const CampaignHeader& header);
-/// Describes the difference between stored results and a campaign. Compares campaign file, inputs,
-/// version, number of runs and physics. Empty if they agree.
+/// Describes the difference between stored results and a campaign in campaign file, inputs,
+/// version, number of runs or physics. Empty if they agree.
 std::string describe_campaign_difference(const CampaignHeader& stored, const CampaignHeader& now);
-/// Deserialises an identity and describes its difference from a campaign. Empty if they agree.
+/// Deserialises the identity of a campaign and describes its difference from another. Empty if they
+/// agree.
 /// @throws InputError  if the bytes are not an identity
 std::string describe_campaign_difference(ByteReader& stored, const CampaignHeader& now);
 
@@ -42,11 +42,11 @@ class ResultsJournal {
   static std::uint64_t smallest_record_size();
 
   const std::filesystem::path& path() const { return path_; }
-  /// Returns the physics digest of the program that created the journal; empty for older versions.
-  const std::string& physics() const { return physics_; }
+  /// Returns the digest of the simulated physics of the journal; empty if unknown.
+  const std::string& physics_digest() const { return physics_; }
   /// Returns the indices of the runs in the order of their records.
-  const std::vector<std::uint32_t>& runs() const { return runs_; }
-  /// Appends a run.
+  const std::vector<std::uint32_t>& run_indices() const { return runs_; }
+  /// Appends the record of a run.
   /// @throws InputError  if the disk is full
   void add(const StoredRun& run);
   /// Reads the record of a run.
@@ -61,7 +61,7 @@ class ResultsJournal {
   std::string physics_;
   std::fstream file_;
   std::vector<std::uint32_t> runs_;
-  std::vector<std::uint64_t> begins_;  ///< offset of each record, bytes
+  std::vector<std::uint64_t> begins_;  ///< position of each record in the file, bytes
   std::uint64_t end_ = 0;              ///< end of the last complete record, bytes
 };
 

@@ -32,7 +32,7 @@ void check_parts_of_one_campaign(const CampaignHeader& first, const CampaignHead
   if (other.campaign_sha256 != first.campaign_sha256) {
     difference = "belongs to another campaign than ";
   } else if (other.inputs != first.inputs) {
-    difference = "was made from other input files than ";
+    difference = "was made from different input files than ";
   } else if (other.program_version != first.program_version) {
     difference =
         "was made by clast " + other.program_version + ", not " + first.program_version + " like ";
@@ -58,8 +58,9 @@ std::string common_physics(const std::vector<Part>& parts) {
     if (results.physics_digest.empty()) continue;
     if (!known) known = &results;
     if (results.physics_digest == known->physics_digest) continue;
-    throw InputError(results.file.string() + ": blocks moved differently in the clast that made " +
-                     "it than in that of " + known->file.string() + " (physics digest " +
+    throw InputError(results.file.string() +
+                     ": was made by a program that computes different motions from that of " +
+                     known->file.string() + " (physics digest " +
                      results.physics_digest.substr(0, 10) + ", there " +
                      known->physics_digest.substr(0, 10) + "), though both are clast " +
                      results.program_version + "; simulate all shards with one program");
@@ -86,7 +87,7 @@ std::vector<RunPlace> places_of(const std::vector<Part>& parts) {
       places.push_back({run, part, row, crossing, impact, stay, energy});
       crossing += events_of(results.crossings, run, crossing).size();
       impact += events_of(results.impacts, run, impact).size();
-      stay += events_of(results.stays, run, stay).size();
+      stay += events_of(results.persistent_block_records, run, stay).size();
       energy += events_of(results.energies, run, energy).size();
     }
   }
@@ -134,8 +135,9 @@ void merge_results(const std::vector<fs::path>& files, const fs::path& target) {
     run.crossings.assign(crossings.begin(), crossings.end());
     const auto impacts = events_of(part.results.impacts, place.run, place.first_impact);
     run.impacts.assign(impacts.begin(), impacts.end());
-    const auto stays = events_of(part.results.stays, place.run, place.first_stay);
-    run.stays.assign(stays.begin(), stays.end());
+    const auto stays =
+        events_of(part.results.persistent_block_records, place.run, place.first_stay);
+    run.persistent_block_records.assign(stays.begin(), stays.end());
     const auto energies = events_of(part.results.energies, place.run, place.first_energy);
     run.energies.assign(energies.begin(), energies.end());
     if (part.trajectories.frame_count(place.run) > 0)

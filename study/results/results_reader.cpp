@@ -32,7 +32,7 @@ void read_shapes(const CheckedGroup& reader, CampaignHeader& results) {
 /// Optional parameters were added to schema 4 later, and are 0 if absent.
 std::vector<GroundParameters> read_ground_parameters(const CheckedGroup& reader, std::size_t rows) {
   std::vector<GroundParameters> parameters(rows);
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     if (!field.required && !reader.group.contains(field.name)) continue;
     const auto values = reader.column<double>(field.name, rows);
     for (std::size_t i = 0; i < rows; ++i) parameters[i].*field.value = values[i];
@@ -44,7 +44,7 @@ void read_ground_sets(const CheckedGroup& reader, CampaignHeader& results) {
   const auto groups = reader.group.read<std::string>("group");
   const std::size_t zones = results.zone_names.size();
   const auto members = reader.column<std::uint32_t>("member", groups.size());
-  reader.check_below("member", members, groups.size());
+  reader.check_values_below("member", members, groups.size());
   const auto parameters = read_ground_parameters(reader, groups.size() * zones);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const auto first = parameters.begin() + static_cast<std::ptrdiff_t>(i * zones);
@@ -92,7 +92,7 @@ void read_blocks(const CheckedGroup& reader, CampaignHeader& results) {
   const auto scale = reader.column<double>("scale", rows);
   const auto volume = reader.column<double>("volume_m3", rows);
   const auto shape = reader.column<std::uint32_t>("shape", rows);
-  reader.check_below("shape", shape, results.shapes.size());
+  reader.check_values_below("shape", shape, results.shapes.size());
   const auto moments = reader.vectors<Vec3>("principal_moments_kg_m2");
   if (moments.size() != rows)
     reader.throw_damaged("principal_moments_kg_m2", "has not one row per block");
@@ -144,7 +144,8 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
           {names[i], {begin, begin + counts[i]}, parse_counted_direction(directions[i])});
       at += counts[i];
     }
-    if (at != points.size()) reader.throw_damaged("points_m", "has more points than barriers have");
+    if (at != points.size())
+      reader.throw_damaged("points_m", "has more points than the barriers have in total");
     return;
   }
   // Schema 2 had straight barriers only.
@@ -158,7 +159,7 @@ void read_stored_barriers(const CheckedGroup& reader, CampaignHeader& results) {
   }
 }
 
-void read_ground(const CheckedGroup& reader, CampaignHeader& results) {
+void read_ground_distributions(const CheckedGroup& reader, CampaignHeader& results) {
   results.zone_names = reader.group.read<std::string>("zone");
   results.ground = read_ground_parameters(reader, results.zone_names.size());
 }
@@ -168,13 +169,13 @@ void read_terrain_group(const CheckedGroup& reader, CampaignHeader& results) {
   terrain.surface.vertices = reader.vectors<Vec3>("vertices_m");
   const std::vector<std::uint32_t> corners = reader.group.read<std::uint32_t>("triangles");
   if (corners.size() % 3 != 0) reader.throw_damaged("triangles", "is not a table of 3 columns");
-  reader.check_below("triangles", corners, terrain.surface.vertices.size());
+  reader.check_values_below("triangles", corners, terrain.surface.vertices.size());
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     terrain.surface.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
   }
   terrain.zone = reader.column<std::uint16_t>("zone", terrain.surface.triangles.size());
   terrain.zone_names = results.zone_names;
-  reader.check_below("zone", terrain.zone, terrain.zone_names.size());
+  reader.check_values_below("zone", terrain.zone, terrain.zone_names.size());
   terrain.report.notes = reader.group.read<std::string>("notes");
   terrain.sources = reader.group.read<std::string>("sources");
   const std::vector<Vec3> origin = reader.vectors<Vec3>("origin_m");
@@ -191,9 +192,9 @@ void read_rows(const CheckedGroup& reader, std::vector<Row>& rows,
                const std::map<std::string, double>& common = {}, bool contacts = true) {
   rows.resize(reader.length("run"));
   visit_columns(
-      kRowsOf<Row>, [&](const std::string& name, const auto&, const auto&, const auto& field) {
+      kRowType<Row>, [&](const std::string& name, const auto&, const auto&, const auto& field) {
         using Value = std::remove_reference_t<decltype(std::invoke(field, rows.front()))>;
-        if (!contacts && is_of_contacts(name)) {
+        if (!contacts && depends_on_contact_data(name)) {
           if constexpr (std::is_same_v<Value, double>) {
             for (Row& row : rows) std::invoke(field, row) = std::nan("");
           }
@@ -205,9 +206,9 @@ void read_rows(const CheckedGroup& reader, std::vector<Row>& rows,
             return;
           }
         }
-        const auto values = reader.column<Stored<Row, decltype(field)>>(name, rows.size());
+        const auto values = reader.column<StoredType<Row, decltype(field)>>(name, rows.size());
         if constexpr (std::is_same_v<Value, StopReason>) {
-          reader.check_below(name, values, static_cast<std::size_t>(StopReason::kError) + 1);
+          reader.check_values_below(name, values, static_cast<std::size_t>(StopReason::kError) + 1);
         }
         for (std::size_t i = 0; i < rows.size(); ++i) {
           std::invoke(field, rows[i]) = static_cast<Value>(values[i]);
@@ -216,19 +217,20 @@ void read_rows(const CheckedGroup& reader, std::vector<Row>& rows,
 }
 
 template <class Row>
-void check_below(const CheckedGroup& reader, const char* name, const std::vector<Row>& rows,
-                 std::uint32_t Row::*field, std::size_t limit) {
+void check_values_below(const CheckedGroup& reader, const char* name, const std::vector<Row>& rows,
+                        std::uint32_t Row::*field, std::size_t limit) {
   std::vector<std::uint32_t> values;
   for (const Row& row : rows) values.push_back(row.*field);
-  reader.check_below(name, values, limit);
+  reader.check_values_below(name, values, limit);
 }
 
 void check_runs(const CheckedGroup& reader, const CampaignResults& results) {
   const std::vector<RunRecord>& runs = results.runs;
-  check_below(reader, "run", runs, &RunRecord::run, results.planned_runs);
-  check_below(reader, "block", runs, &RunRecord::block, results.blocks.size());
-  check_below(reader, "ground_set", runs, &RunRecord::ground_set, results.ground_sets.size());
-  check_below(reader, "point", runs, &RunRecord::point, results.release_points.size());
+  check_values_below(reader, "run", runs, &RunRecord::run, results.planned_runs);
+  check_values_below(reader, "block", runs, &RunRecord::block, results.blocks.size());
+  check_values_below(reader, "ground_set", runs, &RunRecord::ground_set,
+                     results.ground_sets.size());
+  check_values_below(reader, "point", runs, &RunRecord::point, results.release_points.size());
   for (std::size_t i = 1; i < runs.size(); ++i) {
     if (runs[i].run <= runs[i - 1].run) {
       reader.throw_damaged("run", "holds " + std::to_string(runs[i].run) + " after " +
@@ -270,19 +272,19 @@ void read_stays(const CheckedGroup& reader, CampaignResults& results) {
                                              std::to_string(results.planned_runs) + " runs");
   }
   GroundParameters between_blocks;
-  for (const GroundParameterField& field : ground_fields()) {
+  for (const GroundParameterField& field : ground_parameter_fields()) {
     if (!field.required && !reader.group.has_attribute(field.name)) continue;
     between_blocks.*field.value = reader.group.read_attribute<double>(field.name);
   }
-  results.stay = {static_cast<std::uint32_t>(each), between_blocks};
+  results.persistent_blocks = {static_cast<std::uint32_t>(each), between_blocks};
   // Masses and removal came later still: without them, blocks came one by one, and all stayed.
   if (reader.group.has_attribute("at_once")) {
-    results.stay->at_once = reader.group.read_attribute<std::int64_t>("at_once") != 0;
+    results.persistent_blocks->at_once = reader.group.read_attribute<std::int64_t>("at_once") != 0;
   }
   std::map<std::string, double> absent;
   if (!reader.group.contains("removed_at_s")) absent["removed_at_s"] = std::nan("");
-  read_rows(reader, results.stays, absent, results.has_contacts());
-  check_events(reader, results.stays, results);
+  read_rows(reader, results.persistent_block_records, absent, results.has_contacts());
+  check_events(reader, results.persistent_block_records, results);
 }
 
 }  // namespace
@@ -327,16 +329,16 @@ CampaignResults read_results(const fs::path& path) {
   results.release_points = root.vectors<Vec3>("release_points_m");
   results.release_sets = root.group.read<std::string>("release_sets");
   results.set_of_point = root.column<std::uint32_t>("set_of_point", results.release_points.size());
-  root.check_below("set_of_point", results.set_of_point, results.release_sets.size());
+  root.check_values_below("set_of_point", results.set_of_point, results.release_sets.size());
   read_shapes(root.open_group("shapes"), results);
   read_blocks(root.open_group("blocks"), results);
   read_stored_barriers(root.open_group("barriers"), results);
-  read_ground(root.open_group("ground"), results);
+  read_ground_distributions(root.open_group("ground"), results);
   read_ground_sets(root.open_group("ground_sets"), results);
 
   const Hdf5Group contact = root.group.open_group("contact");
   results.law = parse_contact_law(contact.read_attribute<std::string>("law"));
-  results.weights = parse_contact_weighting(contact.read_attribute<std::string>("weights"));
+  results.weighting = parse_contact_weighting(contact.read_attribute<std::string>("weights"));
   read_terrain_group(root.open_group("terrain"), results);
 
   read_rows(root.open_group("runs"), results.runs, common_stiffness(contact),
@@ -344,10 +346,11 @@ CampaignResults read_results(const fs::path& path) {
   check_runs(root.open_group("runs"), results);
   const CheckedGroup crossings = root.open_group("crossings"), impacts = root.open_group("impacts");
   read_rows(crossings, results.crossings);
-  check_below(crossings, "barrier", results.crossings, &Crossing::barrier, results.barriers.size());
+  check_values_below(crossings, "barrier", results.crossings, &Crossing::barrier,
+                     results.barriers.size());
   check_events(crossings, results.crossings, results);
   read_rows(impacts, results.impacts);
-  check_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
+  check_values_below(impacts, "zone", results.impacts, &Impact::zone, results.zone_names.size());
   check_events(impacts, results.impacts, results);
   if (root.group.contains("stays")) read_stays(root.open_group("stays"), results);
   if (root.group.contains("energies")) {

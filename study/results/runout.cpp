@@ -4,7 +4,7 @@
 
 namespace clast {
 
-RunoutDistances runout(const Vec3& start, const Vec3& stop, const Vec2& downslope) {
+RunoutMeasures compute_runout(const Vec3& start, const Vec3& stop, const Vec2& downslope) {
   const Vec2 offset = (stop - start).head<2>();
   const Vec2 right(downslope.y(), -downslope.x());
   const double along = offset.dot(downslope);

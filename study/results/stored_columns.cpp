@@ -19,8 +19,8 @@ TableCell cell_of(StopReason value) { return name_of(value); }
 template <class Row>
 TableColumns<Row> stored_columns() {
   TableColumns<Row> columns;
-  visit_columns(kRowsOf<Row>, [&](const std::string& name, const std::string& unit,
-                                  const std::string& meaning, const auto& field) {
+  visit_columns(kRowType<Row>, [&](const std::string& name, const std::string& unit,
+                                   const std::string& meaning, const auto& field) {
     columns.push_back({name, unit, meaning,
                        [field](const Row& row) { return cell_of(std::invoke(field, row)); }});
   });
@@ -29,7 +29,7 @@ TableColumns<Row> stored_columns() {
 
 }  // namespace
 
-bool is_of_contacts(std::string_view column) {
+bool depends_on_contact_data(std::string_view column) {
   static constexpr std::string_view kColumns[] = {"max_penetration_m",   "settled_penetration_m",
                                                   "energy_normal_j",     "energy_friction_j",
                                                   "energy_rolling_j",    "energy_reassigned_j",

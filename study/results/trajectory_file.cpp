@@ -39,16 +39,17 @@ Trajectory TrajectoryFile::read(std::uint32_t run) const {
     const bool any = !reader.group.child_names().empty();
     throw InputError(reader.file + ": no trajectory of run " + std::to_string(run) + "; " +
                      (any ? "there is no such run"
-                          : "none are stored, set [run] trajectory_interval_s above zero"));
+                          : "none are stored; set [run] trajectory_interval_s above zero"));
   }
   const std::vector<double> rows = reader.group.read<double>(name);
   Trajectory trajectory;
   trajectory.time.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count));
   trajectory.states.resize(count);
   auto value = rows.begin() + static_cast<std::ptrdiff_t>(count);
-  visit_columns(kRowsOf<RigidState>, [&](const auto&, const auto&, const auto&, const auto& field) {
-    for (RigidState& state : trajectory.states) field(state) = *value++;
-  });
+  visit_columns(kRowType<RigidState>,
+                [&](const auto&, const auto&, const auto&, const auto& field) {
+                  for (RigidState& state : trajectory.states) field(state) = *value++;
+                });
   return trajectory;
 }
 

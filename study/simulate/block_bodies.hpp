@@ -10,8 +10,8 @@ namespace clast {
 
 RigidBody rigid_body(const Block& block);
 
-/// Rigid bodies of all blocks. One body is stored per library block. Scaled bodies are made on
-/// access, because a campaign may sample hundreds of thousands of blocks of different sizes.
+/// Rigid bodies of all blocks of a campaign. One body is stored per library block; scaled bodies
+/// are made on access.
 class BlockBodies {
  public:
   BlockBodies() = default;
@@ -26,13 +26,13 @@ class BlockBodies {
   }
 
  private:
-  struct Scaled {
+  struct ScaledBody {
     std::size_t of_library;
     double scale;
     std::uint32_t first_equal_body;
   };
   std::vector<RigidBody> library_;
-  std::vector<Scaled> blocks_;
+  std::vector<ScaledBody> blocks_;
 };
 
 }  // namespace clast

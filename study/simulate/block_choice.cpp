@@ -43,21 +43,22 @@ std::vector<Block> selected_from(const BlockLibrary& library, const Campaign& ca
 
 /// The bodies that are made of the blocks, in place of them.
 void vary(const Campaign& campaign, const BlockLibrary& library,
-          const BlockPreparationOptions& making, CampaignBlocks& choice) {
-  SeriesRequest request = *campaign.blocks.vary;
+          const BlockPreparationOptions& preparation, CampaignBlocks& choice) {
+  VariationSeriesRequest request = *campaign.blocks.vary;
   request.library = campaign.blocks.library;
   for (const Block& block : choice.library) request.ids.push_back(block.id);
-  request.options.threads = making.threads;
-  request.options.progress = making.progress;
+  request.options.threads = preparation.threads;
+  request.options.progress = preparation.progress;
   const auto of_campaign = [&](const std::string& message) {
     return campaign.file.string() + ": [blocks] vary: " + remove_backticks(message);
   };
-  SeriesResult made = with_rewritten_error(of_campaign, [&] {
-    SeriesResult series = make_series(request, library);
+  VariationSeriesResult made = with_rewritten_error(of_campaign, [&] {
+    VariationSeriesResult series = make_variation_series(request, library);
     const std::vector<std::string>& failed = series.series.failures;
     if (!failed.empty()) {
       throw GeometryError(
-          std::to_string(failed.size()) + " of " + format_count(series.wanted, "body", "bodies") +
+          std::to_string(failed.size()) + " of " +
+          format_count(series.requested_count, "body", "bodies") +
           " can't be made; leave out the keys that request them. First reason: " + failed.front());
     }
     return series;
@@ -70,11 +71,11 @@ void vary(const Campaign& campaign, const BlockLibrary& library,
 }
 
 // A shape without a size runs only at a size that the campaign gives it.
-void check_sizes(const Campaign& campaign, const std::vector<Block>& blocks) {
+void check_block_sizes(const Campaign& campaign, const std::vector<Block>& blocks) {
   const BlockSelection& selection = campaign.blocks;
   const bool sized = selection.draw ? selection.draw->mass.has_value()
-                                    : selection.scale.kind == BlockScale::Kind::kMass ||
-                                          selection.scale.kind == BlockScale::Kind::kVolume;
+                                    : selection.scale.kind == BlockScaling::Kind::kMass ||
+                                          selection.scale.kind == BlockScaling::Kind::kVolume;
   if (sized) return;
   for (const Block& block : blocks) {
     if (!is_unscaled(block)) continue;
@@ -86,21 +87,21 @@ void check_sizes(const Campaign& campaign, const std::vector<Block>& blocks) {
 }
 
 // The factor of lengths that brings a block to the asked size.
-double scale_of(const BlockScale& scale, const Block& block, double mean_mass) {
+double scale_of(const BlockScaling& scale, const Block& block, double mean_mass) {
   switch (scale.kind) {
-    case BlockScale::Kind::kNone:
+    case BlockScaling::Kind::kNone:
       return 1.0;
-    case BlockScale::Kind::kMass:
+    case BlockScaling::Kind::kMass:
       return std::cbrt(scale.value / block.mass.mass);
-    case BlockScale::Kind::kVolume:
+    case BlockScaling::Kind::kVolume:
       return std::cbrt(scale.value / block.mass.volume);
-    case BlockScale::Kind::kEqualMass:
+    case BlockScaling::Kind::kEqualMass:
       return std::cbrt(mean_mass / block.mass.mass);
   }
   return 1.0;
 }
 
-std::vector<CampaignBlock> all_of(const std::vector<Block>& blocks, const BlockScale& scale) {
+std::vector<CampaignBlock> all_of(const std::vector<Block>& blocks, const BlockScaling& scale) {
   double sum = 0.0;
   for (const Block& block : blocks) sum += block.mass.mass;
   std::vector<CampaignBlock> chosen;
@@ -204,14 +205,14 @@ std::size_t count_of_volume(const Campaign& campaign, const std::vector<Block>& 
   const double asked = *campaign.blocks.draw->volume;
   const double each = mean_drawn_volume(campaign, blocks);
   const double count = std::round(asked / each);
-  if (count >= 1.0 && count <= static_cast<double>(study_detail::kMaxPerSet)) {
+  if (count >= 1.0 && count <= static_cast<double>(study_detail::kMaxItemsPerSet)) {
     return static_cast<std::size_t>(count);
   }
   throw InputError(
       campaign.file.string() + ": [blocks] draw volume_m3 = " + format_significant(asked, 6) +
       " comes to " + format_significant(asked / each, 3) + " blocks of " +
       format_significant(each, 3) + " m^3 on average; the number must round to 1 to " +
-      std::to_string(study_detail::kMaxPerSet) + ", so give another volume_m3 or mass_kg");
+      std::to_string(study_detail::kMaxItemsPerSet) + ", so give another volume_m3 or mass_kg");
 }
 
 // Draws need not touch every block of the library.
@@ -231,13 +232,14 @@ void drop_unused(CampaignBlocks& choice) {
 
 }  // namespace
 
-CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making) {
+CampaignBlocks choose_campaign_blocks(const Campaign& campaign,
+                                      const BlockPreparationOptions& preparation) {
   CampaignBlocks choice;
   const BlockLibrary library = BlockLibrary::read(campaign.blocks.library);
   choice.library = selected_from(library, campaign);
-  if (campaign.blocks.vary) vary(campaign, library, making, choice);
+  if (campaign.blocks.vary) vary(campaign, library, preparation, choice);
   for (const BlockGroup& group : campaign.groups) check_named(campaign, group, library, choice);
-  check_sizes(campaign, choice.library);
+  check_block_sizes(campaign, choice.library);
   choice.blocks = campaign.blocks.draw ? sample_blocks(campaign, choice.library)
                                        : all_of(choice.library, campaign.blocks.scale);
   put_in_groups(campaign, choice);
@@ -256,7 +258,8 @@ std::vector<CampaignBlock> sample_blocks(const Campaign& campaign,
   std::vector<CampaignBlock> drawn;
   const std::vector<std::size_t> counts =
       allocate_quotas(shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
-  const std::uint32_t draws = campaign.stay ? campaign.stay->realisations : 1;
+  const std::uint32_t draws =
+      campaign.persistent_blocks ? campaign.persistent_blocks->realisations : 1;
   for (std::uint32_t k = 0; k < draws; ++k) {
     Random random(k == 0
                       ? draw.seed
@@ -283,7 +286,8 @@ std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling&
         found != draw.set_shares.end() ? found->second : share;
   }
   if (set > 1.0 || (others <= 0.0 && set != 1.0)) {
-    throw InputError("the shares of classes that are set add up to " + format_significant(set, 6) +
+    throw InputError("the fractions of the classes that are set add up to " +
+                     format_significant(set, 6) +
                      (set > 1.0 ? ", more than 1" : ", and no other class makes up the rest"));
   }
   std::vector<std::pair<std::string, double>> shares = draw.shares;

@@ -12,49 +12,49 @@
 namespace clast {
 
 struct CampaignBlock {
-  std::string id;  ///< id of the library block; for sampled blocks, with a number: "SP1A#7"
+  std::string id;  ///< id of the library block; with a number for sampled blocks, such as "SP1A#7"
   std::size_t library = 0;  ///< index into CampaignBlocks::library
   double scale = 1.0;       ///< scale of lengths
-  std::size_t group = 0;    ///< 0: no group; otherwise 1 + index into Campaign::groups
+  std::size_t group = 0;    ///< 0 if in no group; otherwise 1 + index into Campaign::groups
 };
 
 /// Blocks of a campaign and the library blocks from which they are made.
 struct CampaignBlocks {
-  std::vector<Block> library;        ///< library blocks that occur, unscaled
+  std::vector<Block> library;        ///< unscaled library blocks
   std::vector<std::string> parents;  ///< ids of blocks from which others were varied
-  std::vector<std::string> notes;    ///< notes on the table from which shapes were sampled
-  /// Blocks of the campaign. Persistent sampled blocks are ordered by realisation.
+  std::vector<std::string> notes;  ///< notes on the population table from which shapes were sampled
+  /// Blocks of the campaign; sampled persistent blocks are ordered by realisation.
   std::vector<CampaignBlock> blocks;
 };
 
-/// Execution options for varying blocks; they do not affect the result.
+/// Number of threads and progress function for the preparation of blocks. They do not affect the
+/// result.
 struct BlockPreparationOptions {
   unsigned threads = 0;  ///< number of threads; 0: one per core
-  ProgressCallback progress =
-      {};  ///< called for each finished body, from any thread, one call at a time
+  /// Function called for each finished body, from any thread, one call at a time.
+  ProgressCallback progress = {};
 };
 
-/// Selects, varies, samples and scales blocks for [blocks] and [[block_group]]; varied ones by id.
-/// @throws InputError  if an id is missing, nothing is selected, a block without scale gets no mass
-///                     or volume, a sampled class has no block, a group has no block, names an
-///                     unknown block or shares one with another group, or a body is requested twice
+/// Selects, varies, samples and scales the blocks of a campaign and assigns them to groups.
+/// @throws InputError  if an id is missing, nothing is selected, a block has no scale, a sampled
+///                     class or a group has no block, or a block is in two groups
 /// @throws GeometryError  if a body cannot be made
-CampaignBlocks choose_blocks(const Campaign& campaign, const BlockPreparationOptions& making = {});
+CampaignBlocks choose_campaign_blocks(const Campaign& campaign,
+                                      const BlockPreparationOptions& preparation = {});
 
-/// Reads the library blocks that [blocks] selects. They are neither sampled nor scaled.
+/// Reads the library blocks that a campaign selects, neither sampled nor scaled.
 /// @throws InputError  if an id is missing or nothing is selected
 std::vector<Block> read_selected_blocks(const Campaign& campaign);
 
-/// Samples blocks as requested by `draw` in [blocks].
+/// Samples the blocks of a campaign at random from the selected library blocks.
 /// @param pool  selected blocks, to which samples refer by index
-/// @throws InputError  if a sampled class has no block, class fractions are invalid
-///                     (`class_fractions`), or the requested volume is less than half a block or
-///                     needs too many blocks
+/// @throws InputError  if a sampled class has no block, class fractions are invalid, or the
+///                     requested volume needs less than half a block or too many
 std::vector<CampaignBlock> sample_blocks(const Campaign& campaign, const std::vector<Block>& pool);
 
-/// Returns the class fractions of a sampling, with sum 1. If empty, those of the selection are
-/// used. Fractions in `set_shares` are kept; the other classes share the rest in their proportions.
-/// @throws InputError  if fractions in `set_shares` exceed 1, or are below 1 without another class
+/// Returns the fraction of each class in a random sampling, with sum 1. Empty if the fractions of
+/// the selected blocks are used.
+/// @throws InputError  if the given fractions do not add up to 1
 std::vector<std::pair<std::string, double>> class_fractions(const BlockSampling& draw);
 
 /// Divides `count` items by fractions, using the largest-remainder method.

@@ -14,11 +14,11 @@ CampaignCheck check(const std::filesystem::path& file, const std::optional<std::
   CampaignCheck result;
   std::vector<std::string>& findings = result.findings;
   const PartReader read = collect_findings(findings);
-  const Campaign campaign = read_by_parts(file, text, read);
+  const Campaign campaign = read_campaign_by_parts(file, text, read);
   if (findings.empty() && read([&] { result.prepared.emplace(prepare_campaign(campaign)); }))
     return result;
   // Library and terrain are judged each by itself.
-  if (!campaign.blocks.library.empty()) read([&] { choose_blocks(campaign); });
+  if (!campaign.blocks.library.empty()) read([&] { choose_campaign_blocks(campaign); });
   if (!campaign.terrain.surface.empty()) {
     read([&] {
       const Terrain terrain = read_terrain(campaign.terrain);

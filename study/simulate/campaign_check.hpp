@@ -10,16 +10,15 @@
 namespace clast {
 
 struct CampaignCheck {
-  /// Errors that prevent the campaign from running. They include the first error of each table of
-  /// the file, and errors of library, terrain and starts if these could be checked.
+  /// Errors of campaign file, library, terrain and starts, which prevent the campaign from running.
   std::vector<std::string> findings;
-  std::optional<CampaignPlan> prepared;  ///< the prepared campaign; empty if there are errors
+  std::optional<CampaignPlan> prepared;  ///< prepared campaign; empty if there are errors
 };
 
 /// Checks a campaign file. Errors in the campaign and files that it names are returned, not thrown.
 CampaignCheck check_campaign(const std::filesystem::path& file);
 /// Checks a campaign given as text.
-/// @param text, file  see `parse_campaign`
+/// @param text, file  text and path of the campaign, as for `parse_campaign`
 CampaignCheck check_campaign_text(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace clast

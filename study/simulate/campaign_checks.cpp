@@ -119,16 +119,17 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
   };
   const CampaignHeader& header = prepared.header;
   std::pair<double, std::string> largest{0.0, ""};
-  if (header.stay) largest = {header.stay->between_blocks.energy_restitution, "contact.blocks"};
+  if (header.persistent_blocks)
+    largest = {header.persistent_blocks->between_blocks.energy_restitution, "contact.blocks"};
   for (std::size_t zone = 0; zone < header.ground.size(); ++zone) {
-    double most = header.ground[zone].energy_restitution;
+    double maximum = header.ground[zone].energy_restitution;
     for (const GroundParameterSet& set : header.ground_sets) {
-      most = std::max(most, set.zones[zone].energy_restitution);
+      maximum = std::max(maximum, set.zones[zone].energy_restitution);
     }
-    question("ground." + header.zone_names[zone], most);
-    largest = std::max(largest, {most, "ground." + header.zone_names[zone]});
+    question("ground." + header.zone_names[zone], maximum);
+    largest = std::max(largest, {maximum, "ground." + header.zone_names[zone]});
   }
-  if (header.stay && largest.first > kMaxUnbalanced) {
+  if (header.persistent_blocks && largest.first > kMaxUnbalanced) {
     throw InputError(prepared.campaign.file.string() + ": [" + largest.second +
                      "] energy_restitution = " + format_significant(largest.first, 4) +
                      " returns more than half of the energy of an impact; persistent blocks or "
@@ -137,7 +138,8 @@ void tell_of_restitution(const CampaignPlan& prepared, std::vector<std::string>&
                      format_significant(kMaxUnbalanced, 2) +
                      ", or release the blocks one at a time");
   }
-  if (header.stay) question("contact.blocks", header.stay->between_blocks.energy_restitution);
+  if (header.persistent_blocks)
+    question("contact.blocks", header.persistent_blocks->between_blocks.energy_restitution);
 }
 
 void tell_of_releases(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
@@ -167,11 +169,11 @@ int places_that_fall_forward(const Barrier& barrier, const TerrainSurface& surfa
   const Bounds& ground = surface.extent();
   const double beside = 0.01 * (ground.high - ground.low).head<2>().norm(), top = ground.high.z();
   int forward = 0;
-  for (std::size_t i = 0; i + 1 < barrier.through.size(); ++i) {
-    const Vec2 along = barrier.through[i + 1] - barrier.through[i];
+  for (std::size_t i = 0; i + 1 < barrier.vertices.size(); ++i) {
+    const Vec2 along = barrier.vertices[i + 1] - barrier.vertices[i];
     const Vec2 left = beside * Vec2(-along.y(), along.x()).normalized();
     for (int k = 0; k < kPlaces; ++k) {
-      const Vec2 place = barrier.through[i] + (k + 0.5) / kPlaces * along;
+      const Vec2 place = barrier.vertices[i] + (k + 0.5) / kPlaces * along;
       const auto on_left = surface.height_at(place.x() + left.x(), place.y() + left.y(), top);
       const auto on_right = surface.height_at(place.x() - left.x(), place.y() - left.y(), top);
       if (on_left && on_right) forward += *on_left > *on_right ? 1 : -1;
@@ -183,16 +185,16 @@ int places_that_fall_forward(const Barrier& barrier, const TerrainSurface& surfa
 void tell_of_barriers(const CampaignPlan& prepared, std::vector<std::string>& warnings) {
   const Bounds& ground = prepared.surface->extent();
   for (const Barrier& barrier : prepared.header.barriers) {
-    Vec2 low = barrier.through.front(), high = low;
-    for (const Vec2& point : barrier.through) {
+    Vec2 low = barrier.vertices.front(), high = low;
+    for (const Vec2& point : barrier.vertices) {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
     if ((high.array() < ground.low.head<2>().array()).any() ||
         (low.array() > ground.high.head<2>().array()).any()) {
-      warnings.push_back("barrier " + barrier.name +
-                         " lies off the terrain, so nothing can cross it; its points are x, y of "
-                         "the z-up map");
+      warnings.push_back(
+          "barrier " + barrier.name +
+          " is outside the terrain, so no block can cross it; its points are x, y of the z-up map");
     } else if (barrier.counted == CountedDirection::kForward &&
                places_that_fall_forward(barrier, *prepared.surface) < 0) {
       warnings.push_back("barrier " + barrier.name +
@@ -226,7 +228,7 @@ std::string describe_unusual_size(const std::string& block, double length, doubl
          format_significant(mass / 1000.0, 3) + " t heavy; usually " + usual;
 }
 
-void check_sizes(const CampaignPlan& prepared) {
+void check_block_sizes(const CampaignPlan& prepared) {
   if (prepared.campaign.blocks.any_size) return;
   const Bounds ground = bounds(prepared.header.terrain.surface);
   const double extent = (ground.high - ground.low).head<2>().maxCoeff();
@@ -239,12 +241,12 @@ void check_sizes(const CampaignPlan& prepared) {
   }
 }
 
-void check_falls(const CampaignPlan& prepared) {
+void check_fall_speeds(const CampaignPlan& prepared) {
   const double lowest = prepared.surface->extent().low.z();
   for (const RunRecord& run : prepared.runs) {
     const double height = std::max(0.0, run.start.position.z() - lowest);
     const double speed = std::sqrt(2.0 * prepared.campaign.gravity * height);
-    if (!(speed > kMaxSpeed)) continue;
+    if (!(speed > kMaxInitialSpeed)) continue;
     throw InputError(prepared.campaign.file.string() + ": release point " +
                      std::to_string(run.point + 1) + " is " + format_decimals(height, 3) +
                      " m above the lowest ground, where its blocks could arrive with " +
@@ -270,7 +272,7 @@ std::vector<std::string> check_campaign_settings(const CampaignPlan& prepared) {
     smallest = std::min(smallest, block.axes.S);
     largest = std::max(largest, block.axes.S);
   }
-  warn(cell_size_warning(prepared.header.terrain, smallest, largest));
+  warn(edge_length_warning(prepared.header.terrain, smallest, largest));
   if (prepared.campaign.border_distance) {
     for (const ReleaseSet& release : prepared.campaign.releases) {
       warn(border_warning(prepared.header.terrain, release.points,

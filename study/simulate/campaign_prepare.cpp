@@ -76,14 +76,14 @@ CampaignHeader header_of(const CampaignPlan& prepared, Terrain terrain) {
   }
   const Vec2 origin = terrain.frame.origin.head<2>();
   for (Barrier barrier : campaign.barriers) {
-    for (Vec2& point : barrier.through) point -= origin;
+    for (Vec2& point : barrier.vertices) point -= origin;
     header.barriers.push_back(barrier);
   }
   header.zone_names = terrain.zone_names;
   header.ground_sets = sample_ground_sets(campaign, terrain.zone_names);
   header.ground = compute_median_ground(campaign, terrain.zone_names);
   header.law = campaign.stiffness.law;
-  header.weights = campaign.weights;
+  header.weighting = campaign.weighting;
   header.frame = terrain.frame;
   header.downslope = campaign.downslope;
   header.terrain = std::move(terrain);
@@ -98,26 +98,28 @@ void resample_blocks(CampaignPlan& prepared) {
   prepared.header.blocks = block_summaries(prepared);
 }
 
-CampaignPlan prepare_campaign(const Campaign& campaign, const BlockPreparationOptions& making) {
+CampaignPlan prepare_campaign(const Campaign& campaign,
+                              const BlockPreparationOptions& preparation) {
   CampaignPlan prepared;
   prepared.campaign = campaign;
-  prepared.choice = choose_blocks(campaign, making);
+  prepared.choice = choose_campaign_blocks(campaign, preparation);
   if (std::optional<BlockSampling>& draw = prepared.campaign.blocks.draw) {
     // Later redraws give the same number of blocks.
-    draw->count = prepared.choice.blocks.size() / (campaign.stay ? campaign.stay->realisations : 1);
+    draw->count = prepared.choice.blocks.size() /
+                  (campaign.persistent_blocks ? campaign.persistent_blocks->realisations : 1);
   }
   prepared.bodies = BlockBodies(prepared.choice);
   prepared.header = header_of(prepared, read_terrain(campaign.terrain));
   CampaignHeader& header = prepared.header;
-  check_sizes(prepared);
+  check_block_sizes(prepared);
   prepared.surface.emplace(make_terrain_surface(header.terrain, campaign.terrain_radius));
 
   plan_runs(prepared);
-  check_falls(prepared);
+  check_fall_speeds(prepared);
   std::vector<std::string> warnings = choose_run_stiffness(prepared);
-  const std::optional<PersistentBlocksPlan>& stay = campaign.stay;
+  const std::optional<PersistentBlocksPlan>& stay = campaign.persistent_blocks;
   if (stay && !stay->masses.empty() && stay->masses.front().in_place) {
-    check_mass_start(prepared, 0);
+    check_multi_block_start(prepared, 0);
   }
   header.warnings = check_campaign_settings(prepared);
   header.warnings.insert(header.warnings.begin(), warnings.begin(), warnings.end());

@@ -31,7 +31,7 @@ struct ProbeOver {};
 // Keeps finished runs, one at a time, and reports progress.
 class Collector {
  public:
-  Collector(ResultsWriter& writer, std::size_t planned, const RunOptions& options)
+  Collector(ResultsWriter& writer, std::size_t planned, const CampaignRunOptions& options)
       : writer_(writer),
         before_(writer.completed_runs()),
         done_(before_.size()),
@@ -70,7 +70,7 @@ class Collector {
   std::vector<std::uint32_t> before_;  ///< runs that were there already
   std::size_t done_;
   std::size_t planned_;
-  const RunOptions& options_;
+  const CampaignRunOptions& options_;
   std::mutex one_at_a_time_;
 };
 
@@ -78,7 +78,7 @@ class Collector {
 std::string packed_together(const std::vector<StoredRun>& runs) {
   std::string bytes;
   for (const StoredRun& run : runs) {
-    const std::string one = pack_record(run);
+    const std::string one = serialize_stored_run(run);
     const std::uint64_t length = one.size();
     bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
     bytes += one;
@@ -92,7 +92,7 @@ std::vector<StoredRun> unpacked_together(const std::string& bytes) {
     std::uint64_t length = 0;
     std::memcpy(&length, bytes.data() + at, sizeof length);
     at += sizeof length;
-    runs.push_back(unpack_record(bytes.substr(at, length)));
+    runs.push_back(deserialize_stored_run(bytes.substr(at, length)));
     at += length;
   }
   return runs;
@@ -104,14 +104,15 @@ std::vector<std::uint32_t> open_runs(const CampaignPlan& prepared, const Shard& 
                                      const std::vector<std::uint32_t>& stored) {
   const std::uint32_t together = prepared.header.runs_per_realisation();
   for (const std::uint32_t run : stored) {
-    if (shard.has(run / together)) continue;
-    throw InputError(journal_path(target).string() + ": was begun with other runs than shard " +
-                     std::to_string(shard.index) + " of " + std::to_string(shard.count) +
+    if (shard.contains(run / together)) continue;
+    throw InputError(results_journal_path(target).string() +
+                     ": was begun with other runs than shard " + std::to_string(shard.index) +
+                     " of " + std::to_string(shard.count) +
                      " has; give the shard with which it was begun, or delete it");
   }
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < prepared.runs.size(); first += together) {
-    if (!shard.has(first / together)) continue;
+    if (!shard.contains(first / together)) continue;
     const auto begin = std::lower_bound(stored.begin(), stored.end(), first);
     const auto end = std::lower_bound(begin, stored.end(), first + together);
     if (end - begin < static_cast<std::ptrdiff_t>(together)) open.push_back(first);
@@ -124,7 +125,7 @@ std::vector<std::uint32_t> open_runs(const CampaignPlan& prepared, const Shard& 
 MotionSettings motion_settings(const Campaign& campaign, const RunRecord& run) {
   return {.stiffness = run.stiffness,
           .law = campaign.stiffness.law,
-          .weights = campaign.weights,
+          .weighting = campaign.weighting,
           .gravity = campaign.gravity,
           .rest_energy = campaign.rest_energy,
           .rest_duration = campaign.rest_duration};
@@ -140,29 +141,30 @@ double probed_runout(const CampaignPlan& prepared, const StoredRun& run) {
   const Vec3& start = run.record.start.position;
   const Vec3& stop = run.record.result.final_state.position;
   if (!prepared.campaign.downslope) return (stop - start).head<2>().norm();
-  return runout(start, stop, prepared.campaign.downslope->normalized()).along;
+  return compute_runout(start, stop, prepared.campaign.downslope->normalized()).along;
 }
 
 }  // namespace
 
-TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
-  check_memory(prepared, 1, available_memory());
+RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
+  check_free_memory(prepared, 1, available_memory());
   // Steps of the golden ratio are spread evenly however many are taken.
   constexpr double kGoldenRatio = 0.61803398874989485;
   // A run that takes this many times the budget is not waited for.
   constexpr double kMaxProbe = 5.0;
   const std::uint32_t together = prepared.header.runs_per_realisation();
-  const bool at_once = prepared.header.stay && prepared.header.stay->at_once;
+  const bool at_once =
+      prepared.header.persistent_blocks && prepared.header.persistent_blocks->at_once;
   const double max_time = prepared.campaign.max_time;
   const double longest_run =  // s, simulated
-      at_once ? prepared.campaign.stay->settling_time() +
-                    prepared.campaign.stay->last_release_time() + max_time
+      at_once ? prepared.campaign.persistent_blocks->settling_time() +
+                    prepared.campaign.persistent_blocks->last_release_time() + max_time
               : together * max_time;
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  TimeProbe probe;
+  RunTimeProbe probe;
   double whole = 0.0;  // time of the runs that were not cut short
   // Simulated time, s, and what it took, of the run that goes on, halfway to its end and now.
   double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
@@ -186,8 +188,8 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
       for (const StoredRun& run : tried) {
         probe.runouts.push_back(probed_runout(prepared, run));
         const ReleaseResult& result = run.record.result;
-        if (probe.failure.empty() && result.stop_reason == StopReason::kError) {
-          probe.failure = result.message;
+        if (probe.first_failure.empty() && result.stop_reason == StopReason::kError) {
+          probe.first_failure = result.message;
         }
       }
       probe.runs += together;
@@ -195,39 +197,39 @@ TimeProbe probe_time(const CampaignPlan& prepared, double budget) {
       halfway = -1.0;
     }
   } catch (const ProbeOver&) {
-    probe.cut_short = true;
+    probe.last_run_stopped = true;
     const double taken = spent() - whole;
     if (!at_once && released > 1) {
       // If blocks are released in sequence, the others take as long as those at rest.
       whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);
     } else {
       // Flights cost little, so the second half, usually without one, shows the remaining cost.
-      probe.at_most = true;
+      probe.is_upper_bound = true;
       const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
       whole += taken + pace * (longest_run - reached);
     }
     probe.runs += together;
   }
-  if (probe.runs > 0) probe.each = whole / static_cast<double>(probe.runs);
+  if (probe.runs > 0) probe.time_per_run = whole / static_cast<double>(probe.runs);
   return probe;
 }
 
-PlannedPower planned_power(const CampaignPlan& prepared, const TimeProbe& probe) {
-  if (prepared.header.stay) return {};
+PlannedPower compute_planned_power(const CampaignPlan& prepared, const RunTimeProbe& probe) {
+  if (prepared.header.persistent_blocks) return {};
   return {prepared.runs.size(), prepared.bodies.size(), probe.runouts.size(),
-          summarise(probe.runouts).std, std::nullopt};
+          summarise_sample(probe.runouts).std, std::nullopt};
 }
 
-double estimate_time(const CampaignPlan& prepared, const TimeProbe& probe, const Shard& shard,
+double estimate_time(const CampaignPlan& prepared, const RunTimeProbe& probe, const Shard& shard,
                      unsigned threads) {
   // Realisations are computed one by one.
   const std::size_t together = prepared.header.runs_per_realisation();
-  const std::size_t items = shard.runs_of(prepared) / together;
-  return probe.each * static_cast<double>(together) * static_cast<double>(items) /
+  const std::size_t items = shard.run_count(prepared) / together;
+  return probe.time_per_run * static_cast<double>(together) * static_cast<double>(items) /
          static_cast<double>(std::clamp<std::size_t>(items, 1, threads));
 }
 
-std::size_t Shard::runs_of(const CampaignPlan& prepared) const {
+std::size_t Shard::run_count(const CampaignPlan& prepared) const {
   const std::uint32_t together = prepared.header.runs_per_realisation();
   const std::size_t items = prepared.runs.size() / together;
   return (items / count + (items % count >= index ? 1 : 0)) * together;
@@ -241,29 +243,30 @@ void Shard::check() const {
 }
 
 void run_campaign(const CampaignPlan& prepared, const std::filesystem::path& target,
-                  const RunOptions& options) {
+                  const CampaignRunOptions& options) {
   options.shard.check();
   if (!(options.checkpoint_interval >= 0.0)) {
     throw InputError("checkpoint_interval = " + format_significant(options.checkpoint_interval, 6) +
                      " s; must be 0 or more");
   }
-  const std::size_t runs = options.shard.runs_of(prepared);
-  if (options.resume && !options.replace && !std::filesystem::exists(journal_path(target)) &&
-      is_finished(target, prepared.header, runs)) {
+  const std::size_t runs = options.shard.run_count(prepared);
+  if (options.resume && !options.replace &&
+      !std::filesystem::exists(results_journal_path(target)) &&
+      has_finished_results(target, prepared.header, runs)) {
     return;
   }
   ProcessTeam* team = options.team && options.team->size() > 1 ? options.team : nullptr;
   // Processes are started one by one, so each uses one core unless another number is given.
   const unsigned threads = options.threads == 0 && team ? 1 : resolve_thread_count(options.threads);
-  check_memory(prepared,
-               std::clamp<std::size_t>(runs / prepared.header.runs_per_realisation(), 1, threads),
-               available_memory());
+  check_free_memory(
+      prepared, std::clamp<std::size_t>(runs / prepared.header.runs_per_realisation(), 1, threads),
+      available_memory());
   const ResumableRuns resumable(prepared, target, options);
   std::optional<ResultsWriter> writer;
   std::vector<std::uint32_t> open;
   const auto open_results = [&] {
     if (team && !team->is_leader()) return std::string();
-    const bool go_on = options.resume && std::filesystem::exists(journal_path(target));
+    const bool go_on = options.resume && std::filesystem::exists(results_journal_path(target));
     if (!go_on) check_results_target(target, options.replace);
     writer.emplace(go_on ? ResultsWriter::resume(target, prepared.header, runs)
                          : ResultsWriter::create(target, prepared.header, runs));

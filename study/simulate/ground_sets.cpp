@@ -18,7 +18,7 @@ namespace {
 
 using Values = std::map<std::string, GroundParameters>;  ///< by zone
 
-void check_zones(const Campaign& campaign, const std::vector<std::string>& zones) {
+void check_zone_parameters(const Campaign& campaign, const std::vector<std::string>& zones) {
   std::vector<std::string> tables;
   for (const auto& [name, parameters] : campaign.ground) tables.push_back("[ground." + name + "]");
   for (const std::string& zone : zones) {
@@ -40,8 +40,8 @@ void put(const std::map<std::string, GroundDistributions>& tables,
          const std::function<double(const Distribution&)>& take, Values& values) {
   for (const auto& [zone, table] : tables) {
     GroundParameters& parameters = values[zone];
-    for (const GroundParameterField& field : ground_fields()) {
-      if (table.*field.asked) parameters.*field.value = take(*(table.*field.asked));
+    for (const GroundParameterField& field : ground_parameter_fields()) {
+      if (table.*field.distribution) parameters.*field.value = take(*(table.*field.distribution));
     }
   }
 }
@@ -50,7 +50,7 @@ void put(const std::map<std::string, GroundDistributions>& tables,
 void put(const PosteriorDraws& posterior, std::size_t draw, Values& values) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     for (auto& [zone, parameters] : values) {
-      for (const GroundParameterField& field : ground_fields()) {
+      for (const GroundParameterField& field : ground_parameter_fields()) {
         if (posterior.parameters[i] != "ground." + zone + "." + field.name) continue;
         parameters.*field.value = posterior.draws[draw][i];
       }
@@ -64,7 +64,7 @@ std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
   if (campaign.ensemble.design != Ensemble::Design::kSobol) return std::nullopt;
   std::size_t coordinates = 0;
   const auto count = [&](const Distribution& number) {
-    coordinates += number.fixed() ? 0 : 1;
+    coordinates += number.is_fixed() ? 0 : 1;
     return 0.0;
   };
   Values values;
@@ -77,7 +77,7 @@ std::optional<SobolSequence> sobol_design(const Campaign& campaign) {
 /// Soil remembers from one release to the next, and only what a law leaves in it.
 /// @throws InputError  there is nothing to remember
 void check_soil_memory(const Campaign& campaign) {
-  const bool stays = campaign.stay.has_value();
+  const bool stays = campaign.persistent_blocks.has_value();
   if (stays && std::holds_alternative<ElastoplasticLaw>(campaign.stiffness.law)) return;
   throw InputError(
       stays ? "soil_memory_m needs [contact] law = \"elastoplastic\", which leaves residual "
@@ -104,12 +104,12 @@ std::vector<GroundParameters> in_order(const Campaign& campaign, const Values& v
 
 std::vector<GroundParameterSet> sample_ground_sets(const Campaign& campaign,
                                                    const std::vector<std::string>& zones) {
-  check_zones(campaign, zones);
+  check_zone_parameters(campaign, zones);
   const std::size_t groups = 1 + campaign.groups.size();
   const std::uint32_t members = campaign.ensemble.members;
   std::vector<GroundParameterSet> sets(groups * members);
   std::optional<SobolSequence> design = sobol_design(campaign);
-  const std::vector<std::size_t> chosen = choose_posterior_draws(campaign.ensemble);
+  const std::vector<std::size_t> chosen = choose_posterior_draw_indices(campaign.ensemble);
   // Every group draws from a sequence of its own, so that no group changes what others get.
   std::vector<Random> random = {Random(campaign.ensemble.seed)};
   for (const BlockGroup& group : campaign.groups) {
@@ -121,7 +121,7 @@ std::vector<GroundParameterSet> sample_ground_sets(const Campaign& campaign,
     Values base;
     for (std::size_t g = 0; g < groups; ++g) {
       const auto draw = [&](const Distribution& number) {
-        if (!design || number.fixed()) return number.draw(random[g]);
+        if (!design || number.is_fixed()) return number.draw(random[g]);
         return number.quantile(*share++);
       };
       if (g == 0) {

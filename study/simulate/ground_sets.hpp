@@ -8,15 +8,15 @@
 
 namespace clast::study_detail {
 
-/// Draws one set per block group and ensemble member. Sets are ordered by group, blocks in no group
-/// first, then by member. Parameters that a group omits are equal for all groups of a member.
+/// Draws the ground parameters of each block group in each ensemble member. Sets are ordered by
+/// group, blocks in no group first, then by member.
 /// @param zones  names of the zones, in the order of the terrain
 /// @throws InputError  if a zone has no parameters, or parameters have no zone
 std::vector<GroundParameterSet> sample_ground_sets(const Campaign& campaign,
                                                    const std::vector<std::string>& zones);
 
-/// Returns the parameters of blocks in no group. Uncertain parameters have their midpoint, mean or
-/// median.
+/// Returns the ground parameters of blocks in no group, with the central values of uncertain
+/// parameters.
 std::vector<GroundParameters> compute_median_ground(const Campaign& campaign,
                                                     const std::vector<std::string>& zones);
 

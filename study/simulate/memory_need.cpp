@@ -17,9 +17,9 @@ constexpr double kOfState = 14.0 * sizeof(double);
 }  // namespace
 
 double estimate_realisation_memory(const CampaignPlan& prepared) {
-  if (!prepared.header.stay) return 0.0;
+  if (!prepared.header.persistent_blocks) return 0.0;
   const Campaign& campaign = prepared.campaign;
-  const std::size_t blocks = prepared.header.stay->blocks_each;
+  const std::size_t blocks = prepared.header.persistent_blocks->blocks_per_realisation;
   double bytes = 0.0;
   for (std::size_t i = 0; i < blocks; ++i) {
     const CampaignBlock& block = prepared.choice.blocks[prepared.runs[i].block];
@@ -27,22 +27,23 @@ double estimate_realisation_memory(const CampaignPlan& prepared) {
     bytes += kOfBlock + kOfVertex * static_cast<double>(vertices);
   }
   if (campaign.trajectory_interval > 0.0) {
-    const double longest = prepared.header.stay->at_once
-                               ? campaign.max_time + campaign.stay->last_release_time()
+    const double longest = prepared.header.persistent_blocks->at_once
+                               ? campaign.max_time + campaign.persistent_blocks->last_release_time()
                                : campaign.max_time;
     bytes += kOfState * static_cast<double>(blocks) * longest / campaign.trajectory_interval;
   }
   return bytes;
 }
 
-void check_memory(const CampaignPlan& prepared, std::size_t at_a_time,
-                  std::optional<double> available) {
+void check_free_memory(const CampaignPlan& prepared, std::size_t at_a_time,
+                       std::optional<double> available) {
   const double each = estimate_realisation_memory(prepared);
   const double all = each * static_cast<double>(at_a_time);
   if (!available || all <= *available) return;
-  const std::string blocks = format_count(at_a_time, "realisation") + " of " +
-                             format_count(prepared.header.stay->blocks_each, "block") +
-                             (at_a_time > 1 ? " at a time need about " : " needs about ");
+  const std::string blocks =
+      format_count(at_a_time, "realisation") + " of " +
+      format_count(prepared.header.persistent_blocks->blocks_per_realisation, "block") +
+      (at_a_time > 1 ? " at a time need about " : " needs about ");
   throw InputError(
       prepared.campaign.file.string() + ": " + blocks + format_memory(all) + " of memory, but " +
       format_memory(*available) + " is free; use " +

@@ -26,17 +26,17 @@ class ProcessTeam {
   unsigned size() const { return size_; }
   bool is_leader() const { return rank_ == 0; }
 
-  /// Runs `prepare` on each process and checks that all succeed and return the same fingerprint.
-  /// @throws Error  if `prepare` fails in this process; SimulationError if it fails in another one,
-  ///                or if fingerprints differ
+  /// Runs `prepare` in each process and checks that all return the same text.
+  /// @throws Error  if `prepare` fails in any process, or if the texts differ
   void check_agreement(const std::function<std::string()>& prepare);
 
   /// Marks the start of a section during which the other processes depend on this one.
-  void begin() { busy_ = true; }
+  void begin_dependent_section() { busy_ = true; }
   /// Marks the end of the section that `begin` starts.
-  void end() { busy_ = false; }
+  void end_dependent_section() { busy_ = false; }
 
-  /// Sends the bytes of a finished item (none at first) to the leader and receives the next item.
+  /// Sends the result of a finished item to the leader and receives the next item. The first call
+  /// sends no result.
   /// @return empty if no item is left
   std::optional<std::size_t> exchange_item(const std::string& done);
 
@@ -46,7 +46,8 @@ class ProcessTeam {
     std::string done;
   };
   std::optional<TeamMessage> receive_message();
-  /// Sends the next item, or none, to a process. Only called by the leader.
+  /// Sends the next item to a process, or the message that no item is left. Only called by the
+  /// leader.
   void send_item(unsigned to, std::optional<std::size_t> item);
 
  private:

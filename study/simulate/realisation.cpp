@@ -143,13 +143,14 @@ SequenceSettings sequence_settings(const CampaignPlan& prepared, const RunRecord
   SequenceSettings sequence;
   WorldSettings& settings = sequence.world;
   static_cast<MotionSettings&>(settings) = motion_settings(campaign, run);
-  settings.between_bodies = campaign.stay->between_blocks;
-  sequence.at_once = !campaign.stay->masses.empty();
+  settings.between_bodies = campaign.persistent_blocks->between_blocks;
+  sequence.at_once = !campaign.persistent_blocks->masses.empty();
   sequence.max_time = campaign.max_time;
   sequence.energy_interval =
       campaign.trajectory_interval > 0.0 ? campaign.trajectory_interval : kEnergyInterval;
-  if (const double time = campaign.stay->settling_time(); time > 0.0) sequence.settle_time = time;
-  const std::vector<std::string>& cleared = campaign.stay->cleared_zones;
+  if (const double time = campaign.persistent_blocks->settling_time(); time > 0.0)
+    sequence.settle_time = time;
+  const std::vector<std::string>& cleared = campaign.persistent_blocks->cleared_zones;
   for (std::size_t zone = 0; zone < prepared.header.zone_names.size(); ++zone) {
     if (std::find(cleared.begin(), cleared.end(), prepared.header.zone_names[zone]) !=
         cleared.end()) {
@@ -196,7 +197,7 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
   std::vector<SequenceBlock> blocks;
   std::vector<std::unique_ptr<RunObserver>> observers;
   for (const RunRecord& run : planned) {
-    const std::vector<MultiBlockRelease>& masses = prepared.campaign.stay->masses;
+    const std::vector<MultiBlockRelease>& masses = prepared.campaign.persistent_blocks->masses;
     const double held = masses.empty() ? 0.0 : masses[run.point].release_time;
     blocks.push_back({shape_of_run[blocks.size()], run.start, held});
   }
@@ -219,9 +220,9 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
   if (from) serialize(*from);
   const auto with_observers = [&](const SequenceProgress& progress) {
     SequenceProgress all = progress;
-    all.save = [&](ByteWriter& to) {
+    all.save_state = [&](ByteWriter& to) {
       serialize(to);
-      progress.save(to);
+      progress.save_state(to);
     };
     after_step(all);
   };
@@ -252,10 +253,10 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
     const SequenceResult& result = results[i];
     runs.push_back(observers[i]->stored(result.release));
     runs.back().record.start.position.z() += result.raise_height;
-    if (result.settled) runs.back().record.start = *result.settled;
-    runs.back().stays.push_back({planned[i].run, result.released_at, result.raise_height,
-                                 result.later_displacement, result.blocks_hit,
-                                 result.removed_at.value_or(std::nan(""))});
+    if (result.state_after_settling) runs.back().record.start = *result.state_after_settling;
+    runs.back().persistent_block_records.push_back(
+        {planned[i].run, result.released_at, result.raise_height, result.later_displacement,
+         result.blocks_hit, result.removed_at.value_or(std::nan(""))});
   }
   runs.front().energies = std::move(energies);
   return runs;
@@ -271,7 +272,7 @@ double depth_inside(const RigidBody& body, const RigidState& state, const Vec3& 
 
 }  // namespace
 
-void check_mass_start(const CampaignPlan& prepared, std::uint32_t first) {
+void check_multi_block_start(const CampaignPlan& prepared, std::uint32_t first) {
   const std::span runs(&prepared.runs[first], prepared.header.runs_per_realisation());
   WorldSettings settings = sequence_settings(prepared, runs.front()).world;
   const double allowed = std::exchange(settings.start_overlap, 1e300);
@@ -312,10 +313,10 @@ std::vector<StoredRun> simulate_realisation(const CampaignPlan& prepared, std::u
                                             const SequenceProgressObserver& after_step,
                                             unsigned threads, const MotionObserver& observe,
                                             ByteReader* from) {
-  if (!prepared.header.stay) {
+  if (!prepared.header.persistent_blocks) {
     return {single_run(prepared, prepared.runs[first], after_step, observe)};
   }
-  const std::uint32_t each = prepared.header.stay->blocks_each;
+  const std::uint32_t each = prepared.header.persistent_blocks->blocks_per_realisation;
   return realisation(prepared, std::span(&prepared.runs[first], each), after_step, threads, from);
 }
 

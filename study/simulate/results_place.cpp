@@ -5,15 +5,16 @@
 
 namespace clast {
 
-std::filesystem::path shard_file(std::filesystem::path target, const std::optional<Shard>& shard) {
+std::filesystem::path shard_results_path(std::filesystem::path target,
+                                         const std::optional<Shard>& shard) {
   if (!shard) return target;
   const std::string part = "." + std::to_string(shard->index) + "of" + std::to_string(shard->count);
   target.replace_filename(target.stem().string() + part + target.extension().string());
   return target;
 }
 
-void refuse_interrupted(const std::filesystem::path& target) {
-  const std::filesystem::path part = journal_path(target);
+void check_not_interrupted(const std::filesystem::path& target) {
+  const std::filesystem::path part = results_journal_path(target);
   if (!std::filesystem::exists(part)) return;
   if (std::filesystem::exists(FileLock::lock_path(target))) {
     const FileLock lock(target, {.timeout = {}});  // refused while that campaign runs

@@ -72,13 +72,14 @@ void place_above_ground(const TerrainSurface& surface, const RigidBody& body, do
 
 /// A height of fall is measured under core vertices: on a slope, or over an edge, a rounded block
 /// can be in the ground all the same. It then starts in touch.
-void clear_ground(const CampaignPlan& prepared, const MeasuredBody& measured,
+void clear_ground(const CampaignPlan& prepared, const GroundOverlapBody& measured,
                   const ReleaseSet& release, std::size_t point_of_set, RunRecord& run) {
   const TerrainSurface& surface = *prepared.surface;
   const std::optional<double> depth =
       find_depth_in_ground(measured.overlap, surface, measured.body, run.start);
   if (!depth) return;
-  if (release.drop_height && lift_to_touch(measured.overlap, surface, measured.body, run.start)) {
+  if (release.drop_height &&
+      lift_to_touch_ground(measured.overlap, surface, measured.body, run.start)) {
     return;
   }
   const std::string table = release.name.empty() ? "[release]" : "[[release]] " + release.name;
@@ -218,10 +219,10 @@ class Planner {
 
  private:
   std::vector<std::uint32_t> order_of(std::uint32_t realisation, Random& random) const {
-    const std::uint32_t each = prepared_.header.stay->blocks_each;
+    const std::uint32_t each = prepared_.header.persistent_blocks->blocks_per_realisation;
     std::vector<std::uint32_t> order(each);
     std::iota(order.begin(), order.end(), prepared_.campaign.blocks.draw ? realisation * each : 0);
-    if (!prepared_.campaign.stay->random_order) return order;
+    if (!prepared_.campaign.persistent_blocks->random_order) return order;
     for (std::size_t left = order.size(); left > 1; --left) {
       std::swap(order[left - 1], order[random.uniform_index(left)]);
     }
@@ -230,7 +231,8 @@ class Planner {
 
   RunRecord start_of(std::uint32_t block, std::size_t set, std::size_t of_set, std::size_t member,
                      const Quat& orientation) {
-    const ReleaseStart& start = settings_[std::min(member, settings_.size() - 1)].starts[set];
+    const ReleaseStartSettings& start =
+        settings_[std::min(member, settings_.size() - 1)].starts[set];
     const ReleaseSet& release = prepared_.campaign.releases[set];
     const Block& source = prepared_.choice.library[prepared_.choice.blocks[block].library];
     RunRecord run;
@@ -263,9 +265,9 @@ class Planner {
   }
 
   CampaignPlan& prepared_;
-  std::vector<MemberSettings> settings_;
+  std::vector<EnsembleMemberSettings> settings_;
   std::vector<std::vector<Vec3>> points_;  ///< of each release set, local frame
-  MeasuredBodies bodies_;
+  GroundOverlapBodyCache bodies_;
   std::optional<MultiBlockPlacement> mass_;
 };
 
@@ -273,8 +275,8 @@ class Planner {
 void check_count(const Campaign& campaign, std::size_t blocks) {
   constexpr double kMaxRuns = 99'999'999.0;
   double count = static_cast<double>(blocks);
-  if (campaign.stay) {
-    if (!campaign.blocks.draw) count *= campaign.stay->realisations;
+  if (campaign.persistent_blocks) {
+    if (!campaign.blocks.draw) count *= campaign.persistent_blocks->realisations;
   } else {
     double per_block = 0.0;
     for (const ReleaseSet& release : campaign.releases) {
@@ -290,7 +292,7 @@ void check_count(const Campaign& campaign, std::size_t blocks) {
 }
 
 /// Mean start of all runs of a release point.
-Vec3 middle_of_starts(const std::vector<RunRecord>& runs, std::uint32_t point) {
+Vec3 mean_start(const std::vector<RunRecord>& runs, std::uint32_t point) {
   Vec3 sum = Vec3::Zero();
   double count = 0.0;
   for (const RunRecord& run : runs) {
@@ -308,12 +310,13 @@ void plan_runs(CampaignPlan& prepared) {
   CampaignHeader& header = prepared.header;
   check_count(campaign, prepared.bodies.size());
   Planner planner(prepared);
-  if (campaign.stay) {
-    const std::size_t each =
-        prepared.bodies.size() / (campaign.blocks.draw ? campaign.stay->realisations : 1);
-    const bool at_once = !campaign.stay->masses.empty();
-    header.stay = {static_cast<std::uint32_t>(each), campaign.stay->between_blocks, at_once};
-    for (std::uint32_t i = 0; i < campaign.stay->realisations; ++i) {
+  if (campaign.persistent_blocks) {
+    const std::size_t each = prepared.bodies.size() /
+                             (campaign.blocks.draw ? campaign.persistent_blocks->realisations : 1);
+    const bool at_once = !campaign.persistent_blocks->masses.empty();
+    header.persistent_blocks = {static_cast<std::uint32_t>(each),
+                                campaign.persistent_blocks->between_blocks, at_once};
+    for (std::uint32_t i = 0; i < campaign.persistent_blocks->realisations; ++i) {
       at_once ? planner.plan_mass(i) : planner.plan_realisation(i);
     }
   } else {
@@ -329,9 +332,9 @@ void plan_runs(CampaignPlan& prepared) {
   }
   if (!prepared.masses.empty()) {
     // A mass counts as released from its middle.
-    for (std::uint32_t mass = 0; mass < campaign.stay->masses.size(); ++mass) {
+    for (std::uint32_t mass = 0; mass < campaign.persistent_blocks->masses.size(); ++mass) {
       header.set_of_point.push_back(mass);
-      header.release_points.push_back(middle_of_starts(prepared.runs, mass));
+      header.release_points.push_back(mean_start(prepared.runs, mass));
     }
     return;
   }
@@ -341,8 +344,8 @@ void plan_runs(CampaignPlan& prepared) {
   }
 }
 
-std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared,
-                                         std::span<const std::uint32_t> numbers) {
+std::vector<RunRecord> plan_selected_runs(CampaignPlan& prepared,
+                                          std::span<const std::uint32_t> numbers) {
   Planner planner(prepared);
   std::vector<RunRecord> runs;
   for (const std::uint32_t number : numbers) runs.push_back(planner.planned_run(number));

@@ -8,18 +8,19 @@
 
 namespace clast::study_detail {
 
-/// Plans all runs and completes the header. The stiffness of the runs is not set.
+/// Plans all runs of a campaign and their starts, and completes its header. The stiffness of the
+/// runs is not set.
 /// @param prepared  plan with campaign, blocks, terrain and header
 /// @throws InputError  if a point is outside the terrain, or there are more than 99,999,999 runs
 /// @throws SimulationError  if a start is inside the ground; names run, block, point, orientation
 ///                          and depth
 void plan_runs(CampaignPlan& prepared);
 
-/// Plans the runs with the given indices, with the present settings of the campaign.
+/// Plans single runs of a campaign again, with its present settings.
 /// @param prepared  planned campaign without persistent blocks; since then, blocks and starts may
 ///                  have changed, but not their numbers
 /// @throws SimulationError  if a start is inside the ground
-std::vector<RunRecord> make_planned_runs(CampaignPlan& prepared,
-                                         std::span<const std::uint32_t> numbers);
+std::vector<RunRecord> plan_selected_runs(CampaignPlan& prepared,
+                                          std::span<const std::uint32_t> numbers);
 
 }  // namespace clast::study_detail

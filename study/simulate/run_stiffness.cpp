@@ -26,9 +26,9 @@ double fastest_speed(const RunRecord& run, const BlockSummary& block, double low
 /// The worst that the runs of a block meet.
 struct Worst {
   double fastest = 0.0;
-  GroundRequirements ground;
+  GroundStiffnessInputs ground;
 
-  void include(double speed, const GroundRequirements& other) {
+  void include(double speed, const GroundStiffnessInputs& other) {
     fastest = std::max(fastest, speed);
     ground.include(other);
   }
@@ -37,20 +37,20 @@ struct Worst {
 /// Blocks that may touch each other share one stiffness: that of the most demanding start, ground
 /// and contact between blocks of their realisation.
 std::vector<std::string> settle_together(CampaignPlan& prepared,
-                                         const std::vector<BodyRequirements>& bodies,
-                                         const std::vector<GroundRequirements>& grounds) {
+                                         const std::vector<BodyStiffnessInputs>& bodies,
+                                         const std::vector<GroundStiffnessInputs>& grounds) {
   const Campaign& campaign = prepared.campaign;
-  const std::vector<MemberSettings> members = sample_member_settings(campaign);
-  const std::size_t each = prepared.header.stay->blocks_each;
-  const GroundRequirements between =
-      ground_requirements(std::span(&campaign.stay->between_blocks, 1), campaign.stiffness.law);
+  const std::vector<EnsembleMemberSettings> members = sample_member_settings(campaign);
+  const std::size_t each = prepared.header.persistent_blocks->blocks_per_realisation;
+  const GroundStiffnessInputs between = ground_stiffness_inputs(
+      std::span(&campaign.persistent_blocks->between_blocks, 1), campaign.stiffness.law);
   const double lowest = prepared.surface->extent().low.z();
   std::vector<std::string> warnings;
   for (std::size_t first = 0; first < prepared.runs.size(); first += each) {
     const std::span runs(&prepared.runs[first], each);
     Worst worst;
     worst.include(0.0, between);
-    std::vector<BodyRequirements> together;
+    std::vector<BodyStiffnessInputs> together;
     for (const RunRecord& run : runs) {
       worst.include(fastest_speed(run, prepared.header.blocks[run.block], lowest, campaign.gravity),
                     grounds[run.ground_set]);
@@ -58,12 +58,12 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
     }
     const std::size_t member = std::min<std::size_t>(runs.front().ground_set, members.size() - 1);
     StiffnessOptions options = members[member].stiffness;
-    options.multi_block = prepared.header.stay->at_once;
+    options.multi_block = prepared.header.persistent_blocks->at_once;
     const StiffnessChoice choice =
         choose_stiffness(together, worst.ground, worst.fastest, campaign.gravity, options);
     for (RunRecord& run : runs) {
       run.stiffness = choice.stiffness;
-      run.rest_depth = choice.settled_depth;
+      run.settled_depth = choice.settled_depth;
       run.impact_depth = choice.impact_depth;
       release_settings(campaign, run).check();
     }
@@ -78,20 +78,20 @@ std::vector<std::string> settle_together(CampaignPlan& prepared,
 }  // namespace
 
 std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
-  const std::vector<MemberSettings> members = sample_member_settings(prepared.campaign);
+  const std::vector<EnsembleMemberSettings> members = sample_member_settings(prepared.campaign);
   const double gravity = prepared.campaign.gravity;
   const double lowest = prepared.surface->extent().low.z();
-  std::vector<GroundRequirements> grounds;
+  std::vector<GroundStiffnessInputs> grounds;
   for (const GroundParameterSet& set : prepared.header.ground_sets) {
-    grounds.push_back(ground_requirements(set.zones, prepared.campaign.stiffness.law));
+    grounds.push_back(ground_stiffness_inputs(set.zones, prepared.campaign.stiffness.law));
   }
-  std::vector<BodyRequirements> bodies;
+  std::vector<BodyStiffnessInputs> bodies;
   for (std::size_t i = 0; i < prepared.bodies.size(); ++i) {
     const std::uint32_t first = prepared.bodies.first_equal_body(i);
-    bodies.push_back(first < i ? bodies[first] : body_requirements(prepared.bodies[i]));
+    bodies.push_back(first < i ? bodies[first] : body_stiffness_inputs(prepared.bodies[i]));
   }
-  if (prepared.header.stay) return settle_together(prepared, bodies, grounds);
-  const auto choose = [&](std::size_t block, const GroundRequirements& ground, double fastest,
+  if (prepared.header.persistent_blocks) return settle_together(prepared, bodies, grounds);
+  const auto choose = [&](std::size_t block, const GroundStiffnessInputs& ground, double fastest,
                           const StiffnessOptions& options) {
     return with_error_context("block " + prepared.header.blocks[block].id, [&] {
       return choose_stiffness(std::span(&bodies[block], 1), ground, fastest, gravity, options);
@@ -106,13 +106,13 @@ std::vector<std::string> choose_run_stiffness(CampaignPlan& prepared) {
         choose(run.block, grounds[run.ground_set], fastest,
                members[std::min<std::size_t>(member, members.size() - 1)].stiffness);
     run.stiffness = choice.stiffness;
-    run.rest_depth = choice.settled_depth;
+    run.settled_depth = choice.settled_depth;
     run.impact_depth = choice.impact_depth;
     release_settings(prepared.campaign, run).check();
     worst[run.block].include(fastest, grounds[run.ground_set]);
   }
 
-  const StiffnessOptions central = central_settings(prepared.campaign).stiffness;
+  const StiffnessOptions central = central_member_settings(prepared.campaign).stiffness;
   std::vector<std::string> warnings;
   std::size_t named = 0, others = 0;
   for (std::size_t block = 0; block < bodies.size(); ++block) {

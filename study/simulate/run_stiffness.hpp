@@ -7,9 +7,8 @@
 
 namespace clast::study_detail {
 
-/// Chooses stiffness and time step of each run. They depend on its block, its ground parameters and
-/// the largest speed that its start allows. Other blocks, releases and ensemble members have no
-/// influence. Runs of a realisation of persistent blocks share one choice.
+/// Chooses contact stiffness and time step of each planned run, from its block, its ground
+/// parameters and the largest speed that its start allows. Runs of a realisation share one choice.
 /// @return warnings, ordered by block; for persistent blocks, those of the first realisation that
 /// has warnings
 /// @throws SimulationError  if the given time step is too long for a block; names the block

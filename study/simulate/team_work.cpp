@@ -39,7 +39,7 @@ void distribute_work(ProcessTeam& team, const std::vector<std::uint32_t>& items,
     const std::size_t item = next++;
     return item < items.size() ? std::optional<std::size_t>(items[item]) : std::nullopt;
   };
-  team.begin();
+  team.begin_dependent_section();
   std::vector<std::jthread> workers;
   for (unsigned i = 0; i < threads; ++i) {
     workers.emplace_back([&] {
@@ -60,14 +60,14 @@ void distribute_work(ProcessTeam& team, const std::vector<std::uint32_t>& items,
     if (!item) --waiting;
   }
   workers.clear();
-  team.end();
+  team.end_dependent_section();
   if (failure) std::rethrow_exception(failure);
 }
 
 void process_received_work(ProcessTeam& team, unsigned threads,
                            const std::function<std::string(std::uint32_t item)>& compute) {
   std::mutex one_at_a_time;
-  team.begin();
+  team.begin_dependent_section();
   parallel_for(threads, threads, [&](std::size_t) {
     std::string done;
     while (true) {
@@ -80,7 +80,7 @@ void process_received_work(ProcessTeam& team, unsigned threads,
       done = compute(static_cast<std::uint32_t>(*item));
     }
   });
-  team.end();
+  team.end_dependent_section();
 }
 
 }  // namespace clast

@@ -9,9 +9,9 @@
 
 namespace clast {
 
-/// Distributes items to the processes and computes some of them on the leader. Returns when all
-/// items are finished. An exception of `here` or `accept` ends the work after the current items. It
-/// is rethrown when all processes have been notified.
+/// Distributes work items to the processes of a team and computes some of them on the leader.
+/// Returns when all items are finished. An exception of `here` or `accept` ends the work after the
+/// current items.
 /// @param threads  number of threads per process, equal in all processes
 /// @param here  function that computes and stores an item; called from several threads
 /// @param accept  function that stores an item computed by another process; may be called at the

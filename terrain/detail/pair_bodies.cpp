@@ -106,7 +106,7 @@ class Closing {
   Closing(const ThickPart& part, const std::vector<Triangle>& triangles)
       : part_(part), triangles_(triangles) {}
 
-  OverlayBody body() {
+  BodyBetweenSurfaces body() {
     for (const Triangle& triangle : triangles_) {
       add({top(triangle[0]), top(triangle[1]), top(triangle[2])});
       measure(triangle);
@@ -170,12 +170,13 @@ class Closing {
   const ThickPart& part_;
   const std::vector<Triangle>& triangles_;
   std::map<std::uint32_t, std::uint32_t> tops_, bases_;
-  OverlayBody body_;
+  BodyBetweenSurfaces body_;
 };
 
 }  // namespace
 
-std::vector<OverlayBody> extract_bodies_between(const SurfaceOverlay& pair, double thickness) {
+std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair,
+                                                        double thickness) {
   const ThickPart part = Outlining(pair, thickness).part();
   if (part.pair.triangles.empty()) return {};
   TriangleMesh plan;
@@ -187,7 +188,7 @@ std::vector<OverlayBody> extract_bodies_between(const SurfaceOverlay& pair, doub
   for (std::size_t t = 0; t < component.size(); ++t) {
     triangles[component[t]].push_back(plan.triangles[t]);
   }
-  std::vector<OverlayBody> bodies;
+  std::vector<BodyBetweenSurfaces> bodies;
   for (const std::vector<Triangle>& each : triangles) bodies.push_back(Closing(part, each).body());
   return bodies;
 }

@@ -201,7 +201,7 @@ SurfaceOverlay overlay_surfaces(const TriangleMesh& top, const TriangleMesh& bas
   std::vector<std::array<Vec2, 2>> segments;
   append_edges(other, segments);
   append_edges(outlines, segments);
-  insert_edges_along(divided, segments);
+  insert_edges_along_segments(divided, segments);
   return with_other_heights(divided, other, matched(divided, other, outlines), top_is_finer);
 }
 

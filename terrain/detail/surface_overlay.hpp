@@ -36,7 +36,7 @@ struct HeightDifferenceRange {
 HeightDifferenceRange height_difference_range(const TriangleMesh& top, const TriangleMesh& base);
 
 /// Closed body between two surfaces.
-struct OverlayBody {
+struct BodyBetweenSurfaces {
   TriangleMesh mesh;  ///< outward-facing; the triangles of the top come first
   std::size_t top_triangles = 0;
   double plan_area = 0.0;             ///< m^2
@@ -45,10 +45,11 @@ struct OverlayBody {
   Vec3 wall_position = Vec3::Zero();  ///< top of the highest wall
 };
 
-/// Extracts the bodies where the top is more than `thickness` above the base. A body is connected
-/// over edges of the overlay. It has vertical walls of height `thickness` along its outline. At the
-/// border of the overlay, the walls are as high as the body. Its volume is the integral of the
-/// vertical thickness over the plan.
-std::vector<OverlayBody> extract_bodies_between(const SurfaceOverlay& pair, double thickness);
+/// Extracts the bodies between two surfaces where the top is more than `thickness` above the base.
+/// A body is connected over edges of the overlay. It has vertical walls of height `thickness` along
+/// its outline. At the border of the overlay, the walls are as high as the body. Its volume is the
+/// integral of the vertical thickness over the plan.
+std::vector<BodyBetweenSurfaces> extract_bodies_between(const SurfaceOverlay& pair,
+                                                        double thickness);
 
 }  // namespace clast::terrain_detail

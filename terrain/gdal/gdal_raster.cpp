@@ -121,11 +121,11 @@ HeightGrid read_heights(GDALRasterBand& band, const std::array<double, 6>& trans
   HeightGrid grid;
   grid.columns = static_cast<std::size_t>(band.GetXSize());
   grid.rows = static_cast<std::size_t>(band.GetYSize());
-  grid.step = {transform[1], std::abs(transform[5])};
+  grid.cell_size = {transform[1], std::abs(transform[5])};
   const bool north_first = transform[5] < 0.0;
   const double south =
       north_first ? transform[3] + transform[5] * static_cast<double>(grid.rows) : transform[3];
-  grid.first = Vec2(transform[0], south) + grid.step / 2.0;
+  grid.first_centre = Vec2(transform[0], south) + grid.cell_size / 2.0;
   grid.heights.resize(grid.columns * grid.rows);
   const double scale = band.GetScale(), offset = band.GetOffset();
   std::vector<double> values(grid.columns);
@@ -170,15 +170,16 @@ void check_zunits(const std::filesystem::path& path) {
 /// @param system  null: GDAL finds none
 std::vector<std::string> check_raster_map(const std::filesystem::path& path,
                                           const OGRSpatialReference* system, const Vec2& middle) {
-  const LengthUnitUse metres{
+  const LengthUnitRequirements metres{
       .conversion_command = "gdalwarp -t_srs EPSG:CODE",
       .correction_command = "gdal_edit.py -a_srs EPSG:CODE " + path.filename().string()};
-  std::vector<LengthUnitDeclaration> declared = parse_geotiff_keys(read_geotiff_keys(path)).lengths;
+  std::vector<LengthUnitDeclaration> declared =
+      parse_geotiff_keys(read_geotiff_keys(path)).unit_declarations;
   const std::string wkt = system ? full_wkt(*system) : std::string();
   if (system && system->IsProjected()) {  // its scale at the place is known
     for (LengthUnitDeclaration& each : declared) each.world_projection.clear();
   }
-  if (!wkt.empty()) declared.push_back(describe_system(wkt, "reference system"));
+  if (!wkt.empty()) declared.push_back(determine_crs_units(wkt, "reference system"));
   check_zunits(path);
   std::vector<std::string> notes = check_length_units(path.string(), declared, metres);
   check_map_scale(path.string(), wkt, middle, metres.conversion_command);
@@ -218,7 +219,7 @@ void check_height_unit(const std::filesystem::path& path, const std::string& uni
                    file + ")");
 }
 
-std::string crs_name(const OGRSpatialReference* system) {
+std::string crs_code_or_wkt(const OGRSpatialReference* system) {
   if (!system) return {};
   OGRSpatialReference known(*system);
   if (known.IsCompound()) known.StripVertical();  // the plan decides where things are
@@ -238,7 +239,7 @@ std::string normalised_crs(const std::string& crs) {
   const GdalSession session;
   OGRSpatialReference system;
   if (system.SetFromUserInput(crs.c_str()) != OGRERR_NONE) return crs;
-  const std::string usual = crs_name(&system);
+  const std::string usual = crs_code_or_wkt(&system);
   return usual.empty() ? crs : usual;
 }
 
@@ -272,7 +273,7 @@ Raster read_raster(const std::filesystem::path& path) {
   int declared = 0;
   const double no_data = band.GetNoDataValue(&declared);
   if (declared) raster.no_data = no_data;
-  raster.crs = crs_name(dataset->GetSpatialRef());
+  raster.crs = crs_code_or_wkt(dataset->GetSpatialRef());
   const std::array<double, 6> transform = north_up_transform(*dataset, path);
   const Vec2 middle(transform[0] + transform[1] * band.GetXSize() / 2.0,
                     transform[3] + transform[5] * band.GetYSize() / 2.0);

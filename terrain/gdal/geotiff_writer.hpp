@@ -10,7 +10,7 @@
 
 namespace clast::terrain_detail {
 
-/// Band of square cells, north up.
+/// Raster band of square cells, north up.
 struct GeoTiffBand {
   std::size_t columns = 0;
   std::size_t rows = 0;

@@ -23,7 +23,7 @@ std::vector<MapLine> read_map_lines(const std::filesystem::path& path, const std
   const GdalSession session;
   const DatasetPointer dataset = open_feature_file(path, "lines");
   OGRLayer& layer = find_geometry_layer(*dataset, path, "lines");
-  const Transformation transform = make_transformation(layer, crs, path);
+  const TransformationPointer transform = make_transformation(layer, crs, path);
   std::vector<MapLine> lines;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {

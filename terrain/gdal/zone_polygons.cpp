@@ -146,7 +146,7 @@ std::vector<ZonePolygon> read_zone_polygons(const std::filesystem::path& path,
     throw InputError(path.string() + ": its features have no property \"zone\" (there are: " +
                      field_names(*layer.GetLayerDefn()) + "); add it, with the name of each zone");
   }
-  const Transformation transform = make_transformation(layer, crs, path);
+  const TransformationPointer transform = make_transformation(layer, crs, path);
   std::vector<ReadPolygon> read;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {
@@ -166,7 +166,7 @@ std::vector<ZonePolygon> read_outline_polygons(const std::filesystem::path& path
   const GdalSession session;
   const DatasetPointer dataset = open_feature_file(path, "polygons");
   OGRLayer& layer = find_geometry_layer(*dataset, path, "polygons");
-  const Transformation transform = make_transformation(layer, crs, path);
+  const TransformationPointer transform = make_transformation(layer, crs, path);
   std::vector<ZonePolygon> outlines;
   layer.ResetReading();
   while (const FeaturePointer feature{layer.GetNextFeature()}) {

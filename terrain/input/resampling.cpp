@@ -55,9 +55,9 @@ HeightGrid heights_of(const TriangleMesh& mesh, double cell, const std::filesyst
     PlanBox corners;
     for (const std::uint32_t v : mesh.triangles[t]) corners.include(mesh.vertices[v].head<2>());
     const auto [left, right] =
-        cells_between(corners.low.x(), corners.high.x(), grid.first.x(), cell, grid.columns);
+        cells_between(corners.low.x(), corners.high.x(), grid.first_centre.x(), cell, grid.columns);
     const auto [bottom, top] =
-        cells_between(corners.low.y(), corners.high.y(), grid.first.y(), cell, grid.rows);
+        cells_between(corners.low.y(), corners.high.y(), grid.first_centre.y(), cell, grid.rows);
     for (std::size_t row = bottom; row < top; ++row) {
       for (std::size_t column = left; column < right; ++column) {
         const std::optional<double> z = height_on_triangle(mesh, t, grid.centre(column, row));
@@ -83,9 +83,9 @@ double plan_area(const TriangleMesh& mesh) {
 
 /// Sources of the triangles of `grid` by the plan area that those of `surface` cover.
 std::vector<std::uint16_t> sources_for(const TriangleMesh& grid, const RawSurface& surface) {
-  std::vector<std::uint16_t> sources(grid.triangles.size(), surface.source.front());
-  if (std::all_of(surface.source.begin(), surface.source.end(),
-                  [&](std::uint16_t source) { return source == surface.source.front(); })) {
+  std::vector<std::uint16_t> sources(grid.triangles.size(), surface.source_file.front());
+  if (std::all_of(surface.source_file.begin(), surface.source_file.end(),
+                  [&](std::uint16_t source) { return source == surface.source_file.front(); })) {
     return sources;
   }
   const PlanIndex index(plan_boxes(surface.mesh));
@@ -94,7 +94,7 @@ std::vector<std::uint16_t> sources_for(const TriangleMesh& grid, const RawSurfac
     const PlanTriangle corners = sampled_plan_triangle(grid, t);
     std::map<std::uint16_t, double> covered;
     for (const std::uint32_t old : index.boxes_near(boxes[t])) {
-      covered[surface.source[old]] +=
+      covered[surface.source_file[old]] +=
           clipped_area(sampled_plan_triangle(surface.mesh, old), corners);
     }
     double most = -1.0;
@@ -147,11 +147,11 @@ RawSurface resample_surface(const RawSurface& surface, double cell,
   check_one_height(surface.mesh, cell, path);
   const HeightGrid grid = heights_of(surface.mesh, cell, path);
   RawSurface result{.mesh = triangulate_grid(grid, path),
-                    .source = {},
+                    .source_file = {},
                     .crs = surface.crs,
                     .notes = surface.notes,
                     .cell = cell};
-  result.source = sources_for(result.mesh, surface);
+  result.source_file = sources_for(result.mesh, surface);
   note_change(surface.mesh, result.mesh, cell, report);
   report.components = 0;  // counted anew, with the border
   orient_upwards(result, report);

@@ -44,8 +44,8 @@ RawSurface read_meshes(const TerrainOptions& options) {
     if (resolve_up_axis(options.up, options.surface[i]) == "y") {
       for (Vec3& vertex : mesh.vertices) vertex = y_up_to_z_up(vertex);
     }
-    surface.source.insert(surface.source.end(), mesh.triangles.size(),
-                          static_cast<std::uint16_t>(i));
+    surface.source_file.insert(surface.source_file.end(), mesh.triangles.size(),
+                               static_cast<std::uint16_t>(i));
     surface.mesh = merged(std::move(surface.mesh), mesh);
   }
   return surface;
@@ -54,8 +54,8 @@ RawSurface read_meshes(const TerrainOptions& options) {
 RawSurface surface_of(const HeightGrid& grid, const fs::path& path) {
   RawSurface surface;
   surface.mesh = triangulate_grid(grid, path);
-  surface.source.assign(surface.mesh.triangles.size(), 0);
-  surface.cell = grid.step.minCoeff();
+  surface.source_file.assign(surface.mesh.triangles.size(), 0);
+  surface.cell = grid.cell_size.minCoeff();
   const auto empty = std::count_if(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return !std::isfinite(height); });
   if (empty > 0) {
@@ -80,7 +80,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
   for (const std::string& note : raster.notes) notes.push_back(path.string() + ": " + note);
   if (options.resolution) {
     const HeightGrid& grid = raster.grid;
-    const double own = grid.step.maxCoeff();
+    const double own = grid.cell_size.maxCoeff();
     if (*options.resolution < own * (1.0 - 1e-9)) {
       throw InputError(
           path.string() + ": resolution = " + format_significant(*options.resolution, 6) +
@@ -96,7 +96,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
       throw InputError(path.string() +
                        ": holds no heights, only nodata; check which value stands for no data");
     }
-    raster.grid = bin_points(points, *options.resolution, path);
+    raster.grid = grid_mean_heights(points, *options.resolution, path);
     notes.push_back(path.string() + ": resampled to means over " + cells_of(*options.resolution));
   } else if (std::none_of(raster.grid.heights.begin(), raster.grid.heights.end(),
                           [](double height) { return std::isfinite(height); })) {
@@ -104,7 +104,7 @@ RawSurface read_one_raster(const TerrainOptions& options) {
                      ": holds no heights, only nodata; check which value stands for no data");
   }
   if (options.fill) {
-    const HoleFillReport filled = fill_holes(raster.grid, *options.fill);
+    const HoleFillReport filled = fill_grid_holes(raster.grid, *options.fill);
     if (filled.cells > 0) {
       notes.push_back(path.string() + ": " + std::to_string(filled.cells) +
                       " cells without a height were filled from their surroundings, in " +

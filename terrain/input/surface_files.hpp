@@ -15,7 +15,7 @@ enum class SurfaceKind {
   kTerrain  ///< terrain file, already checked and repaired
 };
 
-/// Detects the common kind of the files by their extensions.
+/// Detects the common kind of surface files by their extensions.
 /// @throws InputError  if an extension is unknown, if kinds are mixed, or if there are several
 ///                     rasters or terrain files
 SurfaceKind detect_surface_kind(const std::vector<std::filesystem::path>& files);

@@ -45,7 +45,7 @@ class Segments {
 
   std::optional<Foot> nearest(const Vec2& at, double reach) const {
     std::optional<Foot> best;
-    for (const std::uint32_t s : index_.boxes_near(PlanBox{at, at}.expand(reach))) {
+    for (const std::uint32_t s : index_.boxes_near(PlanBox{at, at}.expanded(reach))) {
       const Foot foot = foot_on(segments_[s], at);
       if (foot.distance <= reach && (!best || foot.distance < best->distance)) best = foot;
     }
@@ -54,7 +54,7 @@ class Segments {
 
   /// @throws InputError  one that passes here at another height than `foot`
   void check_one_height(const Vec2& at, const Foot& foot) const {
-    for (const std::uint32_t s : index_.boxes_near(PlanBox{at, at}.expand(kOnLine))) {
+    for (const std::uint32_t s : index_.boxes_near(PlanBox{at, at}.expanded(kOnLine))) {
       const Foot other = foot_on(segments_[s], at);
       if (other.distance <= kOnLine &&
           std::abs(other.point.z() - foot.point.z()) > kSameCrossingHeight) {
@@ -111,7 +111,7 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
     const std::optional<Foot> foot = segments.nearest(vertex.head<2>(), kSnap * cell);
     if (foot) vertex = foot->point;
   }
-  insert_edges_along(mesh, segments.in_plan());
+  insert_edges_along_segments(mesh, segments.in_plan());
   std::size_t on_lines = 0;
   for (Vec3& vertex : mesh.vertices) {
     const Vec2 at = vertex.head<2>();
@@ -125,7 +125,7 @@ void add_breaklines(RawSurface& surface, std::span<const MapLine> lines, double 
     throw InputError(lines.front().name +
                      ": no breakline lies over the ground; convert both to one map system");
   }
-  surface.source.resize(mesh.triangles.size(), 0);
+  surface.source_file.resize(mesh.triangles.size(), 0);
   report.notes.push_back(std::to_string(lines.size()) + " breaklines run along edges, over " +
                          std::to_string(on_lines) + " vertices");
 }

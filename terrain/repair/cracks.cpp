@@ -117,7 +117,7 @@ void join_vertices(TriangleMesh& mesh, double width, Closed& closed) {
   std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     const std::uint32_t v = border.vertices[i];
-    for (const std::uint32_t k : index.boxes_near(boxes[i].expand(width))) {
+    for (const std::uint32_t k : index.boxes_near(boxes[i].expanded(width))) {
       const std::uint32_t other = border.vertices[k];
       const double gap = (mesh.vertices[v] - mesh.vertices[other]).norm();
       if (k > i && gap <= width) pairs.emplace_back(gap, v, other);
@@ -166,13 +166,13 @@ struct EdgesNearBorder {
 EdgesNearBorder edges_near(const TriangleMesh& mesh, const Border& border) {
   EdgesNearBorder edges;
   for (const auto& [t, k] : border.sides) {
-    edges.on_border.insert(edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
+    edges.on_border.insert(make_edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]));
   }
   for (const std::uint32_t v : border.vertices) {
     for (const std::uint32_t corner : border.corners.corners_of(v)) {
       const Triangle& t = mesh.triangles[corner / 3];
       for (std::size_t k = 0; k < 3; ++k) {
-        const EdgeKey edge = edge_key(t[k], t[(k + 1) % 3]);
+        const EdgeKey edge = make_edge_key(t[k], t[(k + 1) % 3]);
         if (!edges.on_border.contains(edge)) edges.others.insert(edge);
       }
     }
@@ -200,7 +200,7 @@ std::map<std::size_t, std::vector<Junction>> junctions_within(double width,
     const Vec3& point = mesh.vertices[v];
     PlanBox here;
     here.include(point.head<2>());
-    for (const std::uint32_t s : index.boxes_near(here.expand(width))) {
+    for (const std::uint32_t s : index.boxes_near(here.expanded(width))) {
       const auto& [t, k] = border.sides[s];
       const Triangle& triangle = mesh.triangles[t];
       if (std::find(triangle.begin(), triangle.end(), v) != triangle.end()) continue;
@@ -224,12 +224,12 @@ std::vector<Junction> fitting(const std::vector<Junction>& junctions, const Bord
   const auto fits = [&](std::uint32_t from, std::uint32_t to) {
     const Vec3 part =
         (mesh.vertices[to] - mesh.vertices[from]).cross(mesh.vertices[apex] - mesh.vertices[from]);
-    return part.dot(normal) > 0.0 && !edges.others.contains(edge_key(from, to));
+    return part.dot(normal) > 0.0 && !edges.others.contains(make_edge_key(from, to));
   };
   std::uint32_t before = triangle[at.side];
   std::vector<Junction> result;
   for (const Junction& junction : junctions) {
-    const EdgeKey to_apex = edge_key(junction.vertex, apex);
+    const EdgeKey to_apex = make_edge_key(junction.vertex, apex);
     if (edges.others.contains(to_apex) || edges.on_border.contains(to_apex) ||
         !fits(before, junction.vertex) || !fits(junction.vertex, last)) {
       continue;
@@ -249,7 +249,7 @@ void divide_at(RawSurface& surface, const BorderSide& at, const std::vector<Junc
   for (std::size_t i = 0; i < junctions.size(); ++i) {
     const std::uint32_t next = i + 1 < junctions.size() ? junctions[i + 1].vertex : last;
     triangles.push_back({junctions[i].vertex, next, apex});
-    surface.source.push_back(surface.source[at.triangle]);
+    surface.source_file.push_back(surface.source_file[at.triangle]);
   }
 }
 
@@ -308,7 +308,7 @@ void note_gaps(const RawSurface& surface, double reach, TerrainReport& report) {
     PlanBox here;
     here.include(point.head<2>());
     double nearest = 1e300;
-    for (const std::uint32_t s : index.boxes_near(here.expand(reach))) {
+    for (const std::uint32_t s : index.boxes_near(here.expanded(reach))) {
       const auto& [other, k] = sides[s];
       if (component[other] == component[triangle]) continue;
       const Vec3& a = mesh.vertices[mesh.triangles[other][k]];

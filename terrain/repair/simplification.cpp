@@ -276,9 +276,10 @@ FreeSurface free_surface(const RawSurface& surface, const std::vector<bool>& kep
       const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       in_free[a] = true;
       const std::uint32_t other = links.neighbour[t][k];
-      if (other == kNoIndex || kept[other] || surface.source[other] != surface.source[t]) {
+      if (other == kNoIndex || kept[other] ||
+          surface.source_file[other] != surface.source_file[t]) {
         fixed[a] = fixed[b] = true;
-        free.constraints.push_back(edge_key(a, b));
+        free.constraints.push_back(make_edge_key(a, b));
       } else if (t < other) {
         free.edges.push_back({a, b});
       }
@@ -324,7 +325,7 @@ std::vector<std::pair<TriangleMesh::Triangle, std::uint16_t>> fresh_triangles(
     const std::optional<std::uint32_t> under = triangle_under(mesh, index, kept, middle);
     if (!under) continue;
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    fresh.emplace_back(corners, surface.source[*under]);
+    fresh.emplace_back(corners, surface.source_file[*under]);
   }
   std::sort(fresh.begin(), fresh.end());
   return fresh;
@@ -348,11 +349,11 @@ void simplify_surface(RawSurface& surface, double tolerance, TerrainReport& repo
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!kept[t]) continue;
     result.mesh.triangles.push_back(mesh.triangles[t]);
-    result.source.push_back(surface.source[t]);
+    result.source_file.push_back(surface.source_file[t]);
   }
   for (const auto& [corners, source] : fresh_triangles(growing, surface, kept)) {
     result.mesh.triangles.push_back(corners);
-    result.source.push_back(source);
+    result.source_file.push_back(source);
   }
   remove_unused_vertices(result.mesh);
   std::string note = "simplified within " + format_significant(tolerance, 4) +

@@ -108,7 +108,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::optional<double> best;
-    for (const std::uint32_t s : side_index_->boxes_near(here.expand(width_))) {
+    for (const std::uint32_t s : side_index_->boxes_near(here.expanded(width_))) {
       const auto [a, b] = sides_[s];
       if (a == vertex || b == vertex) continue;
       const Vec3 &from = mesh_.vertices[a], &to = mesh_.vertices[b];
@@ -136,7 +136,7 @@ class Surroundings {
     PlanBox here;
     here.include(at);
     std::set<std::uint32_t> result, joined;
-    for (const std::uint32_t s : side_index_->boxes_near(here.expand(width_))) {
+    for (const std::uint32_t s : side_index_->boxes_near(here.expanded(width_))) {
       const auto& [a, b] = sides_[s];
       if (a == v) joined.insert(b);
       if (b == v) joined.insert(a);
@@ -224,7 +224,7 @@ void level_group(TriangleMesh& mesh, const std::vector<std::uint32_t>& group,
   const std::set<std::uint32_t>& ground = at_border || ring.size() < kFewAround ? wide : ring;
   const std::vector<std::uint32_t> fitted(ground.begin(), ground.end());
   const Vec3 first = mesh.vertices[group.front()];
-  const std::optional<RingPlane> plane = fit_ring_plane(mesh, fitted, group.front());
+  const std::optional<NeighbourPlane> plane = fit_neighbour_plane(mesh, fitted, group.front());
   if (!plane) return;
   const auto off = [&](std::uint32_t v) {
     const Vec3& p = mesh.vertices[v];

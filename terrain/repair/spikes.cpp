@@ -69,7 +69,7 @@ Rings rings_of(const TriangleMesh& mesh) {
 /// Largest distance of the first and second neighbours from the plane, m, without the farthest,
 /// which may be a spike too.
 double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32_t vertex,
-                       const RingPlane& plane) {
+                       const NeighbourPlane& plane) {
   std::vector<std::uint32_t> around(rings.at(vertex).begin(), rings.at(vertex).end());
   for (const std::uint32_t v : rings.at(vertex)) {
     around.insert(around.end(), rings.at(v).begin(), rings.at(v).end());
@@ -89,15 +89,15 @@ double farthest_around(const TriangleMesh& mesh, const Rings& rings, std::uint32
 }
 
 /// The plane through all neighbours but the one without which they are flattest.
-std::optional<RingPlane> plane_without_one(const TriangleMesh& mesh, const Rings& rings,
-                                           std::uint32_t vertex) {
-  std::optional<RingPlane> best;
+std::optional<NeighbourPlane> plane_without_one(const TriangleMesh& mesh, const Rings& rings,
+                                                std::uint32_t vertex) {
+  std::optional<NeighbourPlane> best;
   double flattest = 0.0;
   const std::span<const std::uint32_t> ring = rings.at(vertex);
   for (std::size_t left_out = 0; left_out < ring.size(); ++left_out) {
     std::vector<std::uint32_t> others(ring.begin(), ring.end());
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
-    const std::optional<RingPlane> plane = fit_ring_plane(mesh, others, vertex);
+    const std::optional<NeighbourPlane> plane = fit_neighbour_plane(mesh, others, vertex);
     if (!plane) continue;
     double farthest = 0.0;
     for (const std::uint32_t v : others) {
@@ -122,7 +122,7 @@ void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes
   std::vector<std::pair<double, std::uint32_t>> suspects;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     if (rings.on_border[v] || rings.overhung[v]) continue;
-    const std::optional<RingPlane> plane = fit_ring_plane(mesh, rings.at(v), v);
+    const std::optional<NeighbourPlane> plane = fit_neighbour_plane(mesh, rings.at(v), v);
     if (!plane) continue;
     const double off = std::abs(mesh.vertices[v].z() - plane->height);
     if (off > kSuspect * steepness * plane->distance) suspects.emplace_back(-off, v);
@@ -131,9 +131,9 @@ void level_once(TriangleMesh& mesh, const Rings& rings, double steepness, Spikes
   std::sort(suspects.begin(), suspects.end());
   for (const auto& [unused, v] : suspects) {
     // A second spike beside it would pull the plane along.
-    const std::optional<RingPlane> plane = rings.at(v).size() > 4
-                                               ? plane_without_one(mesh, rings, v)
-                                               : fit_ring_plane(mesh, rings.at(v), v);
+    const std::optional<NeighbourPlane> plane = rings.at(v).size() > 4
+                                                    ? plane_without_one(mesh, rings, v)
+                                                    : fit_neighbour_plane(mesh, rings.at(v), v);
     if (!plane) continue;
     const double off = std::abs(mesh.vertices[v].z() - plane->height);
     if (off <= steepness * plane->distance) continue;
@@ -166,11 +166,11 @@ void level_spikes(RawSurface& surface, double steepness, TerrainReport& report) 
   }
   report.levelled_spikes += spikes.levelled;
   if (spikes.left > 0) {
-    report.notes.push_back(std::to_string(spikes.left) +
-                           (spikes.left == 1 ? " vertex stands" : " vertices stand") +
-                           " far above or below the surrounding ground together with their "
-                           "neighbours, as on crests and walls, kept as measured; the first at " +
-                           format_map_point(spikes.left_at));
+    report.notes.push_back(
+        std::to_string(spikes.left) + (spikes.left == 1 ? " vertex stands" : " vertices stand") +
+        " far above or below the surrounding ground together with their neighbours, as on crests "
+        "and walls; these heights were kept; the first at " +
+        format_map_point(spikes.left_at));
   }
   if (spikes.levelled == 0) return;
   report.notes.push_back(std::to_string(spikes.levelled) +
@@ -212,7 +212,7 @@ void smooth_surface(TriangleMesh& mesh, int rounds, TerrainReport& report) {
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
       heights[v] = mesh.vertices[v].z();
       if (rings.on_border[v] || rings.overhung[v]) continue;
-      const std::optional<RingPlane> plane = fit_ring_plane(mesh, rings.at(v), v);
+      const std::optional<NeighbourPlane> plane = fit_neighbour_plane(mesh, rings.at(v), v);
       if (plane) heights[v] += kSmoothing * (plane->height - heights[v]);
     }
     for (std::size_t v = 0; v < heights.size(); ++v) mesh.vertices[v].z() = heights[v];

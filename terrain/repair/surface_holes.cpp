@@ -193,7 +193,8 @@ void fill_surface_holes(RawSurface& surface, double widest, double slit, Terrain
       filled_at = middle;
     }
     mesh.triangles.insert(mesh.triangles.end(), filling->begin(), filling->end());
-    surface.source.insert(surface.source.end(), filling->size(), surface.source[loop.triangles[0]]);
+    surface.source_file.insert(surface.source_file.end(), filling->size(),
+                               surface.source_file[loop.triangles[0]]);
     report.boundary_edges -= loop.vertices.size();
   }
   if (report.filled_holes > 0) {

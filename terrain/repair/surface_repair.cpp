@@ -35,7 +35,7 @@ std::vector<bool> copies_of_triangles(const RawSurface& surface,
   std::vector<bool> is_copy(mesh.triangles.size(), false);
   for (const auto& [one, two] : find_duplicate_triangles(mesh.triangles, WindingMatch::kEither)) {
     is_copy[two] = true;
-    const std::uint16_t file = surface.source[one], other = surface.source[two];
+    const std::uint16_t file = surface.source_file[one], other = surface.source_file[two];
     if (zone_of_file[file] != zone_of_file[other] && !is_degenerate(mesh, mesh.triangles[one])) {
       throw GeometryError(files[file] + " and " + files[other] + " both hold the triangle at " +
                           format_map_point(centroid(mesh, mesh.triangles[one])) +
@@ -62,7 +62,7 @@ std::optional<bool> faces_up(const TriangleMesh& mesh, const std::vector<std::ui
 
 void weld_surface(RawSurface& surface, TerrainReport& report) {
   TriangleMesh& mesh = surface.mesh;
-  const std::vector<std::uint32_t> target = weld_targets(mesh.vertices, kWeldDistance);
+  const std::vector<std::uint32_t> target = find_weld_targets(mesh.vertices, kWeldDistance);
   for (std::uint32_t v = 0; v < target.size(); ++v) report.welded_vertices += target[v] != v;
   for (Triangle& t : mesh.triangles) {
     for (std::uint32_t& corner : t) corner = target[corner];
@@ -127,7 +127,7 @@ void orient_upwards(RawSurface& surface, TerrainReport& report) {
       report.notes.push_back(
           "a component of " + std::to_string(component.size()) + " triangles at " +
           format_map_point(centroid(mesh, mesh.triangles[component.front()])) +
-          " is vertical and touches no other ground; its rock side was taken from the file");
+          " is vertical and touches no other ground, so the orientation in the file was used");
     } else if (!*up) {
       for (const std::uint32_t t : component) turn[t] = !turn[t];
     }

@@ -13,7 +13,7 @@ void weld_surface(RawSurface& surface, TerrainReport& report);
 
 /// Removes triangles that have a repeated vertex, are lower than 1e-9 m or duplicate, and unused
 /// vertices.
-/// @param files  names of the files to which `RawSurface::source` refers, for messages
+/// @param files  names of the files to which `RawSurface::source_file` refers, for messages
 /// @throws GeometryError  if a triangle is in two files with different zones, or none is left
 void remove_invalid_triangles(RawSurface& surface, const std::vector<std::string>& files,
                               const std::vector<std::uint16_t>& zone_of_file,

@@ -69,7 +69,7 @@ class CutMesh {
 
   std::vector<std::uint32_t> triangles_near(const PlanBox& box) const {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t first : index_.boxes_near(box.expand(kNear))) {
+    for (const std::uint32_t first : index_.boxes_near(box.expanded(kNear))) {
       found.insert(found.end(), parts_[first].begin(), parts_[first].end());
     }
     return found;
@@ -207,7 +207,8 @@ class CutMesh {
 
 }  // namespace
 
-std::size_t insert_edges_along(TriangleMesh& mesh, std::span<const std::array<Vec2, 2>> segments) {
+std::size_t insert_edges_along_segments(TriangleMesh& mesh,
+                                        std::span<const std::array<Vec2, 2>> segments) {
   const std::size_t before = mesh.triangles.size();
   CutMesh cut(mesh);
   for (const auto& [from, to] : segments) {

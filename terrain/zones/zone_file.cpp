@@ -33,7 +33,7 @@ void read_names(const std::string& text, ZoneFile& file) {
 
 }  // namespace
 
-std::vector<std::string> ZoneFile::option_texts() const {
+std::vector<std::string> ZoneFile::zone_option_values() const {
   std::string text = path.string();
   for (const auto& [number, name] : names) {
     text += (text.size() == path.string().size() ? ":" : ",") + std::to_string(number) + "=" + name;

@@ -84,8 +84,8 @@ class LabelGrid {
  public:
   LabelGrid(std::vector<std::uint32_t> cells, const HeightGrid& grid)
       : cells_(std::move(cells)),
-        corner_(grid.first - grid.step / 2.0),
-        step_(grid.step),
+        corner_(grid.first_centre - grid.cell_size / 2.0),
+        step_(grid.cell_size),
         columns_(static_cast<long>(grid.columns)),
         rows_(static_cast<long>(grid.rows)) {}
 
@@ -147,8 +147,8 @@ ZoneMap raster_zones(const ZoneFile& source, const std::string& crs) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!std::isnan(grid.heights[i])) cells[i] = label_of.at(static_cast<long>(grid.heights[i]));
   }
-  map.extent.include(grid.first - grid.step / 2.0);
-  map.extent.include(grid.centre(grid.columns, grid.rows) - grid.step / 2.0);
+  map.extent.include(grid.first_centre - grid.cell_size / 2.0);
+  map.extent.include(grid.centre(grid.columns, grid.rows) - grid.cell_size / 2.0);
   const auto labels = std::make_shared<const LabelGrid>(std::move(cells), grid);
   map.at = [labels](const Vec2& point) { return labels->at(point); };
   map.over = [labels](const PlanTriangle& triangle) { return labels->over(triangle); };
@@ -210,7 +210,7 @@ void cut_borders(Terrain& terrain, const ZoneMap& map) {
   for (std::array<Vec2, 2>& border : borders) {
     for (Vec2& end : border) end -= terrain.frame.origin.head<2>();
   }
-  const std::size_t added = insert_edges_along(terrain.surface, borders);
+  const std::size_t added = insert_edges_along_segments(terrain.surface, borders);
   if (added > 0) {
     terrain.report.notes.push_back("cutting the zone borders into the ground added " +
                                    std::to_string(added) + " triangles");

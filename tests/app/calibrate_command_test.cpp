@@ -46,8 +46,9 @@ TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
     EXPECT_LE(draw[0], 0.6);
   }
   const std::string page = read_text_file(folder / "posterior.html");
-  for (const char* part : {"Ground found from what was observed", "Observed against predicted",
-                           "What the figures depend on", "friction of slope"}) {
+  for (const char* part :
+       {"Ground parameters estimated from observations", "Observed against predicted",
+        "Sensitivity of the statistics to the parameters", "friction of slope"}) {
     EXPECT_TRUE(contains(page, part)) << part;
   }
 
@@ -73,10 +74,10 @@ TEST_F(CalibrateCommand, WritesPosteriorAndPageAndPrintsTheAnswer) {
   write_posterior(folder / "altered.h5", read_calibration_study(folder / "study.toml"), altered,
                   nullptr, {.kind = kPosteriorFormat});
   expect_refused(folder, {"calibrate", "study.toml", "-o", "altered.h5", "--resume"}, 1,
-                 "blocks move differently in this clast");
+                 "this version of clast computes different motions");
   write_text_file(folder / "study.toml", replaced(study(), "0.6", "0.7"));
   expect_refused(folder, {"calibrate", "study.toml", "--resume"}, 1,
-                 "was begun with other sites, unknowns");
+                 "was started with different sites, unknowns");
 }
 
 TEST_F(CalibrateCommand, IsTheSameInShardsJoined) {
@@ -122,7 +123,7 @@ TEST_F(CalibrateCommand, BlocksDrawnByMembersAreTheSameInShardsAndAfterAnInterru
     EXPECT_TRUE(contains(said, part)) << said;
   }
   const std::string page = read_text_file(folder / "whole.html");
-  for (const char* part : {"mass median of blocks, kg", "share of elongated blocks"}) {
+  for (const char* part : {"mass median of blocks, kg", "fraction of elongated blocks"}) {
     EXPECT_TRUE(contains(page, part)) << part;
   }
   run({"calibrate", "study.toml", "-o", "p.h5", "--shard", "2/2", "--threads", "1"});
@@ -164,7 +165,7 @@ TEST_F(CalibrateCommand, RefusesWhatItCantDo) {
   expect_refused(folder, {"calibrate", "none.toml"}, 1, "none.toml");
   expect_refused(folder, {"calibrate"}, 2, "study");
   expect_refused(folder, {"calibrate", "study.toml", "-o", "posterior.html"}, 2,
-                 "is the name of the page beside it");
+                 "has the same name as its HTML page");
   expect_refused(folder, {"calibrate", "study.toml", "-o", "campaign.toml"}, 1, "campaign.toml");
   expect_refused(folder, {"calibrate", "study.toml", "--resume", "-o", "blocks.h5"}, 1,
                  "blocks.h5");

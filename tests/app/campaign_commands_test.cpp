@@ -176,7 +176,7 @@ TEST_F(Campaigns, RunsThatEndedWithAnErrorMakeTheCommandFail) {
       run_clast({"simulate", "--merge", "bad.h5", "-o", "all.h5"}, folder.path());
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_TRUE(contains(bad.err,
-                       "2 of 6 runs ended with an error, first error: run 4: the motion is no "
+                       "2 of 6 runs failed with an error; first error: run 4: the motion is no "
                        "longer finite at 1.5 s"))
       << bad.err;
   EXPECT_TRUE(contains(bad.err, "all.h5") && contains(bad.err, "time_step_s")) << bad.err;

@@ -146,7 +146,7 @@ TEST_F(FileSafety, PagesOfScansNeedReplaceOrResume) {
   fs::create_directory(folder / "q");
   write_text_file(folder / "q" / "summary.csv", "block,volume\n");
   expect_kept("q/summary.csv", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},
-              "q/summary.csv: already exists and is not a summary of such pages");
+              "q/summary.csv: already exists and is not a summary of scan pages");
   fs::remove(folder / "q" / "summary.csv");
   write_text_file(folder / "q" / "index.html", "<!DOCTYPE html>\n<title>Mine</title>\n");
   expect_kept("q/index.html", {"reconstruct", "a.obj", "-o", "b.h5", "--report", "q", "--replace"},
@@ -297,7 +297,7 @@ TEST_F(FileSafety, AFullDiskIsReportedBeforeTheRunsWhereItCanBeKnown) {
   const LargestFile limit(1'000'000);  // 8,000 runs take some 4 MB, whatever happens in them
   expect_refused(folder, {"simulate", "many.toml"}, 1, "results.h5: at least 4");
   expect_refused(folder, {"simulate", "many.toml"}, 1,
-                 "MB will be written, and no file here may be larger (ulimit -f) than 1 MB");
+                 "MB will be written, and files must not be larger (ulimit -f) than 1 MB");
 }
 
 TEST_F(FileSafety, ADiskThatFillsDuringTheRunsIsReportedAndKeepsThem) {

@@ -239,7 +239,7 @@ TEST(Help, TablesSurviveTheWayThroughJson) {
   CommandEntry command{"a", "does", {}, {}};
   command.options.push_back({{"-x", "--xx"}, false, true, "N", {"1", "2"}, "how many"});
   command.commands.push_back({"b", "", {}, {}});
-  const CommandEntry back = command_from_json(to_json(command));
+  const CommandEntry back = parse_command_entry(to_json(command));
   EXPECT_EQ(to_json(back), to_json(command));
   EXPECT_EQ(back.options[0].choices, command.options[0].choices);
   EXPECT_TRUE(back.options[0].repeated);

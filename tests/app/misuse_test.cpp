@@ -30,8 +30,10 @@ class Capture {
 };
 
 void add_commands(CLI::App& app) {
-  for (const auto add : {add_reconstruct, add_cut, add_vary, add_show, add_classify, add_export,
-                         add_library, add_terrain, add_new, add_check, add_simulate, add_compare}) {
+  for (const auto add :
+       {add_reconstruct_command, add_cut_command, add_vary_command, add_show_command,
+        add_classify_command, add_export_command, add_library_command, add_terrain_command,
+        add_new_command, add_check_command, add_simulate_command, add_compare_command}) {
     add(app);
   }
 }

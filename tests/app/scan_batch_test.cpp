@@ -36,7 +36,7 @@ TEST_F(ScanBatch, AFolderIsReadAndOneBadScanCostsNoOther) {
   EXPECT_EQ(blocks[1]["id"], "c");
   EXPECT_EQ(Json::parse(json.out)["failed"][0]["scan"], "scans/b.obj");
   fs::create_directory(folder / "empty");
-  expect_refused(folder, {"reconstruct", "empty"}, 1, "no mesh");
+  expect_refused(folder, {"reconstruct", "empty"}, 1, "holds neither a mesh");
 }
 
 TEST_F(ScanBatch, ResumeSaysWhatItSkipped) {

@@ -52,12 +52,12 @@ TEST_F(ScanReports, EveryBlockHasAPageAndEveryScanALineInTheSummary) {
     EXPECT_EQ(unbalanced(html), "") << name;
     expect_self_contained(html);
     for (const char* title : {"Before and after", "Defects found and repaired",
-                              "The block against the scan", "Mass", "Where it comes from"}) {
+                              "The block against the scan", "Mass", "Source"}) {
       EXPECT_EQ(count_of(html, "<h2>" + std::string(title) + "</h2>"), 1u) << title;
     }
   }
-  EXPECT_EQ(count_of(page("pages/blocks/open.html"), "<h2>The side nobody saw</h2>"), 1u);
-  EXPECT_EQ(count_of(page(kOddPage), "<h2>The side nobody saw</h2>"), 0u);
+  EXPECT_EQ(count_of(page("pages/blocks/open.html"), "<h2>The unscanned side</h2>"), 1u);
+  EXPECT_EQ(count_of(page(kOddPage), "<h2>The unscanned side</h2>"), 0u);
 
   const std::string csv = page("pages/summary.csv");
   EXPECT_EQ(count_of(csv, "\n"), 4u) << "a heading, two blocks, one failure:\n" << csv;

@@ -21,12 +21,13 @@ class UnscaledBlock : public SlopeCampaign {
     library.remove("bar");
     model.id = "model";
     model.source.unscaled = true;
-    model.volume_bracket = VolumeBracket{.lower_volume = 0.9 * model.mass.volume,
-                                         .estimated_volume = model.mass.volume,
-                                         .upper_volume = 1.1 * model.mass.volume,
-                                         .sides = SideBounds{model.box.lengths, model.box.lengths},
-                                         .filled_fraction = 0.2,
-                                         .assumption = "the flanks go on"};
+    model.volume_bracket =
+        VolumeBracket{.lower_volume = 0.9 * model.mass.volume,
+                      .estimated_volume = model.mass.volume,
+                      .upper_volume = 1.1 * model.mass.volume,
+                      .sides = BoxSideBounds{model.box.lengths, model.box.lengths},
+                      .filled_fraction = 0.2,
+                      .assumption = "the flanks go on"};
     library.add(model);
     library.write(folder / "blocks.h5");
   }
@@ -39,7 +40,9 @@ class UnscaledBlock : public SlopeCampaign {
 
 TEST_F(UnscaledBlock, IsShownWithoutMassAndMetres) {
   const std::string all = run({"show", "blocks.h5"}).out;
-  EXPECT_TRUE(contains(all, "Unscaled (u: unit of the model, of no known length): model;")) << all;
+  EXPECT_TRUE(
+      contains(all, "Unscaled (u is the unit of the model; its length is not known): model;"))
+      << all;
   EXPECT_TRUE(contains(all, "1.240 u"));
   const std::string one = run({"show", "blocks.h5", "model"}).out;
   const std::size_t details = one.find("\nmodel\n");
@@ -94,7 +97,7 @@ TEST_F(UnscaledBlock, IsClassifiedByItsShapeAlone) {
 TEST_F(UnscaledBlock, AloneMakesAReportWithoutSizes) {
   run({"library", "remove", "blocks.h5", "cube"});
   const ProgramRun text = run({"classify", "blocks.h5", "-o", "classes"});
-  EXPECT_TRUE(contains(text.out, "no sizes: every block is unscaled"));
+  EXPECT_TRUE(contains(text.out, "no sizes, because all blocks are unscaled"));
   const std::string page = read_text_file(folder / "classes" / "report.html");
   EXPECT_EQ(unbalanced(page), "");
   EXPECT_EQ(count_of(page, "there are no sizes"), 1u);

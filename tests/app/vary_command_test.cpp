@@ -102,7 +102,7 @@ TEST_F(VaryCommand, ShowsSeriesAsTablesOfPictures) {
   ASSERT_EQ(run_clast({"show", "series.h5", "--report", "page"}, folder.path()).exit_code, 0);
   const std::string page = read_text_file(folder / "page/gallery.html");
   EXPECT_TRUE(contains(page, "<h2>Forms of R3</h2>"));
-  EXPECT_TRUE(contains(page, "<h2>Convexity: hollows filled</h2>"));
+  EXPECT_TRUE(contains(page, "<h2>Convexity, increased by filling hollows</h2>"));
   EXPECT_TRUE(contains(page, "<h2>Reference bodies</h2>"));
   std::size_t cells = 0;
   for (std::size_t at = 0; (at = page.find("class=\"cell\"", at)) != page.npos; ++at) ++cells;

@@ -152,7 +152,7 @@ Findings renamed_name_findings(const SourceFile& file) {
       {"SleepWatch", "SleepDetector"},
       {"StandingBlock", "BlockOnGround"},
       {"StayRecord", "PersistentBlockRecord"},
-      {"UnseenBounds", "UnobservedBounds"},
+      {"UnseenBounds", "UnobservedPartBounds"},
       {"UnseenRange", "BlockBracket"},
       {"asleep_until", "separated_until"},
       {"cloud_margin", "compute_surface_uncertainty"},

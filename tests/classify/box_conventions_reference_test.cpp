@@ -97,7 +97,7 @@ TEST_P(AuthumeBoxes, ConventionDecidesTheElongation) {
   const Axes inertia = axes_of(box_by_convention(bare, frame, BoxConvention::kInertia));
   EXPECT_NEAR(elongation_index(inertia), core.inertia_bare, 0.005);
   const double error = 0.01 * axes.L;
-  const ClassCertainty certainty = class_certainty("sneed-folk", axes, error);
+  const ClassCertainty certainty = assess_class_certainty("sneed-folk", axes, error);
   std::cout << core.block << ": smallest box " << axes.L << " " << axes.I << " " << axes.S
             << ", s_c " << elongation_index(axes) << ", " << certainty.name << ", "
             << describe_certainty(certainty) << "; inertia box of the core, s_c "
@@ -111,9 +111,11 @@ TEST_P(AuthumeBoxes, ConventionDecidesTheElongation) {
   // SP3A is next to the line between B and E, which the error of a tape crosses.
   if (std::string(core.block) == "SP3A") {
     EXPECT_TRUE(certainty.near_limit);
-    const ClassCertainty taped = class_certainty("sneed-folk", axes, kTapeError);
+    const ClassCertainty taped = assess_class_certainty("sneed-folk", axes, kTapeError);
     EXPECT_FALSE(taped.is_certain);
-    EXPECT_EQ(std::count(taped.possible_others.begin(), taped.possible_others.end(), "E"), 1);
+    EXPECT_EQ(
+        std::count(taped.other_possible_classes.begin(), taped.other_possible_classes.end(), "E"),
+        1);
   }
 }
 

@@ -34,16 +34,16 @@ TEST(BoxConventionEffect, CountsTheBlocksThatChangeTheirClass) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(effects[i].reclassified, 1u);
   // I/L falls from 0.8 to 1/1.5, which is still the limit: spheroid by all boxes.
   for (std::size_t i = 3; i < 6; ++i) EXPECT_EQ(effects[i].reclassified, 0u);
-  EXPECT_EQ(describe_box_effect(effects[0]),
+  EXPECT_EQ(describe_box_convention_effect(effects[0]),
             "By the inertia box 1 of 2 blocks has another class of garcia.");
-  EXPECT_EQ(describe_box_effect(effects[3]),
+  EXPECT_EQ(describe_box_convention_effect(effects[3]),
             "By the inertia box none of 2 blocks has another class of zingg.");
 }
 
 // The class in use is the reference, whichever box it is from.
 TEST(BoxConventionEffect, IsCountedFromTheAxesInUse) {
   MeasuredBlock block = divided();
-  block.axes = block.axes_as_written = block.axes_by_box[1];
+  block.axes = block.axes_in_table_unit = block.axes_by_box[1];
   const std::vector<std::string> schemes = {"garcia"};
   const std::vector<BoxConventionEffect> effects =
       compare_box_conventions(std::span(&block, 1), schemes);

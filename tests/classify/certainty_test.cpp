@@ -14,37 +14,37 @@ namespace {
 
 TEST(Certainty, NamesTheNearestLimit) {
   // q = 0.69 is 0.01 from 0.7; d = (100 - 85)/31 = 0.484 is farther from both of its limits.
-  const ClassCertainty near_c = class_certainty("sneed-folk", {100, 85, 69}, 0.0);
+  const ClassCertainty near_c = assess_class_certainty("sneed-folk", {100, 85, 69}, 0.0);
   EXPECT_EQ(near_c.name, "CB");
-  EXPECT_EQ(near_c.ratio, "S/L");
-  EXPECT_EQ(near_c.limit, 0.7);
+  EXPECT_EQ(near_c.nearest_ratio, "S/L");
+  EXPECT_EQ(near_c.nearest_limit, 0.7);
   EXPECT_NEAR(near_c.distance, 0.01, 1e-12);
   // d = 0.66.
-  const ClassCertainty near_e = class_certainty("sneed-folk", {100, 60.4, 40}, 0.0);
-  EXPECT_EQ(near_e.ratio, "(L-I)/(L-S)");
+  const ClassCertainty near_e = assess_class_certainty("sneed-folk", {100, 60.4, 40}, 0.0);
+  EXPECT_EQ(near_e.nearest_ratio, "(L-I)/(L-S)");
   EXPECT_NEAR(near_e.distance, 0.01, 1e-12);
   // Compact blocks have no second letter: d = 0 is near nothing.
-  EXPECT_EQ(class_certainty("sneed-folk", {100, 100, 90}, 0.0).ratio, "S/L");
+  EXPECT_EQ(assess_class_certainty("sneed-folk", {100, 100, 90}, 0.0).nearest_ratio, "S/L");
 }
 
 TEST(Certainty, ErrorOfTheAxesDecidesWhatIsPossible) {
   // q = 0.69: 69.5/99.5 = 0.698 and 70/99 = 0.707.
   const Axes axes{100, 85, 69};
-  EXPECT_TRUE(class_certainty("sneed-folk", axes, 0.5).is_certain);
-  const ClassCertainty certainty = class_certainty("sneed-folk", axes, 1.0);
+  EXPECT_TRUE(assess_class_certainty("sneed-folk", axes, 0.5).is_certain);
+  const ClassCertainty certainty = assess_class_certainty("sneed-folk", axes, 1.0);
   EXPECT_FALSE(certainty.is_certain);
-  EXPECT_EQ(certainty.possible_others, std::vector<std::string>{"C"});
+  EXPECT_EQ(certainty.other_possible_classes, std::vector<std::string>{"C"});
   // s_c = 0.25: 126/99 - 1 = 0.273, 130/95 - 1 = 0.368.
-  EXPECT_TRUE(class_certainty("garcia", {125, 100, 50}, 1.0).is_certain);
-  EXPECT_FALSE(class_certainty("garcia", {125, 100, 50}, 5.0).is_certain);
+  EXPECT_TRUE(assess_class_certainty("garcia", {125, 100, 50}, 1.0).is_certain);
+  EXPECT_FALSE(assess_class_certainty("garcia", {125, 100, 50}, 5.0).is_certain);
 }
 
 // Five centimetres on a block of a decimetre allow nearly everything, but not a negative axis.
 TEST(Certainty, AnErrorLargerThanTheAxesIsNoTrouble) {
   for (const std::string& scheme : scheme_names()) {
-    const ClassCertainty certainty = class_certainty(scheme, {0.10, 0.06, 0.03}, 0.05);
+    const ClassCertainty certainty = assess_class_certainty(scheme, {0.10, 0.06, 0.03}, 0.05);
     EXPECT_FALSE(certainty.is_certain) << scheme;
-    EXPECT_FALSE(certainty.possible_others.empty()) << scheme;
+    EXPECT_FALSE(certainty.other_possible_classes.empty()) << scheme;
   }
 }
 
@@ -65,7 +65,8 @@ std::set<std::string> scanned_classes(const std::string& scheme, const Axes& axe
 }
 
 std::set<std::string> said_classes(const ClassCertainty& certainty) {
-  std::set<std::string> said(certainty.possible_others.begin(), certainty.possible_others.end());
+  std::set<std::string> said(certainty.other_possible_classes.begin(),
+                             certainty.other_possible_classes.end());
   said.insert(certainty.name);
   return said;
 }
@@ -73,7 +74,7 @@ std::set<std::string> said_classes(const ClassCertainty& certainty) {
 // Blocks of the Authume quarry whose corners of the error miss a class that lies between them.
 TEST(Certainty, ClassesBetweenTheExtremesArePossibleToo) {
   const auto others = [](const Axes& axes) {
-    return class_certainty("sneed-folk", axes, kTapeError).possible_others;
+    return assess_class_certainty("sneed-folk", axes, kTapeError).other_possible_classes;
   };
   const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -95,7 +96,7 @@ TEST(Certainty, IsCompleteAndHoldsNothingElse) {
     const Axes axes = Axes::sorted(random.uniform(0.2, 1.0), random.uniform(0.2, 1.0), 1.0);
     const double error = random.uniform(0.0, 0.08);
     for (const std::string& scheme : scheme_names()) {
-      const ClassCertainty certainty = class_certainty(scheme, axes, error);
+      const ClassCertainty certainty = assess_class_certainty(scheme, axes, error);
       std::set<std::string> said = said_classes(certainty);
       EXPECT_EQ(certainty.is_certain, said.size() == 1);
       if (scheme == "williams") {
@@ -132,50 +133,50 @@ TEST(Certainty, IsCompleteAndHoldsNothingElse) {
 
 // 1.05/0.35 is the limit of 3 itself, where a block is still cubical: nothing else is possible.
 TEST(Certainty, AClassThatOnlyTouchesItsLimitSurvives) {
-  const ClassCertainty certainty = class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.05);
+  const ClassCertainty certainty = assess_class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.05);
   EXPECT_EQ(certainty.name, "cubical");
   EXPECT_TRUE(certainty.is_certain);
-  EXPECT_TRUE(certainty.possible_others.empty());
+  EXPECT_TRUE(certainty.other_possible_classes.empty());
   // A hair more and 1.0501/0.3499 is above it.
-  EXPECT_FALSE(class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.0501).is_certain);
+  EXPECT_FALSE(assess_class_certainty("en-933-4", {1.0, 0.7, 0.4}, 0.0501).is_certain);
 }
 
 // I^2 = L S between oblate and prolate is a class of its own, if one without an area.
 TEST(Certainty, TheLineOfWilliamsIsPossibleWhereItIsCrossed) {
   const std::vector<std::string> others =
-      class_certainty("williams", {1.0, 0.72, 0.5}, 0.05).possible_others;
+      assess_class_certainty("williams", {1.0, 0.72, 0.5}, 0.05).other_possible_classes;
   EXPECT_EQ(others, (std::vector<std::string>{"neither", "prolate"}));
   // 0.84^2 > 1.01 * 0.51: far from the line.
-  EXPECT_TRUE(class_certainty("williams", {1.0, 0.85, 0.5}, 0.01).is_certain);
+  EXPECT_TRUE(assess_class_certainty("williams", {1.0, 0.85, 0.5}, 0.01).is_certain);
 }
 
 TEST(Certainty, HoldsForAxesOfAnySize) {
   for (const double size : {1e-9, 1e-3, 1e3, 1e9}) {
-    EXPECT_EQ(class_certainty("sneed-folk", {size, 0.85 * size, 0.69 * size}, 0.01 * size)
-                  .possible_others,
+    EXPECT_EQ(assess_class_certainty("sneed-folk", {size, 0.85 * size, 0.69 * size}, 0.01 * size)
+                  .other_possible_classes,
               std::vector<std::string>{"C"});
   }
 }
 
 // Between two cells of "undetermined" lie other classes.
 TEST(Certainty, UndeterminedOnBothSidesOfAClassDoesNotSurvive) {
-  const ClassCertainty certainty = class_certainty("erdogan", {1.32, 1.0, 0.76}, 0.05);
+  const ClassCertainty certainty = assess_class_certainty("erdogan", {1.32, 1.0, 0.76}, 0.05);
   EXPECT_EQ(certainty.name, "undetermined");
   EXPECT_FALSE(certainty.is_certain);
 }
 
 TEST(Certainty, IsSaidInWords) {
-  EXPECT_EQ(describe_certainty(class_certainty("sneed-folk", {100, 85, 69}, 1.0)),
+  EXPECT_EQ(describe_certainty(assess_class_certainty("sneed-folk", {100, 85, 69}, 1.0)),
             "S/L 0.69 is 0.01 from 0.7; C possible");
-  EXPECT_EQ(describe_certainty(class_certainty("garcia", {100, 80, 60}, 0.1)),
+  EXPECT_EQ(describe_certainty(assess_class_certainty("garcia", {100, 80, 60}, 0.1)),
             "s_c 0.25 is 0.05 from 0.3");
 }
 
 TEST(Certainty, AnErrorThatIsNoLengthIsRefused) {
   for (const double bad : {-0.01, std::nan(""), HUGE_VAL}) {
-    EXPECT_THROW(class_certainty("zingg", {3, 2, 1}, bad), InputError);
+    EXPECT_THROW(assess_class_certainty("zingg", {3, 2, 1}, bad), InputError);
   }
-  EXPECT_THROW(class_certainty("none", {3, 2, 1}, 0.0), InputError);
+  EXPECT_THROW(assess_class_certainty("none", {3, 2, 1}, 0.0), InputError);
 }
 
 }  // namespace

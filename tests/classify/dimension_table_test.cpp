@@ -136,7 +136,7 @@ TEST_F(Tables, RowsThatSumUpTheOthersAreSkippedAndNoted) {
           std::string("Block,L (cm),I (cm),S (cm)\nB1,120,80,60\nB2,95,70,40\nB3,210,130,90\n\n") +
           label + ",142,93,63\n" + second);
       EXPECT_EQ(table.blocks.size(), 3u) << label << second;
-      EXPECT_EQ(table.skipped, *second ? 2u : 1u) << label << second;
+      EXPECT_EQ(table.skipped_rows, *second ? 2u : 1u) << label << second;
       EXPECT_TRUE(contains(table.notes.at(1),
                            "row 6 skipped: \"" + std::string(label) + "\" is a sum of other rows"));
     }
@@ -190,7 +190,7 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
     const auto block =
         read("L" + unit + ",I" + unit + ",S" + unit + "\n300,200,100\n").blocks.at(0);
     EXPECT_NEAR(block.axes.L, 3e-4, 1e-18);
-    EXPECT_EQ(block.axes_as_written.L, 300.0);
+    EXPECT_EQ(block.axes_in_table_unit.L, 300.0);
   }
   EXPECT_TRUE(contains(refusal("L_cm,I_cm,S_mm\n3,2,1\n"), "different units"));
 }
@@ -198,8 +198,8 @@ TEST_F(Tables, UnitOfTheTableIsApplied) {
 // 0.42/0.6 in any unit: ratios are of the numbers as they were written.
 TEST_F(Tables, RatiosCarryNoRoundingOfTheUnit) {
   const auto block = read("L,I,S\n1,3,0.7\n", {.units = 1e-6}).blocks.at(0);
-  EXPECT_EQ(block.axes_as_written.S / block.axes_as_written.I, 0.7);
-  EXPECT_EQ(block.axes_as_written.I / block.axes_as_written.L, 1.0 / 3.0);
+  EXPECT_EQ(block.axes_in_table_unit.S / block.axes_in_table_unit.I, 0.7);
+  EXPECT_EQ(block.axes_in_table_unit.I / block.axes_in_table_unit.L, 1.0 / 3.0);
 }
 
 TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {
@@ -207,7 +207,7 @@ TEST_F(Tables, MassesAreReadWhereThereIsAColumn) {
   ASSERT_EQ(kilograms.blocks.size(), 3u);
   EXPECT_EQ(kilograms.blocks[0].mass, 450.0);
   EXPECT_FALSE(kilograms.blocks[1].mass || kilograms.blocks[2].mass);
-  EXPECT_EQ(kilograms.without_mass, 2u);
+  EXPECT_EQ(kilograms.blocks_without_mass, 2u);
   ASSERT_EQ(kilograms.notes.size(), 2u);
   EXPECT_TRUE(contains(kilograms.notes[0], "row 3: mass is missing"));
   EXPECT_TRUE(contains(kilograms.notes[1], "row 4: mass = -4"));
@@ -236,7 +236,7 @@ TEST_F(Tables, WhatExcelWritesIsRead) {
   EXPECT_EQ(table.blocks[0].name, "B \"7\"");
   expect_axes(table.blocks[0], 0.655, 0.53, 0.38);
   expect_axes(table.blocks[1], 0.7, 0.6, 0.5);
-  EXPECT_EQ(table.skipped, 0u);
+  EXPECT_EQ(table.skipped_rows, 0u);
   // Line numbers count the lines of the file, that of the heading and old Macintosh ends too.
   const DimensionTable bad = read("id;\"L\n(m)\";I;S\nB1;1;1;0\nB2;3;2;1\n");
   EXPECT_TRUE(contains(bad.notes.back(), "row 3 skipped"));
@@ -257,8 +257,8 @@ TEST_F(Tables, WhatIsNoTextTableIsRefused) {
 TEST_F(Tables, CountsSayHowManyRowsWereLeftOutOrSorted) {
   const DimensionTable table = read("L,I,S\n3,2,1\n1,2,3\n0,2,1\nnan,2,1\n2,3,1\n");
   EXPECT_EQ(table.blocks.size(), 3u);
-  EXPECT_EQ(table.skipped, 2u);
-  EXPECT_EQ(table.sorted, 2u);
+  EXPECT_EQ(table.skipped_rows, 2u);
+  EXPECT_EQ(table.reordered_rows, 2u);
 }
 
 TEST_F(Tables, ColumnsByNumberNeedNoHeader) {
@@ -379,8 +379,8 @@ TEST_F(Tables, AxesThatNoBlockHasAreSkipped) {
       "L,I,S,mass\n1e301,2,1,5\n3,2,1e-301,5\n1.1e9,1,1,5\n1,1,0.9e-9,5\n1e9,1,1e-9,5\n1,1,1,"
       "1e200\n");
   ASSERT_EQ(table.blocks.size(), 2u);
-  EXPECT_EQ(table.skipped, 4u);
-  EXPECT_EQ(table.without_mass, 1u);
+  EXPECT_EQ(table.skipped_rows, 4u);
+  EXPECT_EQ(table.blocks_without_mass, 1u);
   for (const char* part :
        {"row 2 skipped: L = 1e301 is more than 1e+09 m",
         "row 5 skipped: S = 0.9e-9 is less than 1e-09 m", "row 7: mass = 1e200"}) {

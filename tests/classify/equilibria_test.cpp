@@ -15,13 +15,13 @@ namespace {
 const Pose kSomeMotion{Vec3(3, -2, 5), Quat(0.5, -0.3, 0.7, 0.2).normalized()};
 
 /// Equilibria of the hull of points, about its own centre of mass, at another place.
-Equilibria equilibria(const std::vector<Vec3>& points, double radius = 0.1) {
+StaticEquilibriumCounts equilibria(const std::vector<Vec3>& points, double radius = 0.1) {
   const TriangleMesh hull = transformed(convex_hull(points), kSomeMotion);
-  return static_equilibria(make_sphero_polyhedron(hull, radius),
-                           solid_mass_properties(hull, 1.0).centre);
+  return count_static_equilibria(make_sphero_polyhedron(hull, radius),
+                                 solid_mass_properties(hull, 1.0).centre);
 }
 
-void expect_counts(const Equilibria& e, std::size_t S, std::size_t U, std::size_t H) {
+void expect_counts(const StaticEquilibriumCounts& e, std::size_t S, std::size_t U, std::size_t H) {
   EXPECT_EQ(e.stable, S);
   EXPECT_EQ(e.unstable, U);
   EXPECT_EQ(e.saddle, H);
@@ -66,7 +66,7 @@ TEST(Equilibria, ALeaningPrismDoesNotStandOnItsEnds) {
     }
   }
   expect_counts(equilibria(upright), 7, 10, 15);
-  const Equilibria leans = equilibria(leaning);
+  const StaticEquilibriumCounts leans = equilibria(leaning);
   EXPECT_LT(leans.stable, 6u);
   EXPECT_TRUE(leans.is_consistent());
 }
@@ -82,7 +82,7 @@ TEST(Equilibria, OfAMeshedEllipsoidComeInFlocks) {
                           0.6 * std::sin(polar) * std::sin(azimuth), 1.8 * std::cos(polar));
     }
   }
-  const Equilibria e = equilibria(points);
+  const StaticEquilibriumCounts e = equilibria(points);
   EXPECT_GE(e.unstable, 2u);
   EXPECT_GE(e.stable, 2u);
   EXPECT_EQ(e.unstable % 2, 0u);
@@ -101,7 +101,8 @@ TEST(Equilibria, PoincareHopfHoldsForAnyCentreInside) {
     const TriangleMesh hull = convex_hull(points);
     const Vec3 middle = solid_mass_properties(hull, 1.0).centre;
     const Vec3 centre = middle + 0.5 * random.uniform() * (points[0] - middle);
-    const Equilibria e = static_equilibria(make_sphero_polyhedron(hull, 0.1), centre);
+    const StaticEquilibriumCounts e =
+        count_static_equilibria(make_sphero_polyhedron(hull, 0.1), centre);
     EXPECT_TRUE(e.is_consistent())
         << "seed " << seed << ": " << e.stable << " " << e.unstable << " " << e.saddle;
     EXPECT_GE(e.stable, 1u);
@@ -112,7 +113,7 @@ TEST(Equilibria, PoincareHopfHoldsForAnyCentreInside) {
 TEST(Equilibria, OfWhatEnclosesNoVolumeAreRefused) {
   SpheroPolyhedron flat;
   flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  EXPECT_THROW(static_equilibria(flat, Vec3::Zero()), GeometryError);
+  EXPECT_THROW(count_static_equilibria(flat, Vec3::Zero()), GeometryError);
 }
 
 }  // namespace

@@ -47,11 +47,12 @@ TEST(FieldClasses, EveryClassWithinTheErrorOfTheTapeIsNamed) {
   for (const Axes& axes : authume_blocks()) {
     std::vector<std::set<std::string>> said;
     for (const std::string& scheme : scheme_names()) {
-      const ClassCertainty certainty = class_certainty(scheme, axes, kTapeError);
-      said.emplace_back(certainty.possible_others.begin(), certainty.possible_others.end());
+      const ClassCertainty certainty = assess_class_certainty(scheme, axes, kTapeError);
+      said.emplace_back(certainty.other_possible_classes.begin(),
+                        certainty.other_possible_classes.end());
       said.back().insert(certainty.name);
       said.back().erase("neither");  // a line: a grid hits it only by chance
-      EXPECT_EQ(certainty.is_certain, certainty.possible_others.empty());
+      EXPECT_EQ(certainty.is_certain, certainty.other_possible_classes.empty());
     }
     std::vector<std::set<std::string>> seen(said.size());
     const auto at = [](double axis, int k) {

@@ -77,7 +77,7 @@ TEST(FormCopula, DrawsBlocksLikeThePopulation) {
   EXPECT_EQ(fit.removed_correlation, 0.0);
   ASSERT_EQ(fit.correlations.size(), 3u);
   for (const RankCorrelation& pair : fit.correlations) {
-    EXPECT_NEAR(pair.drawn, pair.population, 0.06) << pair.first << pair.second;
+    EXPECT_NEAR(pair.sampled, pair.population, 0.06) << pair.first << pair.second;
   }
   EXPECT_LT(fit.correlations[1].population, -0.8);
 }

@@ -22,7 +22,7 @@ TEST(PopulationNotes, NamesThatStandTwiceAreCounted) {
   const auto notes = population_notes(
       std::vector{block("B", 0), block("A", 0), block("B", 0), block("C", 0), block("B", 0)});
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_TRUE(contains(notes[0], "each is counted: B 3 times"));
+  EXPECT_TRUE(contains(notes[0], "each of them is counted: B 3 times"));
   std::vector<MeasuredBlock> many;
   for (int i = 0; i < 16; ++i) many.push_back(block("N" + std::to_string(i / 2), 0));
   EXPECT_TRUE(contains(population_notes(many).at(0), "N4 2 times and 3 more"));

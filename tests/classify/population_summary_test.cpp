@@ -27,13 +27,13 @@ Population deposit(const std::string& name, std::uint64_t seed, int blocks, doub
 TEST(Summarised, HoldsEverySchemeAndMeasure) {
   const PopulationSummary summary = summarise_population(deposit("talus", 1, 40, 0.3));
   EXPECT_EQ(summary.blocks, 40u);
-  EXPECT_EQ(summary.with_mass, 40u);
+  EXPECT_EQ(summary.blocks_with_mass, 40u);
   ASSERT_EQ(summary.schemes.size(), scheme_names().size());
   for (const SchemeFractions& scheme : summary.schemes) {
-    EXPECT_EQ(scheme.shares.size(), class_names(scheme.scheme).size());
+    EXPECT_EQ(scheme.fractions.size(), class_names(scheme.scheme).size());
     std::size_t count = 0;
     double mass = 0.0;
-    for (const ClassFraction& share : scheme.shares) {
+    for (const ClassFraction& share : scheme.fractions) {
       count += share.count;
       mass += share.mass_fraction;
     }
@@ -63,7 +63,7 @@ TEST(Summarised, UnscaledBlocksHaveClassesAndNoSizes) {
   const PopulationSummary summary = summarise_population(population);
   EXPECT_EQ(summary.blocks, 41u);
   std::size_t counted = 0;
-  for (const ClassFraction& share : summary.schemes.front().shares) counted += share.count;
+  for (const ClassFraction& share : summary.schemes.front().fractions) counted += share.count;
   EXPECT_EQ(counted, 41u);
   EXPECT_EQ(summary.size.by_number.blocks, 40u);
   EXPECT_EQ(summary.size.by_number.d90, metric.size.by_number.d90);
@@ -85,7 +85,7 @@ TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
   EXPECT_FALSE(summary.size_shape_correlations[0].test);
   EXPECT_EQ(summary.size_shape_correlations[2].blocks, 0u);  // d of L = S is not defined
   EXPECT_TRUE(summary.size.by_number.laws.empty());
-  EXPECT_EQ(summary.with_mass, 0u);
+  EXPECT_EQ(summary.blocks_with_mass, 0u);
   EXPECT_EQ(summarise_population({"one", {make_measured_block("x", {3, 2, 1})}}).blocks, 1u);
   EXPECT_TRUE(contains(refusal([] { summarise_population({"none", {}}); }), "none"));
 }
@@ -93,13 +93,13 @@ TEST(Summarised, OneBlockAndOneSizeSayWhatCanBeSaid) {
 TEST(Compared, SaysThatDifferentDepositsDiffer) {
   const PopulationComparison comparison =
       compare_populations(deposit("P1", 1, 60, 0.2), deposit("P2", 2, 80, 0.5));
-  const MeasureDifference& s_c = comparison.measures.at(0);
+  const ShapeMeasureDifference& s_c = comparison.measures.at(0);
   EXPECT_LT(s_c.test->p_value, 1e-6);
   EXPECT_LT(s_c.median_a, s_c.median_b);
   for (const char* part : {"differ", "median", "P1 (60 blocks)", "P2 (80)", "less than 0.0001"}) {
     EXPECT_TRUE(contains(s_c.description, part));
   }
-  const ClassDifference& garcia = comparison.schemes.at(2);
+  const ClassFractionDifference& garcia = comparison.schemes.at(2);
   EXPECT_EQ(garcia.scheme, "garcia");
   EXPECT_LT(garcia.test->p_value, 1e-6);
   EXPECT_TRUE(contains(garcia.description, "compact") || contains(garcia.description, "elongated"));
@@ -115,7 +115,7 @@ TEST(Compared, SaysThatNothingIsShownWhereNothingIs) {
 TEST(Compared, EqualPopulationsHaveNoDistance) {
   const Population one = deposit("P1", 1, 30, 0.3);
   const PopulationComparison comparison = compare_populations(one, one);
-  for (const MeasureDifference& measure : comparison.measures) {
+  for (const ShapeMeasureDifference& measure : comparison.measures) {
     EXPECT_EQ(measure.test->statistic, 0.0);
     EXPECT_EQ(measure.test->p_value, 1.0);
   }

@@ -41,14 +41,14 @@ TEST_P(SandAtlas, FlatnessAndElongationAreReproducedToTheLastDigit) {
     ASSERT_LT(row, table.blocks.size());
     const MeasuredBlock& grain = table.blocks[row];
     EXPECT_EQ(grain.name, fields.at(0));
-    std::map<std::string, double> indices = form_indices(grain.axes_as_written);
+    std::map<std::string, double> indices = form_indices(grain.axes_in_table_unit);
     EXPECT_EQ(printed(indices.at("S/I")), fields.at(8)) << line;
     EXPECT_EQ(printed(indices.at("I/L")), fields.at(9)) << line;
     // The header says micrometres.
     EXPECT_NEAR(grain.axes.L, 1e-6 * std::stod(fields.at(3)), 1e-15);
   }
   EXPECT_EQ(row, table.blocks.size());
-  EXPECT_EQ(table.skipped, 0u);
+  EXPECT_EQ(table.skipped_rows, 0u);
 }
 
 }  // namespace

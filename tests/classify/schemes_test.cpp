@@ -163,10 +163,10 @@ TEST(Schemes, EveryLimitBesideARatioChangesTheClass) {
     const Axes axes = Axes::sorted(random.uniform(0.05, 1.0), random.uniform(0.05, 1.0), 1.0);
     for (const std::string& scheme : scheme_names()) {
       // Along L alone every ratio that holds L moves one way: walk until the class changes.
-      std::vector<SchemeRatio> before = scheme_ratios(scheme, axes);
+      std::vector<ClassifyingRatio> before = classifying_ratios(scheme, axes);
       for (double L = axes.L; L < 4.0 * axes.L; L *= 1.01) {
         const Axes longer{L, axes.I, axes.S};
-        const std::vector<SchemeRatio> now = scheme_ratios(scheme, longer);
+        const std::vector<ClassifyingRatio> now = classifying_ratios(scheme, longer);
         bool crossed = now.size() != before.size();
         for (std::size_t r = 0; !crossed && r < now.size(); ++r) {
           for (const double limit : now[r].limits) {

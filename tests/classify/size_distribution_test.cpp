@@ -102,8 +102,8 @@ TEST_P(BothLaws, UnitsScaleTheSizesAlone) {
   FittedSizeLaw a = *fit_size_law(GetParam(), sizes), b = *fit_size_law(GetParam(), in_mm);
   EXPECT_NEAR(b.location, 1000.0 * a.location, 1e-9);
   EXPECT_NEAR(b.spread, a.spread, 1e-11);
-  test_size_law(a, sizes, 0.0, 1, 200);
-  test_size_law(b, in_mm, 0.0, 1, 200);
+  compute_goodness_of_fit(a, sizes, 0.0, 1, 200);
+  compute_goodness_of_fit(b, in_mm, 0.0, 1, 200);
   EXPECT_NEAR(a.distance, b.distance, 1e-12);
   EXPECT_EQ(*a.p_value, *b.p_value);
 }
@@ -211,7 +211,7 @@ TEST_P(BothLaws, TrueLawsAreRejectedAsOftenAsStated) {
         if (step > 0.0) size = std::max(1.0, std::round(size / step)) * step;
       }
       FittedSizeLaw law = *fit_size_law(GetParam(), sizes);
-      test_size_law(law, sizes, step, seed, 99);
+      compute_goodness_of_fit(law, sizes, step, seed, 99);
       rejected += *law.p_value <= 0.1;
     }
     EXPECT_NEAR(rejected, 12, 11) << step;  // 3.3 standard deviations
@@ -222,12 +222,12 @@ TEST(Judge, FindsTheWrongLawInALargeSample) {
   const std::vector<double> sizes = log_normal_sample(2, 3000, 0.6, 0.5);
   FittedSizeLaw right = *fit_size_law(SizeLawKind::kLogNormal, sizes);
   FittedSizeLaw wrong = *fit_size_law(SizeLawKind::kRosinRammler, sizes);
-  test_size_law(right, sizes, 0.0, 1, 199);
-  test_size_law(wrong, sizes, 0.0, 1, 199);
+  compute_goodness_of_fit(right, sizes, 0.0, 1, 199);
+  compute_goodness_of_fit(wrong, sizes, 0.0, 1, 199);
   EXPECT_GT(*right.p_value, 0.02);
   EXPECT_EQ(*wrong.p_value, 1.0 / 200.0);
   FittedSizeLaw again = *fit_size_law(SizeLawKind::kLogNormal, sizes);
-  test_size_law(again, sizes, 0.0, 1, 199);
+  compute_goodness_of_fit(again, sizes, 0.0, 1, 199);
   EXPECT_EQ(*again.p_value, *right.p_value);
 }
 

@@ -36,17 +36,17 @@ std::vector<ContactPoint> all_against_all(const BlockSurface& ground, const Bloc
     if (nearest.distance >= 0.0) {
       tests.add_outside_contacts(vertex, centre, ground.local_faces, contacts);
     } else {
-      const bool inverted = tests.is_inverted(vertex, centre, nearest);
-      contacts.push_back(tests.inside_contact(
+      const bool inverted = tests.is_inverted_push(vertex, centre, nearest);
+      contacts.push_back(tests.make_inside_contact(
           vertex, centre,
-          inverted ? tests.nearest_uninverted(vertex, centre, nearest, ground.local_faces)
+          inverted ? tests.nearest_valid_push_point(vertex, centre, nearest, ground.local_faces)
                    : nearest));
     }
   }
   for (const BlockSide& side : block.parts.sides) {
     std::optional<ContactPoint> contact;
     const auto keep = [&] {
-      if (contact) add_unique(contacts, *contact);
+      if (contact) add_unique_contact(contacts, *contact);
       contact.reset();
     };
     for (const BlockSide& other : ground.parts.sides) {
@@ -117,7 +117,7 @@ TEST_P(BlockContactsOf, AreThoseOfAllFeatures) {
     pose.translation += shift;
     displacement += shift.norm() + 2.0 * std::sin(0.5 * turn) * radius;
     const std::vector<ContactPoint> all = all_against_all(ground, block, size, pose);
-    const double safe = search.safe_displacement();
+    const double safe = search.contact_free_displacement();
     const std::vector<ContactPoint> found = search.find_contacts(pose, displacement);
     deepest = 0.0;
     for (const ContactPoint& contact : found) deepest = std::max(deepest, contact.overlap);
@@ -157,7 +157,7 @@ TEST(BlockNarrowPhase, LetBlocksFarApartMoveAsFarAsTheirGap) {
   const BlockSurface a(box(1.0, {1.0, 1.0, 1.0}, 0.05, 1).shape), b(ball(1.0, 0.2).shape);
   BlockNarrowPhase search(a, b, 0.4);
   EXPECT_TRUE(search.find_contacts({{3.0, 0.0, 0.0}, Quat::Identity()}, 0.0).empty());
-  EXPECT_NEAR(search.safe_displacement(), 3.0 - 0.5 - 0.05 - 0.2, 1e-9);
+  EXPECT_NEAR(search.contact_free_displacement(), 3.0 - 0.5 - 0.05 - 0.2, 1e-9);
 }
 
 // The first call knows of no past, in which the two may have gone deep into each other.
@@ -168,7 +168,7 @@ TEST(BlockNarrowPhase, LetBlocksSideBySideMoveAsFarAsTheirGapFromTheSecondCallOn
   for (const double displacement : {0.0, 1e-6}) {
     EXPECT_TRUE(search.find_contacts({{1.06, 0.1, 0.0}, turned}, displacement).empty());
   }
-  EXPECT_NEAR(search.safe_displacement(), 0.02 + 1e-6, 1e-9);
+  EXPECT_NEAR(search.contact_free_displacement(), 0.02 + 1e-6, 1e-9);
 }
 
 /// Two rough rocks are pushed into each other until some corners of one are inside the other. One

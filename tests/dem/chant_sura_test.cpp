@@ -138,7 +138,7 @@ Throw thrown(const TerrainSurface& terrain, const RigidBody& body, RigidState st
 
 std::string spread(std::vector<double> values, int digits) {
   std::sort(values.begin(), values.end());
-  const Summary all = summarise(values);
+  const SampleSummary all = summarise_sample(values);
   char text[80];
   std::snprintf(text, sizeof(text), "%.*f (%.*f to %.*f)", digits, all.mean, digits,
                 quantile(values, 0.05), digits, quantile(values, 0.95));
@@ -152,7 +152,7 @@ struct Score {
 
   void add(double observed, std::vector<double> values) {
     std::sort(values.begin(), values.end());
-    differences.push_back(summarise(values).mean - observed);
+    differences.push_back(summarise_sample(values).mean - observed);
     measured.push_back(observed);
     if (quantile(values, 0.05) <= observed && observed <= quantile(values, 0.95)) ++inside;
   }

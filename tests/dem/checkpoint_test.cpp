@@ -139,7 +139,7 @@ struct Heard {
                              if (++steps % every != 0) return;
                              std::ostringstream state;
                              ByteWriter writer(state);
-                             progress.save(writer);
+                             progress.save_state(writer);
                              checkpoints.push_back(state.str());
                              motion_then.push_back(moved.str().size());
                              energy_then.push_back(spent.str().size());

@@ -34,8 +34,8 @@ OverlapPath path(double duration, double before, double rate, double quadratic_c
 
 /// Impulse, moment and work of a force over a path by many midpoints.
 template <class Force>
-NormalResponse summed(const OverlapPath& path, const Force& force) {
-  NormalResponse sum;
+NormalForceResponse summed(const OverlapPath& path, const Force& force) {
+  NormalForceResponse sum;
   constexpr int kPieces = 200000;
   const double dt = path.duration / kPieces;
   for (int i = 0; i < kPieces; ++i) {
@@ -47,27 +47,28 @@ NormalResponse summed(const OverlapPath& path, const Force& force) {
   return sum;
 }
 
-void expect_corrects(const NormalResponse& response, const OverlapPath& path, double first_force,
-                     const NormalResponse& exact, double last_force) {
+void expect_corrects(const NormalForceResponse& response, const OverlapPath& path,
+                     double first_force, const NormalForceResponse& exact, double last_force) {
   const double t = path.duration;
-  const double scale = kLawStiffness * (std::abs(path.before) + std::abs(path.rate) * t);
+  const double scale =
+      kLawStiffness * (std::abs(path.initial_overlap) + std::abs(path.initial_rate) * t);
   EXPECT_NEAR(response.force, last_force, 1e-9 * scale);
   EXPECT_NEAR(response.impulse + 0.5 * t * (first_force + response.force), exact.impulse,
               1e-5 * scale * t);
   EXPECT_NEAR(response.moment + 0.5 * t * t * first_force, exact.moment, 1e-5 * scale * t * t);
-  EXPECT_NEAR(response.work, exact.work, 1e-5 * scale * std::abs(path.rate) * t);
+  EXPECT_NEAR(response.work, exact.work, 1e-5 * scale * std::abs(path.initial_rate) * t);
 }
 
 TEST(EnergyRestitution, ReversalInsideTheStepIsIntegratedExactly) {
   const EnergyRestitutionLaw law = EnergyRestitutionLaw::on_ground(kLawStiffness, {0.04, 0.0, 0.0});
   const OverlapPath turning = path(1e-3, 5e-3, 0.3, -500.0);  // deepest at 0.3 ms
   const double first = 4000.0;
-  const NormalResponse exact = summed(turning, [&](double t) {
+  const NormalForceResponse exact = summed(turning, [&](double t) {
     return t < 3e-4 ? first + kLawStiffness * (turning.overlap_at(t) - 5e-3)
                     : 0.04 * kLawStiffness * turning.overlap_at(t);
   });
   expect_corrects(law.integrate(turning, {first}, 0.0), turning, first, exact,
-                  0.04 * kLawStiffness * turning.after);
+                  0.04 * kLawStiffness * turning.final_overlap);
 }
 
 TEST(EnergyRestitution, StartAndEndInsideTheStepAreIntegratedExactly) {
@@ -77,7 +78,7 @@ TEST(EnergyRestitution, StartAndEndInsideTheStepAreIntegratedExactly) {
       law.integrate(starting, {0.0}, 0.0), starting, 0.0,
       summed(starting,
              [&](double t) { return kLawStiffness * std::max(0.0, starting.overlap_at(t)); }),
-      kLawStiffness * starting.after);
+      kLawStiffness * starting.final_overlap);
   const OverlapPath ending = path(1e-3, 4e-4, -1.0, -50.0);
   const double first = 0.25 * kLawStiffness * 4e-4;
   expect_corrects(
@@ -103,7 +104,7 @@ TEST(EnergyRestitution, ReloadingInsideTheStepStartsFromTheUnloadingLine) {
 
 TEST(EnergyRestitution, SmoothStepsAreLeftToTheScheme) {
   const EnergyRestitutionLaw law = EnergyRestitutionLaw::on_ground(kLawStiffness, {0.25, 0.0, 0.0});
-  const NormalResponse loading = law.integrate(path(1e-3, 2e-3, 0.4, 10.0), {1500.0}, 0.0);
+  const NormalForceResponse loading = law.integrate(path(1e-3, 2e-3, 0.4, 10.0), {1500.0}, 0.0);
   EXPECT_EQ(loading.impulse, 0.0);
   EXPECT_EQ(loading.moment, 0.0);
   EXPECT_NEAR(loading.force, 1500.0 + kLawStiffness * 4.1e-4, 1e-6);
@@ -126,7 +127,7 @@ class DashpotRestitution : public testing::TestWithParam<double> {};
 
 // The oscillator m h'' + c h' + k h = 0 from h = 0, h' = 1, by Runge-Kutta, until m h'' = 0.
 TEST_P(DashpotRestitution, IsThatOfTheOscillatorThatNeverPulls) {
-  const double ratio = damping_ratio(GetParam());
+  const double ratio = damping_ratio_for_restitution(GetParam());
   const double dt = 1e-5;
   double h = 0.0, v = 1.0;
   const auto acceleration = [&](double at, double rate) { return -at - 2.0 * ratio * rate; };
@@ -143,9 +144,9 @@ TEST_P(DashpotRestitution, IsThatOfTheOscillatorThatNeverPulls) {
 INSTANTIATE_TEST_SUITE_P(Restitutions, DashpotRestitution,
                          testing::Values(0.81, 0.25, 0.0183156388887, 0.01, 1e-4));
 
-constexpr double kE = 0.25;                              ///< e_n^2 of what yields
-constexpr double kUnloading = kLawStiffness / kE;        ///< k_2
-constexpr double kReloading = 2.0 * kLawStiffness / kE;  ///< k_3
+constexpr double kE = 0.25;                                   ///< e_n^2 of what yields
+constexpr double kUnloading = kLawStiffness / kE;             ///< k_2
+constexpr double kReloadingRatio = 2.0 * kLawStiffness / kE;  ///< k_3
 ElastoplasticLaw yielding() { return ElastoplasticLaw::on_ground(kLawStiffness, {kE, 0.0, 0.0}); }
 
 TEST(Elastoplastic, FirstLoadingThatTurnsInsideTheStepIsIntegratedExactly) {
@@ -156,7 +157,8 @@ TEST(Elastoplastic, FirstLoadingThatTurnsInsideTheStepIsIntegratedExactly) {
     return t < 3e-4 ? kLawStiffness * turning.overlap_at(t)
                     : kUnloading * (turning.overlap_at(t) - residual_indentation);
   };
-  const NormalResponse response = yielding().integrate(turning, {first, 5e-3 * (1.0 - kE)}, 0.0);
+  const NormalForceResponse response =
+      yielding().integrate(turning, {first, 5e-3 * (1.0 - kE)}, 0.0);
   expect_corrects(response, turning, first, summed(turning, force), force(1e-3));
   EXPECT_NEAR(response.residual_indentation, residual_indentation, 1e-12);
 }
@@ -165,7 +167,8 @@ TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
   const double residual_indentation = 3e-3;
   const OverlapPath rising = path(1e-3, 3.2e-3, -0.5, -10.0);
   const double first = kUnloading * 0.2e-3;
-  const NormalResponse response = yielding().integrate(rising, {first, residual_indentation}, 0.0);
+  const NormalForceResponse response =
+      yielding().integrate(rising, {first, residual_indentation}, 0.0);
   expect_corrects(response, rising, first,
                   summed(rising,
                          [&](double t) {
@@ -174,7 +177,7 @@ TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
                          }),
                   0.0);
   EXPECT_EQ(response.residual_indentation, residual_indentation);
-  const NormalResponse loose =
+  const NormalForceResponse loose =
       yielding().integrate(path(1e-3, 1e-3, 0.5, 10.0), {0.0, residual_indentation}, 0.0);
   EXPECT_EQ(loose.force, 0.0);
   EXPECT_EQ(loose.work, 0.0);
@@ -184,15 +187,16 @@ TEST(Elastoplastic, LetsGoAtTheDentAndIsLooseAboveIt) {
 TEST(Elastoplastic, LoadsAgainFromTheDentUpToTheLineOfFirstLoading) {
   const double residual_indentation = 3e-3;  // and so the deepest was at 4 mm
   const OverlapPath falling = path(1e-3, 2.8e-3, 2.0, -50.0);
-  const double meet = kReloading * residual_indentation / (kReloading - kLawStiffness);
-  ASSERT_LT(meet, falling.after);
+  const double meet = kReloadingRatio * residual_indentation / (kReloadingRatio - kLawStiffness);
+  ASSERT_LT(meet, falling.final_overlap);
   const auto force = [&](double t) {
     const double h = falling.overlap_at(t);
-    return h > meet ? kLawStiffness * h : kReloading * std::max(0.0, h - residual_indentation);
+    return h > meet ? kLawStiffness * h : kReloadingRatio * std::max(0.0, h - residual_indentation);
   };
-  const NormalResponse response = yielding().integrate(falling, {0.0, residual_indentation}, 0.0);
+  const NormalForceResponse response =
+      yielding().integrate(falling, {0.0, residual_indentation}, 0.0);
   expect_corrects(response, falling, 0.0, summed(falling, force), force(1e-3));
-  EXPECT_NEAR(response.residual_indentation, falling.after * (1.0 - kE), 1e-12);
+  EXPECT_NEAR(response.residual_indentation, falling.final_overlap * (1.0 - kE), 1e-12);
 }
 
 /// Slowly up and down, without events: to 4 mm, back to 3.5, again to 5, and out. Unloading and
@@ -200,14 +204,14 @@ TEST(Elastoplastic, LoadsAgainFromTheDentUpToTheLineOfFirstLoading) {
 /// given back is lost.
 TEST(Elastoplastic, LosesTheAreaBetweenItsLines) {
   const ElastoplasticLaw law = yielding();
-  NormalState state;
+  NormalForceState state;
   double overlap = 0.0, work = 0.0;
   const auto go = [&](double to) {
     constexpr int kSteps = 1000;
     const double from = overlap;
     for (int i = 1; i <= kSteps; ++i) {
       const double next = from + (to - from) * i / kSteps;
-      const NormalResponse response =
+      const NormalForceResponse response =
           law.integrate({1.0, overlap, next, next - overlap}, state, 0.0);
       work += response.work;
       state = {response.force, response.residual_indentation};
@@ -237,7 +241,7 @@ TEST(Elastoplastic, LosesTheAreaBetweenItsLines) {
 TEST(Elastoplastic, WithoutLossIsALinearSpring) {
   const ElastoplasticLaw law = ElastoplasticLaw::on_ground(kLawStiffness, {1.0, 0.0, 0.0});
   for (const double rate : {-2.0, 2.0}) {
-    const NormalResponse response =
+    const NormalForceResponse response =
         law.integrate(path(1e-3, 3e-3, rate, 10.0), {kLawStiffness * 3e-3}, 0.0);
     EXPECT_NEAR(response.force, kLawStiffness * (3e-3 + 1e-3 * rate + 1e-5), 1e-6);
     EXPECT_NEAR(response.impulse, 0.0, 1e-9);
@@ -245,7 +249,7 @@ TEST(Elastoplastic, WithoutLossIsALinearSpring) {
   EXPECT_EQ(law.highest_frequency(1.0), 1.0);
 }
 
-TEST(SpringDashpot, NoDampingKeepsAllEnergy) { EXPECT_EQ(damping_ratio(1.0), 0.0); }
+TEST(SpringDashpot, NoDampingKeepsAllEnergy) { EXPECT_EQ(damping_ratio_for_restitution(1.0), 0.0); }
 
 }  // namespace
 }  // namespace clast

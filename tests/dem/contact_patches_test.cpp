@@ -47,7 +47,7 @@ TEST(ContactPatches, DependOnNoEarlierPoints) {
     ASSERT_EQ(shares.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       ASSERT_EQ(shares[i], expected[i]) << call << ", " << i;
-      ASSERT_EQ(kept.find_patch(i), fresh.find_patch(i)) << call << ", " << i;
+      ASSERT_EQ(kept.patch_index(i), fresh.patch_index(i)) << call << ", " << i;
       ++(shares[i] < 1.0 ? joined : apart);
     }
   }

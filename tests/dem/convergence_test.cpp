@@ -28,7 +28,7 @@ std::pair<double, double> contact_end(const Case& which) {
     return {0.5 * kPi / kFrequency * (1.0 + restitution),
             (1.0 - which.energy_restitution) / kFrequency};
   }
-  const double ratio = damping_ratio(which.energy_restitution);
+  const double ratio = damping_ratio_for_restitution(which.energy_restitution);
   const double depth = 2.0 * ratio * restitution / kFrequency;
   if (ratio < 1.0) {
     return {2.0 * std::acos(ratio) / (kFrequency * std::sqrt(1.0 - ratio * ratio)), depth};

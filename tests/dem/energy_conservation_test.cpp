@@ -18,11 +18,11 @@ constexpr double kTime = 8.0;  // s, some ten impacts
 struct Elastic {
   ContactLaw law;
   double energy_restitution;
-  ContactWeighting weights = ContactWeighting::kPatch;
+  ContactWeighting weighting = ContactWeighting::kPatch;
 };
 void PrintTo(const Elastic& elastic, std::ostream* out) {
   *out << name_of(elastic.law) << ", e_n^2 " << elastic.energy_restitution << ", "
-       << name_of(elastic.weights);
+       << name_of(elastic.weighting);
 }
 
 /// Balls, boxes with sharp and rounded edges, slabs, rods and rocks.
@@ -67,7 +67,7 @@ Energies bounce_of(const Elastic& elastic, int kind, std::uint64_t seed, double 
   }
   ReleaseSettings settings;
   settings.law = elastic.law;
-  settings.weights = elastic.weights;
+  settings.weighting = elastic.weighting;
   settings.max_time = kTime;
   StiffnessOptions options;
   options.law = elastic.law;

@@ -58,7 +58,7 @@ TEST(Landing, TumblingBlocksTouchAtTheRootOfTheExactFlight) {
     start.velocity = random.uniform(0.0, 8.0) * random.unit_vector();
     start.angular_velocity = random.uniform(0.0, 12.0) * random.unit_vector();
     const auto height = [&](double t) {
-      return lowest_point(body, free_flight(body, start, t, kTestGravity));
+      return lowest_height(body, free_flight(body, start, t, kTestGravity));
     };
     double clear = 0.0, touching = 0.0;
     while (height(touching) > 0.0) clear = std::exchange(touching, touching + 1e-4);

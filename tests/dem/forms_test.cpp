@@ -197,16 +197,17 @@ TEST_F(SettledSequence, BeginsWhenTheBlocksRest) {
   EXPECT_NEAR(first, 0.0, 1e-9);
   double moved = 0.0, potential = 0.0, loose = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    ASSERT_TRUE(found[i].settled);
-    EXPECT_LT(found[i].settled->position.z(), blocks_[i].start.position.z());
-    EXPECT_LT(found[i].settled->position.head<2>().cwiseAbs().maxCoeff(), 0.7);
-    EXPECT_LT(found[i].settled->velocity.norm(), 0.03);
+    ASSERT_TRUE(found[i].state_after_settling);
+    EXPECT_LT(found[i].state_after_settling->position.z(), blocks_[i].start.position.z());
+    EXPECT_LT(found[i].state_after_settling->position.head<2>().cwiseAbs().maxCoeff(), 0.7);
+    EXPECT_LT(found[i].state_after_settling->velocity.norm(), 0.03);
     EXPECT_EQ(found[i].released_at, 0.0);
     EXPECT_EQ(found[i].release.stop_reason, StopReason::kRest);
     EXPECT_LT(found[i].release.energy.error, 1e-3);
     EXPECT_LT(found[i].blocks_hit, found.size());
-    moved += (found[i].release.final_state.position - found[i].settled->position).norm();
-    potential += 60.0 * kTestGravity * found[i].settled->position.z();
+    moved +=
+        (found[i].release.final_state.position - found[i].state_after_settling->position).norm();
+    potential += 60.0 * kTestGravity * found[i].state_after_settling->position.z();
     loose += 60.0 * kTestGravity * blocks_[i].start.position.z();
   }
   EXPECT_GT(moved, 0.2);
@@ -217,7 +218,7 @@ TEST_F(SettledSequence, BeginsWhenTheBlocksRest) {
   settings.world.threads = 2;
   const auto threads = release();
   for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_EQ(threads[i].settled->position, found[i].settled->position);
+    EXPECT_EQ(threads[i].state_after_settling->position, found[i].state_after_settling->position);
     EXPECT_EQ(threads[i].release.final_state.position, found[i].release.final_state.position);
   }
 }
@@ -234,7 +235,7 @@ TEST_F(SettledSequence, HoldsOthersUntilTheirTimeAndRemovesFacesOneByOne) {
   EXPECT_EQ(found[0].released_at, 2.0);
   EXPECT_EQ(found[12].released_at, 1.5);
   EXPECT_EQ(found[13].released_at, 0.0);
-  EXPECT_FALSE(found[12].settled || found[13].settled);
+  EXPECT_FALSE(found[12].state_after_settling || found[13].state_after_settling);
   EXPECT_NEAR(seen[12], 1.5, 1e-9);
   EXPECT_NEAR(seen[13], 0.0, 1e-9);
   EXPECT_GT(found[0].release.duration, 5.0);

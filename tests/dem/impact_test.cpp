@@ -164,7 +164,7 @@ TEST(ObliqueBody, TiltedCubeImpulse) {
   RigidState start;
   start.orientation = Quat(Eigen::AngleAxisd(kPi / 6.0, Vec3::UnitY()));
   start.position = {0.0, 0.0, 0.0};
-  start.position.z() = 1e-4 - lowest_point(body, start);
+  start.position.z() = 1e-4 - lowest_height(body, start);
   start.velocity = {0.0, 0.0, -5.0};
   const Rebound rebound = first_rebound(terrain, {0.01, 0.0, 0.0}, body, start, settings);
   ASSERT_TRUE(rebound.left);
@@ -197,7 +197,7 @@ TEST(ObliqueBody, ImpulseOfRandomBlocks) {
               [](const auto& a, const auto& b) { return a.first < b.first; });
     if (corners[1].first - corners[0].first < 0.05) continue;
     ++compared;
-    start.position.z() = 1e-4 - lowest_point(body, start);
+    start.position.z() = 1e-4 - lowest_height(body, start);
     start.velocity = {random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), -5.0};
     ReleaseSettings settings = stiff_settings(body, 1e11, 50.0);
     settings.gravity = 0.0;

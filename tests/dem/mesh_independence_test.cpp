@@ -122,7 +122,7 @@ TEST(GhostEdges, ConcaveBlockSlidesOnTheSamePathUntilItStops) {
       choose_stiffness(std::span(&body, 1), std::span(&zone, 1), 5.0, kTestGravity).stiffness;
   RigidState start;
   start.position = {-5.0, 0.3, 0.0};
-  start.position.z() = 0.01 - lowest_point(body, start);
+  start.position.z() = 0.01 - lowest_height(body, start);
   const TerrainSurface simple = plane(1, 0.0), fine = plane(80, 0.0);
   start = path_on(simple, zone, body, start, settings).result.final_state;
   start.velocity = {3.0, 0.7, 0.0};
@@ -134,7 +134,7 @@ TEST(GhostEdges, ConcaveBlockSlidesOnTheSamePathUntilItStops) {
   expect_same(on_two, path_on(fine, zone, body, start, settings), 1e-6);
 }
 
-enum class Form { kSphere, kCube, kRock };
+enum class Form { kSphere, kCube, kBlockColour };
 void PrintTo(Form form, std::ostream* out) {
   constexpr std::array kNames = {"sphere", "cube", "rock"};
   *out << kNames.at(static_cast<std::size_t>(form));
@@ -172,7 +172,8 @@ TEST_P(Plane, IsOnePlaneHoweverItIsMade) {
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Forms, Plane, testing::Values(Form::kSphere, Form::kCube, Form::kRock));
+INSTANTIATE_TEST_SUITE_P(Forms, Plane,
+                         testing::Values(Form::kSphere, Form::kCube, Form::kBlockColour));
 
 /// Energy kept at the first separation, as a share, and the peak force.
 struct Bounce {
@@ -187,7 +188,7 @@ Bounce bounce(const TerrainSurface& terrain, const RigidBody& body, const Quat& 
   RigidState start;
   start.orientation = orientation;
   start.position = {0.137, 0.211, 0.0};
-  start.position.z() = 0.01 - lowest_point(body, start);
+  start.position.z() = 0.01 - lowest_height(body, start);
   start.velocity = {0.0, 0.0, -5.0};
   Bounce result;
   bool touched = false;

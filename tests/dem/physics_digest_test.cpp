@@ -70,7 +70,8 @@ TEST(PhysicsDigest, NamesBothWhereTheyDiffer) {
   EXPECT_EQ(describe_physics_difference(a, a), "");
   EXPECT_EQ(describe_physics_difference("", a), "");
   EXPECT_EQ(describe_physics_difference(a, b),
-            "blocks move differently in this clast (physics digest aaaaaaaaaa, here bbbbbbbbbb)");
+            "this version of clast computes different motions (physics digest aaaaaaaaaa, here "
+            "bbbbbbbbbb)");
 }
 
 }  // namespace

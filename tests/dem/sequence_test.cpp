@@ -293,7 +293,7 @@ TEST(Sequence, ReportsHowFarItIs) {
   simulate_sequence(terrain, kGround, shapes, std::vector{block, block}, settings_for(shapes),
                     {.progress = [&](const SequenceProgress& now) {
                       seen.push_back(now);
-                      resting.push_back(now.resting());
+                      resting.push_back(now.count_resting());
                     }});
   ASSERT_GT(seen.size(), 100u);
   EXPECT_EQ(seen.front().released, 1u);

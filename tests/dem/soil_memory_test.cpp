@@ -56,7 +56,7 @@ class Range {
 /// What an impact of energy k_1/2 on soil with this dent keeps, and the dent that it leaves, for
 /// k_1 = 1, k_2 = 1/e and k_3 = 2 k_2.
 double kept_of(double& residual_indentation) {
-  const double k2 = 1.0 / kRestitution, k3 = ElastoplasticLaw::kReloading * k2;
+  const double k2 = 1.0 / kRestitution, k3 = ElastoplasticLaw::kReloadingRatio * k2;
   const double meet = k3 * residual_indentation / (k3 - 1.0);  // with the line of first loading
   const double until_there =
       0.5 * k3 * (meet - residual_indentation) * (meet - residual_indentation);
@@ -79,7 +79,7 @@ TEST(SoilMemory, ASlowImpactInsideADentReturnsTheShareOfReloading) {
   Range range(0.2);
   range.drop(0.05, 2.0);
   // The first went to 1, its dent is 0.75: up to an energy of 0.046 of it nothing yields.
-  EXPECT_NEAR(range.drop(0.05, 0.4), 1.0 / ElastoplasticLaw::kReloading, 0.005);
+  EXPECT_NEAR(range.drop(0.05, 0.4), 1.0 / ElastoplasticLaw::kReloadingRatio, 0.005);
 }
 
 TEST(SoilMemory, OtherCellsAndGroundWithoutMemoryKnowNothing) {

@@ -36,7 +36,7 @@ class SpringTransfer : public testing::TestWithParam<ContactWeighting> {
       points.push_back(point);
     }
     motion_.velocity = motion_.begin_velocity = velocity;
-    return forces_.update(points, motion_, {}, kStep, energy_balance_);
+    return forces_.update_loads(points, motion_, {}, kStep, energy_balance_);
   }
 
   RigidBody cube_ = box(1000.0, Vec3::Ones());

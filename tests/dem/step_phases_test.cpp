@@ -60,7 +60,7 @@ Vec3 after_impact(const PhaseImpact& impact, double gap, double step, double lon
   static const TerrainSurface terrain = ground(plane_mesh(3.0, 5));
   const RigidBody body = impact.corner ? phase_rock() : ball(1.0, 0.1);
   const double k = 1e6, arm = 0.5 * body.smallest_side;
-  const double frequency = std::sqrt(k * body_requirements(body).mobility);
+  const double frequency = std::sqrt(k * body_stiffness_inputs(body).mobility);
   ReleaseSettings settings;
   settings.stiffness = {k, k, k * arm * arm, step / frequency, longest / frequency};
   settings.gravity = 0.0;
@@ -152,7 +152,7 @@ TEST(StepPhases, FollowAllContactsTogether) {
   const RigidBody body = box(1000.0, {1.0, 1.0, 0.3});
   const GroundParameters zone{0.01, 0.7, 0.0};
   ReleaseSettings settings = automatic(body, zone);
-  settings.weights = ContactWeighting::kNone;
+  settings.weighting = ContactWeighting::kNone;
   const TerrainSurface terrain = ground(plane_mesh(5.0, 3));
   RigidState start;
   start.position.z() = 0.25;

@@ -78,7 +78,7 @@ TEST(SafeTravel, NoContactBeforeIt) {
                            random.uniform(0.5, 3.0);
     TerrainNarrowPhase search(terrain.impl().surface, block, body.size());
     if (!search.find_contacts(pose, 0.0).empty()) continue;
-    const double safe = search.safe_displacement();
+    const double safe = search.contact_free_displacement();
     for (int trial = 0; trial < 5; ++trial) {
       Pose moved = pose;
       moved.translation += 0.999 * safe * random.unit_vector();
@@ -111,16 +111,17 @@ TEST(SafeTime, NoContactBeforeIt) {
     if (!search.find_contacts(start.world_from_body(), 0.0).empty()) continue;
     const double spin = std::sqrt(2.0 * rotational_energy(body, start) / body.moments.minCoeff());
     const double max_point_speed = start.velocity.norm() + spin * radius;
-    const double time = search.safe_time({.velocity = start.velocity,
-                                          .spin = start.angular_velocity,
-                                          .turning = uneven * spin * spin,
-                                          .acceleration = g + uneven * spin * spin * radius,
-                                          .max_point_speed = max_point_speed,
-                                          .gravity = g},
-                                         1e-5);
+    const double time =
+        search.find_contact_free_flight_time({.velocity = start.velocity,
+                                              .spin = start.angular_velocity,
+                                              .rotational_acceleration = uneven * spin * spin,
+                                              .acceleration = g + uneven * spin * spin * radius,
+                                              .max_point_speed = max_point_speed,
+                                              .gravity = g},
+                                             1e-5);
     EXPECT_GT(time, 0.0);
     flown += time;
-    by_top_speed += search.safe_displacement() / max_point_speed;
+    by_top_speed += search.contact_free_displacement() / max_point_speed;
     for (const double share : {0.25, 0.5, 0.75, 0.999}) {
       const RigidState later = free_flight(body, start, share * time, g);
       EXPECT_TRUE(from_scratch(terrain, body, later.world_from_body()).empty())
@@ -198,7 +199,8 @@ TEST(TerrainNarrowPhase, TakesNothingFromAnotherOfItsThread) {
       TerrainNarrowPhase flying(terrain.impl().surface, large_surface, large.size());
       const Pose on_ridge{{0.1, 0.3, height}, Quat(Eigen::AngleAxisd(-tilt, Vec3::UnitY()))};
       // Where its edges have only passed through the ridge they do not touch, but are measured.
-      if (pierced.find_contacts(on_ridge, 0.0).empty() && pierced.safe_displacement() == 0.0)
+      if (pierced.find_contacts(on_ridge, 0.0).empty() &&
+          pierced.contact_free_displacement() == 0.0)
         ++passed;
       EXPECT_TRUE(flying.find_contacts({{5.0, 0.0, 50.0}, Quat::Identity()}, 0.0).empty());
     }
@@ -228,7 +230,8 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
       double second = 1e300;
       for (std::uint32_t f = 0; f < whole.features.faces.size(); ++f) {
         if (f == expected->face) continue;
-        second = std::min(second, std::abs(nearest_on_face(whole.features, f, query).distance));
+        second =
+            std::min(second, std::abs(nearest_point_on_face(whole.features, f, query).distance));
       }
       EXPECT_LE(found.second, second);
       EXPECT_GE(found.second, std::min(second, std::abs(expected->distance) + 0.3) - 1e-12);
@@ -237,13 +240,13 @@ TEST(LocalGround, AgreesWithTheWholeGround) {
   }
 }
 
-TEST(SegmentDistance, NoOtherPairOfPointsIsCloser) {
+TEST(ClosestSegmentPoints, NoOtherPairOfPointsIsCloser) {
   Random random(7);
   for (int i = 0; i < 300; ++i) {
     const Vec3 a = random.unit_vector(), b = 0.5 * random.unit_vector(), u = random.unit_vector();
     const Vec3 v = i % 10 == 0 ? u : random.unit_vector();  // parallel ones too
     const double length_a = random.uniform(0.1, 2.0), length_b = random.uniform(0.1, 2.0);
-    const SegmentDistance closest = closest_points({a, u, length_a}, {b, v, length_b});
+    const ClosestSegmentPoints closest = closest_segment_points({a, u, length_a}, {b, v, length_b});
     EXPECT_LT((closest.separation - (a + closest.first * u - b - closest.second * v)).norm(),
               1e-12);
     double sampled = 1e300;
@@ -268,7 +271,7 @@ TEST(WayToCrossing, NothingCrossesBefore) {
     const Segment ground{block.point_at(random.uniform(-0.3, 0.9)) + 0.1 * random.unit_vector(),
                          random.unit_vector(), random.uniform(0.1, 0.6)};
     const double radius = 1.2;  // of all that the block holds, about the origin
-    const SegmentDistance closest = closest_points(block, ground);
+    const ClosestSegmentPoints closest = closest_segment_points(block, ground);
     if (closest.crossing) continue;
     const double displacement =
         displacement_to_crossing(closest, block, ground, Vec3::Zero(), radius);
@@ -279,8 +282,8 @@ TEST(WayToCrossing, NothingCrossesBefore) {
       const double angle = 2.0 * std::asin(std::min(1.0, 0.5 * turning * moved / radius));
       const Eigen::AngleAxisd turn(angle, random.unit_vector());
       const Vec3 shift = (1.0 - turning) * moved * random.unit_vector();
-      return closest_points({turn * block.start + shift, turn * block.direction, block.length},
-                            ground)
+      return closest_segment_points(
+                 {turn * block.start + shift, turn * block.direction, block.length}, ground)
           .crossing;
     };
     for (int k = 0; k < 40; ++k) ASSERT_FALSE(crosses_after(0.999 * displacement)) << i;

@@ -40,10 +40,10 @@ RigidBody bridge() {
 }
 
 struct Sharing {
-  ContactWeighting weights;
+  ContactWeighting weighting;
   double laws;  ///< how many times the full stiffness carries the bridge
 };
-void PrintTo(const Sharing& sharing, std::ostream* out) { *out << name_of(sharing.weights); }
+void PrintTo(const Sharing& sharing, std::ostream* out) { *out << name_of(sharing.weighting); }
 
 class RestDepth : public testing::TestWithParam<Sharing> {};
 
@@ -53,7 +53,7 @@ TEST_P(RestDepth, IsThatOfTheLawsThatCarryTheBlock) {
   const TerrainSurface terrain = ground(plane_mesh(5.0, 12));
   const RigidBody body = bridge();
   ReleaseSettings settings = stiff_settings(body, 1e8);
-  settings.weights = weights;
+  settings.weighting = weights;
   settings.start_overlap = 1.0;
   settings.max_time = 0.3;
   settings.rest_energy = 1e-300;
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Weights, RestDepth,
                                          Sharing{ContactWeighting::kOverlap, 1.0},
                                          Sharing{ContactWeighting::kCount, 1.0},
                                          Sharing{ContactWeighting::kNone, 8.0}),
-                         [](const auto& test) { return name_of(test.param.weights); });
+                         [](const auto& test) { return name_of(test.param.weighting); });
 
 // Many small drops on flat ground: whatever way a block settles, it is not below ground.
 TEST(Settling, IsNeverTakenForSinking) {
@@ -82,7 +82,7 @@ TEST(Settling, IsNeverTakenForSinking) {
     settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 3.0, kTestGravity).stiffness;
     RigidState start;
     start.orientation = Random(seed).rotation();
-    start.position.z() = 0.2 - lowest_point(body, start);
+    start.position.z() = 0.2 - lowest_height(body, start);
     const ReleaseResult result = simulate_release(terrain, zones, body, start, settings);
     EXPECT_EQ(result.stop_reason, StopReason::kRest);
     EXPECT_FALSE(result.below_ground) << seed << ": " << result.settled_penetration;
@@ -97,7 +97,7 @@ TEST_P(AnyWeights, RocksComeToRestWithTheirEnergyAccountedFor) {
     const RigidBody body = rock(4, {0.45, 0.33, 0.28}, 0.01, 2650.0, seed);
     const std::vector<GroundParameters> zones = {{0.01, 0.7, 0.3}};
     ReleaseSettings settings;
-    settings.weights = GetParam();
+    settings.weighting = GetParam();
     settings.stiffness = choose_stiffness(std::span(&body, 1), zones, 15.0, kTestGravity).stiffness;
     RigidState start;
     start.orientation = Random(seed).rotation();
@@ -140,7 +140,7 @@ TEST(AutoStiffness, SpringDashpotRestsOnItsSpring) {
   const StiffnessChoice choice =
       choose_stiffness(std::span(&body, 1), zones, 1.0, kTestGravity, options);
   EXPECT_NEAR(choice.stiffness.normal, 1000.0 * kTestGravity / 0.02, 1.0);
-  const double ratio = damping_ratio(0.01);
+  const double ratio = damping_ratio_for_restitution(0.01);
   const double rate = (ratio + std::sqrt(ratio * ratio - 1.0)) *
                       std::sqrt(choice.stiffness.normal / 1000.0 * (1.0 + 2.5));
   EXPECT_NEAR(choice.stiffness.time_step, 0.2 / rate, 1e-3 * 0.2 / rate);

@@ -48,7 +48,7 @@ TEST_P(Collisions, KeepMomentumAndAccountForEnergy) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const Launch launch = random_launch(seed);
     WorldSettings settings = stiff_world(shapes[0], 1e6, 40.0);
-    settings.weights = GetParam();
+    settings.weighting = GetParam();
     settings.between_bodies = {0.1, 0.6, 0.3};
     World world(shapes, settings);
     double linear = 0.0;

@@ -204,7 +204,7 @@ TEST_P(ElasticBlocks, KeepTheirEnergyOrSayWhereItWent) {
   shapes.push_back(ellipsoid(1.0, {0.2, 0.15, 0.12}, 0.02, 2));
   shapes.push_back(box(2.0, {0.3, 0.2, 0.25}, 0.02));
   WorldSettings settings = stiff_world(shapes[3], 1e7, 40.0);
-  settings.weights = GetParam();
+  settings.weighting = GetParam();
   settings.between_bodies = {1.0, 0.0, 0.0};
   World world(shapes, settings);
   world.add_body(3, at({-0.3, 0.1, 0.05}, {3.0, 0.4, 1.0}));

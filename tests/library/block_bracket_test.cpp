@@ -19,7 +19,7 @@ Block half_seen() {
   block.volume_bracket = VolumeBracket{.lower_volume = 0.9,
                                        .estimated_volume = 1.0,
                                        .upper_volume = 1.2,
-                                       .sides = SideBounds{{2.0, 1.0, 0.5}, {2.0, 1.0, 0.8}},
+                                       .sides = BoxSideBounds{{2.0, 1.0, 0.5}, {2.0, 1.0, 0.8}},
                                        .filled_fraction = 0.17,
                                        .assumption = "the flanks go on"};
   return block;
@@ -57,7 +57,7 @@ TEST(BlockBracket, ClassesAreAllThatTheAxesAllow) {
 TEST(BlockBracket, AxesRunThroughTheirBoundsEachByItself) {
   Block block = half_seen();
   block.box.lengths = {1.5, 1.3, 1.0};
-  block.volume_bracket->sides = SideBounds{{1.4, 1.2, 1.0}, {1.6, 1.4, 1.0}};
+  block.volume_bracket->sides = BoxSideBounds{{1.4, 1.2, 1.0}, {1.6, 1.4, 1.0}};
   const BlockBracket range = derive_block_bracket(block);
   EXPECT_EQ(range.classes.at("garcia"), (std::vector<std::string>{"compact", "elongated"}));
   EXPECT_NEAR(range.lower_s_c.value(), 0.0, 1e-12);  // 1.4 / 1.4
@@ -66,7 +66,7 @@ TEST(BlockBracket, AxesRunThroughTheirBoundsEachByItself) {
 
 TEST(BlockBracket, TheBlocksOwnAxesAreWithinTheBounds) {
   Block block = half_seen();
-  block.volume_bracket->sides = SideBounds{{2.05, 0.8, 0.65}, {2.1, 0.9, 0.7}};
+  block.volume_bracket->sides = BoxSideBounds{{2.05, 0.8, 0.65}, {2.1, 0.9, 0.7}};
   const BlockBracket range = derive_block_bracket(block);
   EXPECT_EQ(range.axes->lower.L, 2.0);
   EXPECT_EQ(range.axes->upper.I, 1.0);

@@ -28,20 +28,24 @@ class BlockExport : public testing::Test {
 };
 
 TEST_F(BlockExport, GlbIsYUpAsItsStandardHasItAndOtherFormatsAreZUp) {
-  exported({.formats = {"glb", "obj"}, .what = ExportedSurface::kSurface});
+  exported({.formats = {"glb", "obj"}, .surface = ExportedSurface::kSurface});
   EXPECT_EQ(extents(folder_ / "B1.obj"), Vec3(3.0, 2.0, 1.0));
   EXPECT_EQ(extents(folder_ / "B1.glb"), Vec3(3.0, 1.0, 2.0));
-  exported(
-      {.formats = {"glb", "obj"}, .what = ExportedSurface::kSurface, .up = "z", .replace = true});
+  exported({.formats = {"glb", "obj"},
+            .surface = ExportedSurface::kSurface,
+            .up = "z",
+            .replace = true});
   EXPECT_EQ(extents(folder_ / "B1.glb"), Vec3(3.0, 2.0, 1.0));
-  exported(
-      {.formats = {"glb", "obj"}, .what = ExportedSurface::kSurface, .up = "y", .replace = true});
+  exported({.formats = {"glb", "obj"},
+            .surface = ExportedSurface::kSurface,
+            .up = "y",
+            .replace = true});
   EXPECT_EQ(extents(folder_ / "B1.obj"), Vec3(3.0, 1.0, 2.0));
 }
 
 TEST_F(BlockExport, ThePrincipalFrameHasNoUp) {
   exported({.formats = {"glb", "obj"},
-            .what = ExportedSurface::kSurface,
+            .surface = ExportedSurface::kSurface,
             .frame = ExportFrame::kPrincipal});
   EXPECT_LT((extents(folder_ / "B1.glb") - extents(folder_ / "B1.obj")).norm(), 1e-6);
   EXPECT_TRUE(contains(
@@ -50,7 +54,7 @@ TEST_F(BlockExport, ThePrincipalFrameHasNoUp) {
 }
 
 TEST_F(BlockExport, FilesAreThoseThatWereAskedFor) {
-  const auto files = exported({.formats = {"ply", "shp"}, .what = ExportedSurface::kBoth});
+  const auto files = exported({.formats = {"ply", "shp"}, .surface = ExportedSurface::kBoth});
   const std::vector<std::filesystem::path> expected = {folder_ / "B1.ply", folder_ / "B1_core.ply",
                                                        folder_ / "B1.shp"};
   EXPECT_EQ(files, expected);
@@ -74,7 +78,8 @@ TEST_F(BlockExport, WhatMakesNoSenseIsRefused) {
   EXPECT_TRUE(contains(refused({.formats = {"ply"}, .segments = 65}), "from 1 to 64"));
   EXPECT_TRUE(contains(refused({.up = "x"}), "up = \"x\""));
   block_.body = {.vertices = {Vec3::Zero()}, .edges = {}, .faces = {}, .radius = 0.5};
-  EXPECT_TRUE(contains(refused({.formats = {"ply"}, .what = ExportedSurface::kCore}), "is a ball"));
+  EXPECT_TRUE(
+      contains(refused({.formats = {"ply"}, .surface = ExportedSurface::kCore}), "is a ball"));
   EXPECT_TRUE(contains(refusal<InputError>([&] { export_blocks({}, folder_.path()); }),
                        "no block to export"));
 }

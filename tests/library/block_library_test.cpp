@@ -116,7 +116,7 @@ TEST(BlockLibrary, TheVolumeBracketOfAnOlderFileIsRead) {
     }
   }
   const BlockLibrary library = BlockLibrary::read(path);
-  const SideBounds& sides = *library.find_block("SP1A").volume_bracket->sides;
+  const BoxSideBounds& sides = *library.find_block("SP1A").volume_bracket->sides;
   EXPECT_EQ(sides.lower[0], 2.9);
   EXPECT_EQ(sides.upper[0], 3.0);
   EXPECT_EQ(sides.lower[1], 2.0);

@@ -57,7 +57,7 @@ inline Block filled_block(const std::string& id) {
   block.volume_bracket = VolumeBracket{.lower_volume = 5.5,
                                        .estimated_volume = 6.0,
                                        .upper_volume = 7.0,
-                                       .sides = SideBounds{{3.0, 2.0, 0.9}, {3.1, 2.2, 1.2}},
+                                       .sides = BoxSideBounds{{3.0, 2.0, 0.9}, {3.1, 2.2, 1.2}},
                                        .filled_fraction = 0.2,
                                        .assumption = "the flanks go on"};
   block.warnings = {"first", "second, with é"};

@@ -30,7 +30,7 @@ Block rock(const std::string& id = "R 1%") {
 }
 
 Block varied(const Variation& variation, PreservedSize keep = PreservedSize::kMass) {
-  return vary_block("V", rock(), variation, kSource, {.keep = keep});
+  return vary_block("V", rock(), variation, kSource, {.preserved_size = keep});
 }
 
 double convexity_of(const Block& block) { return convexity(block.body, block.mass.volume); }
@@ -74,7 +74,7 @@ TEST(BlockVariation, FillHollowsToAConvexityAndKeepTheForm) {
   for (const double target : {0.95, 0.98, 0.995, 1.0}) {
     const Block twin = varied(ConvexityVariation{target});
     expect_near(convexity_of(twin), target);
-    EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(parent.box)), 1e-6);
+    EXPECT_LT(max_ratio_difference(box_ratios(twin.box), box_ratios(parent.box)), 1e-6);
     EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
   }
   const std::string said = refusal<GeometryError>([] { varied(ConvexityVariation{0.5}); });
@@ -87,7 +87,8 @@ TEST(BlockVariation, RoundEdgesAtConstantVolumeAndForm) {
   for (const double share : {0.02, 0.1, 0.2, 0.3}) {
     const Block twin = varied(RoundingVariation{share});
     expect_near(twin.body.radius / twin.axes().S, share);
-    EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
+    EXPECT_LT(max_ratio_difference(box_ratios(twin.box), box_ratios(parent.box)),
+              kVariationTolerance);
     EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
   }
   EXPECT_EQ(varied(RoundingVariation{0.0}).body.radius, 0.0);
@@ -124,9 +125,10 @@ TEST(BlockVariation, ReachARoundnessOrSayTheNearest) {
     EXPECT_TRUE(
         contains(twin.source.options, "edge_m=" + format_significant(edge, 4) + " roundness=0."));
     EXPECT_NEAR(block_roundness(twin, stated).value / target, 1.0, kRoundnessTolerance);
-    EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(convex.box)), kVariationTolerance);
+    EXPECT_LT(max_ratio_difference(box_ratios(twin.box), box_ratios(convex.box)),
+              kVariationTolerance);
     EXPECT_NEAR(twin.mass.volume / convex.mass.volume, 1.0, 5e-4);
-    EXPECT_EQ(parse_variation(twin)->step, target);
+    EXPECT_EQ(parse_variation(twin)->target_value, target);
   }
   const auto said = [&](double target) {
     return refusal<GeometryError>([&] {
@@ -143,7 +145,8 @@ TEST(BlockVariation, SimplifyToAsManyVerticesAsAreAskedFor) {
   for (const std::size_t count : {8u, 30u}) {
     const Block twin = varied(VertexCountVariation{count});
     EXPECT_EQ(twin.body.vertices.size(), count);
-    EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
+    EXPECT_LT(max_ratio_difference(box_ratios(twin.box), box_ratios(parent.box)),
+              kVariationTolerance);
     EXPECT_NEAR(twin.mass.volume / parent.mass.volume, 1.0, 5e-4);
   }
   EXPECT_TRUE(contains(refusal([] { varied(VertexCountVariation{2000}); }),
@@ -154,7 +157,8 @@ TEST(BlockVariation, ReferencesHaveMassAndFormOfTheBlock) {
   const Block parent = rock();
   for (const ReferenceShape form : {ReferenceShape::kBox, ReferenceShape::kEllipsoid}) {
     const Block twin = varied(ReferenceVariation{form});
-    EXPECT_LT(ratio_difference(box_ratios(twin.box), box_ratios(parent.box)), kVariationTolerance);
+    EXPECT_LT(max_ratio_difference(box_ratios(twin.box), box_ratios(parent.box)),
+              kVariationTolerance);
     EXPECT_NEAR(twin.mass.mass / parent.mass.mass, 1.0, 5e-4);
     EXPECT_NEAR(convexity_of(twin), 1.0, 1e-9);
   }
@@ -187,8 +191,8 @@ TEST(BlockVariation, SayWhatWasDone) {
   ASSERT_TRUE(record);
   EXPECT_EQ(record->kind, "stretch");
   EXPECT_EQ(record->parent, "R 1%");
-  EXPECT_EQ(record->form->i_l, 0.8);
-  EXPECT_EQ(parse_variation(varied(ConvexityVariation{0.97}))->step, 0.97);
+  EXPECT_EQ(record->target_ratios->i_l, 0.8);
+  EXPECT_EQ(parse_variation(varied(ConvexityVariation{0.97}))->target_value, 0.97);
   EXPECT_EQ(parse_variation(varied(ReferenceVariation{ReferenceShape::kEota221}))->reference,
             "eota-221");
   EXPECT_FALSE(parse_variation(rock()));
@@ -217,8 +221,8 @@ TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
   const auto requests = combine_variations({&one, 1}, wanted);
   ASSERT_EQ(requests.size(), 3u);
   EXPECT_EQ(requests[0].id, "R 1%_il0.9_sl0.6");
-  const BlockSeries alone = make_series(requests, kSource, {{}, 1});
-  const BlockSeries both = make_series(requests, kSource, {{}, 2});
+  const VariedBlockSeries alone = make_variation_series(requests, kSource, {{}, 1});
+  const VariedBlockSeries both = make_variation_series(requests, kSource, {{}, 2});
   ASSERT_EQ(alone.blocks.size(), 2u);
   ASSERT_EQ(alone.failures.size(), 1u);
   EXPECT_TRUE(contains(alone.failures[0], "convexity of 0.2"));
@@ -235,8 +239,9 @@ TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
   for (int i = 0; i < 12; ++i) {
     population.push_back({{1.0 + 0.1 * i, 0.8 + 0.02 * i, 0.4 + 0.01 * i}, std::nullopt});
   }
-  const SampledSeries drawn = sample_series({&one, 1}, population, 5, 7, "D");
-  const BlockSeries series = make_series(drawn.requests, kSource);
+  const SampledVariationRequests drawn =
+      sample_variation_requests({&one, 1}, population, 5, 7, "D");
+  const VariedBlockSeries series = make_variation_series(drawn.requests, kSource);
   ASSERT_EQ(series.blocks.size(), 5u) << series.failures.front();
   for (std::size_t i = 0; i < 5; ++i) {
     const auto& wanted = std::get<SampledFormVariation>(drawn.requests[i].variation);
@@ -244,11 +249,12 @@ TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
     expect_near(series.blocks[i].axes().L, wanted.length);
     expect_near(series.blocks[i].axes().S / series.blocks[i].axes().L, wanted.ratios.s_l);
   }
-  const SampledSeries again = sample_series({&one, 1}, population, 5, 7, "D");
+  const SampledVariationRequests again =
+      sample_variation_requests({&one, 1}, population, 5, 7, "D");
   EXPECT_EQ(std::get<SampledFormVariation>(again.requests[4].variation).length,
             std::get<SampledFormVariation>(drawn.requests[4].variation).length);
   EXPECT_TRUE(contains(refusal([&] {
-                         sample_series({&one, 1}, {population.data(), 3}, 5, 7, "D");
+                         sample_variation_requests({&one, 1}, {population.data(), 3}, 5, 7, "D");
                        }),
                        "but there are 3"));
 }

@@ -215,7 +215,7 @@ TEST(MakeBlock, OptionsThatMakeNoSenseAreRefusedByName) {
   };
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.core = true; }), "radius"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.radius = -1.0; }), "radius"));
-  EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.radius_share = 0.5; }),
+  EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.radius_fraction = 0.5; }),
                        "radius as a fraction of S"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.density = 0.0; }), "density"));
   EXPECT_TRUE(contains(refused([](BlockOptions& o) { o.density = std::nan(""); }), "density"));

@@ -24,9 +24,9 @@ const BlockSource kScarSource{"scar.ply", std::string(64, '0'), "units=m", ""};
 TEST(RockMassBlocks, RoundedPiecesStayInsideTheirPlaces) {
   const TriangleMesh mass = rock_mesh(10, {3.0, 2.5, 2.0}, 5);
   RockMassOptions options = joints({"70/095/1.3/0.3", "60/200/1.1/0.3", "20/310/0.9"});
-  options.cutting.least_volume = 0.05;
+  options.cutting.min_volume = 0.05;
   const RockMassBlocks made = cut_rock_mass(mass, kScarSource, options);
-  const JointedMass cut = cut_by_joints(mass, options.joints, options.cutting);
+  const JointedRockMass cut = cut_by_joints(mass, options.joints, options.cutting);
   ASSERT_EQ(made.blocks.size() + made.failures.size(), cut.blocks.size());
   EXPECT_LT(made.failures.size(), 3u);
   EXPECT_EQ(made.blocks[0].id, "J0001");

@@ -19,14 +19,14 @@ namespace {
 /// Moments of the rounded hull from its definition and a fine grid of lines alone: balls on the
 /// vertices, whole cylinders on the edges, slabs over the faces. A convex body cuts a line in one
 /// interval, from the lowest to the highest point of any of them.
-Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
+SolidMoments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
   std::vector<OffsetPiece> parts;
   Bounds all = bounds(hull);
   all.low -= Vec3::Constant(r);
   all.high += Vec3::Constant(r);
   const auto add = [&](OffsetPiece::CurvedFace round, const Vec3& p, const Vec3& q) {
     OffsetPiece part;
-    part.round = round;
+    part.curved_face = round;
     part.centre = p;
     part.box = all;
     if (round == OffsetPiece::CurvedFace::cylinder) {
@@ -49,9 +49,9 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
     }
     parts.push_back(slab);
   }
-  const VerticalLinePieces lines(parts, r);
+  const PieceLineClipper lines(parts, r);
   const Vec3 step = (all.high - all.low) / per_side;
-  Moments sum;
+  SolidMoments sum;
   for (int j = 0; j < per_side; ++j) {
     const double y = all.low.y() + (j + 0.5) * step.y();
     std::vector<LineInterval> chords(per_side, LineInterval{1e300, -1e300});
@@ -72,7 +72,7 @@ Moments hull_by_columns(const TriangleMesh& hull, double r, int per_side) {
       if (!(low < high)) continue;
       const Vec2 xy(all.low.x() + (i + 0.5) * step.x(), y);
       const double length = high - low, first = 0.5 * (high * high - low * low);
-      Moments m;
+      SolidMoments m;
       m.volume = length;
       m.first << xy * length, first;
       m.second.topLeftCorner<2, 2>() = length * xy * xy.transpose();

@@ -185,24 +185,26 @@ TEST_F(Clouds, ColumnsThatAreAskedForAreTaken) {
 TEST_F(Clouds, UnitsOfHeadingsAreDeclared) {
   write_text_file(folder / "a.csv", "X (ft),Y (ft),Z (ft)\n1,2,3\n");
   const CloudSummary feet = stream_cloud(folder / "a.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(
-      refusal([&] { check_length_units("a.csv", feet.lengths, {.conversion_command = "WAY"}); }),
-      "its map unit is the ft (0.3048 m) (heading \"X (ft)\")"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         check_length_units("a.csv", feet.unit_declarations,
+                                            {.conversion_command = "WAY"});
+                       }),
+                       "its map unit is the ft (0.3048 m) (heading \"X (ft)\")"));
   write_text_file(folder / "b.csv", "X [m];Y [m];Z [mm]\n1;2;3\n");
   const CloudSummary mixed = stream_cloud(folder / "b.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_length_units("b.csv", mixed.lengths, {}); }),
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("b.csv", mixed.unit_declarations, {}); }),
                        "its heights are in units of the mm (0.001 m) (heading \"Z [mm]\")"));
   write_text_file(folder / "u.csv", "id;X;Y;Z\n-;m;m;ft\n1;1;2;3\n");
   const CloudSummary row = stream_cloud(folder / "u.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(contains(refusal([&] { check_length_units("u.csv", row.lengths, {}); }),
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("u.csv", row.unit_declarations, {}); }),
                        "its heights are in units of the ft (0.3048 m) (unit \"ft\" of line 2)"));
   write_text_file(folder / "c.csv", "X (deg);Y (deg);Z (m)\n1;2;3\n");
   const CloudSummary degrees = stream_cloud(folder / "c.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(
-      contains(refusal([&] { check_length_units("c.csv", degrees.lengths, {}); }), "degrees"));
+  EXPECT_TRUE(contains(refusal([&] { check_length_units("c.csv", degrees.unit_declarations, {}); }),
+                       "degrees"));
   write_text_file(folder / "d.csv", "X (m);Y (m);Z (m)\n1;2;3\n");
   const CloudSummary metres = stream_cloud(folder / "d.csv", [](const PointBatch&) {});
-  EXPECT_TRUE(check_length_units("d.csv", metres.lengths, {}).empty());
+  EXPECT_TRUE(check_length_units("d.csv", metres.unit_declarations, {}).empty());
 }
 
 TEST_F(Clouds, RowsThatSumUpTheOthersAreRefused) {
@@ -216,7 +218,7 @@ TEST_F(Clouds, UnitsThatAreNotUnderstoodAreNoted) {
   write_text_file(folder / "a.csv", "X (el);Y (el);Z (el)\n1;2;3\n");
   const CloudSummary els =
       stream_cloud(folder / "a.csv", [](const PointBatch&) {}, {"1", "2", "3"});
-  const std::vector<std::string> notes = check_length_units("a.csv", els.lengths, {});
+  const std::vector<std::string> notes = check_length_units("a.csv", els.unit_declarations, {});
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_TRUE(contains(notes[0], "its heading \"X (el)\" names no known unit or reference system"));
 }

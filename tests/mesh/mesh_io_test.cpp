@@ -398,7 +398,7 @@ TEST_F(MeshFiles, CountsThatTheFileCannotHoldAreRefusedWithoutTheMemory) {
                  "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                  "property float z\nelement face 1\nproperty list uint int vertex_indices\n"
                  "end_header\n4000000000 1 2\n",
-                 "list announces more");
+                 "list has more entries");
   EXPECT_REFUSED("big.off", "OFF\n4000000000 1 0\n0 0 0\n", "more than the file can hold");
 }
 

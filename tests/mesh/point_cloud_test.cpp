@@ -110,8 +110,8 @@ TEST_F(Clouds, BadTextIsRefusedByLine) {
 TEST_F(Clouds, PointsWithoutPlaceAreCounted) {
   write_text_file(folder / "nan.xyz", "1 2 3\nnan nan nan\n4 5 6\n1 inf 3\n");
   const CloudSummary summary = stream_cloud(folder / "nan.xyz", [](const PointBatch&) {});
-  EXPECT_EQ(summary.points, 2u);
-  EXPECT_EQ(summary.non_finite, 2u);
+  EXPECT_EQ(summary.point_count, 2u);
+  EXPECT_EQ(summary.non_finite_points, 2u);
 }
 
 class LasVersions : public testing::TestWithParam<std::array<int, 3>> {};
@@ -136,8 +136,8 @@ TEST_P(LasVersions, GivePointsClassesAndSystem) {
   EXPECT_LT((points[0] - Vec3(652001.25, 5202999.25, 789.123)).norm(), 1e-8);
   EXPECT_LT((points[1] - Vec3(652000, 5203000, 0.001)).norm(), 1e-8);
   EXPECT_EQ(classes, (std::vector<std::uint8_t>{2, 5}));
-  EXPECT_EQ(summary.points, 2u);
-  EXPECT_EQ(summary.withheld, 2u);  // one flagged, one of class noise
+  EXPECT_EQ(summary.point_count, 2u);
+  EXPECT_EQ(summary.withheld_points, 2u);  // one flagged, one of class noise
   EXPECT_EQ(summary.crs, "EPSG:25832");
 }
 INSTANTIATE_TEST_SUITE_P(Formats, LasVersions,

@@ -158,7 +158,7 @@ class DeclaredLengths : public testing::Test {
   }
   std::string refused(const LasDeclaration& says, double unit = 1.0) {
     return refusal([&] {
-      check_length_units("a.las", read(says).lengths,
+      check_length_units("a.las", read(says).unit_declarations,
                          {.unit = unit, .unit_given = unit != 1.0, .conversion_command = "WAY"});
     });
   }
@@ -263,7 +263,7 @@ TEST_F(DeclaredLengths, AGivenUnitDecides) {
   EXPECT_TRUE(contains(refused({.keys = {{1024, 1}, {3072, 26913}, {4099, 9003}}}, kSurveyFoot),
                        "its heights are in units of"));
   const std::vector<std::string> notes =
-      check_length_units("a.las", read({.keys = {{1024, 1}, {3072, 26913}}}).lengths,
+      check_length_units("a.las", read({.keys = {{1024, 1}, {3072, 26913}}}).unit_declarations,
                          {.unit = 0.001, .unit_given = true});
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_TRUE(contains(notes[0], "its map unit is the metre (GeoTIFF key 3072 = 26913"));
@@ -272,7 +272,7 @@ TEST_F(DeclaredLengths, AGivenUnitDecides) {
 
 TEST_F(DeclaredLengths, ThatNobodyUnderstandsAreNoted) {
   const std::vector<std::string> notes = check_length_units(
-      "a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).lengths, {});
+      "a.las", read({.keys = {{1024, 1}, {3072, 1}}, .wkt = "nonsense"}).unit_declarations, {});
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_TRUE(contains(notes[0], "GeoTIFF key 3072 = 1 names no known unit or reference system"));
   EXPECT_TRUE(contains(notes[1], "WKT names no known unit or reference system"));

@@ -74,8 +74,8 @@ TEST(Weld, ToleranceThatIsNegativeOrNotFiniteIsRefused) {
 
 TEST(Weld, TargetsStayThemselves) {
   const std::vector<Vec3> row = {{0, 0, 0}, {0.9, 0, 0}, {1.8, 0, 0}, {0, 0, 0}, {2.5, 0, 0}};
-  EXPECT_EQ(weld_targets(row, 1.0), (std::vector<std::uint32_t>{0, 0, 2, 0, 2}));
-  EXPECT_EQ(weld_targets(row, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 0, 4}));
+  EXPECT_EQ(find_weld_targets(row, 1.0), (std::vector<std::uint32_t>{0, 0, 2, 0, 2}));
+  EXPECT_EQ(find_weld_targets(row, 0.0), (std::vector<std::uint32_t>{0, 1, 2, 0, 4}));
 }
 
 TEST(Weld, CopiesOfATriangleAreFoundByTurn) {
@@ -84,13 +84,13 @@ TEST(Weld, CopiesOfATriangleAreFoundByTurn) {
   const std::vector<DuplicateTriangle> same =
       find_duplicate_triangles(triangles, WindingMatch::kSame);
   ASSERT_EQ(same.size(), 1u);
-  EXPECT_EQ(same[0].before, 1u);
-  EXPECT_EQ(same[0].again, 2u);
+  EXPECT_EQ(same[0].first, 1u);
+  EXPECT_EQ(same[0].duplicate, 2u);
   const std::vector<DuplicateTriangle> either =
       find_duplicate_triangles(triangles, WindingMatch::kEither);
   ASSERT_EQ(either.size(), 2u);
-  EXPECT_EQ(either[1].before, 2u);
-  EXPECT_EQ(either[1].again, 3u);
+  EXPECT_EQ(either[1].first, 2u);
+  EXPECT_EQ(either[1].duplicate, 3u);
 }
 
 TEST(Weld, EmptyMeshStaysEmpty) { EXPECT_TRUE(weld_vertices({}, 0.1).vertices.empty()); }

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Keeps what is said of a batch.
-class Log : public BatchObserver {
+class Log : public ScanBatchObserver {
  public:
   void on_block_made(const Block& block, const BlockOrigin&) override {
     const std::lock_guard lock(mutex_);
@@ -49,15 +49,15 @@ class Batches : public testing::Test {
     return folder / name;
   }
 
-  BatchResult run(const std::vector<ScanFile>& scans, const ProgressCallback& progress = {}) {
+  ScanBatchResult run(const std::vector<ScanFile>& scans, const ProgressCallback& progress = {}) {
     log.said.clear();
-    return reconstruct_batch(scans, options, log, progress);
+    return reconstruct_scan_batch(scans, options, log, progress);
   }
 
   std::size_t stored() const { return BlockLibrary::read(options.library).blocks().size(); }
 
   ScratchFolder folder;
-  BatchOptions options;
+  ScanBatchOptions options;
   Log log;
 };
 
@@ -73,7 +73,7 @@ TEST_F(Batches, JobsGiveTheSameLibraryAndTheSameReportsInTheSameOrder) {
   for (const unsigned jobs : {1u, 4u}) {
     options.jobs = jobs;
     options.library = folder / (std::to_string(jobs) + ".h5");
-    const BatchResult result = run(scans);
+    const ScanBatchResult result = run(scans);
     EXPECT_EQ(result.added, 6u);
     EXPECT_EQ(result.blocks, 6u);
     EXPECT_EQ(result.failed_scans, 1u);
@@ -91,7 +91,7 @@ TEST_F(Batches, ResumeSkipsWhatIsThereOfTheSameFileAndOptions) {
                                       {scan("b.obj", cuboid(1, 0.8, 0.5)), "b", {}}};
   run({both[0]});
   options.resume = true;
-  const BatchResult second = run(both);
+  const ScanBatchResult second = run(both);
   EXPECT_EQ(log.said, (std::vector<std::string>{"kept a", "added b"}));
   EXPECT_EQ(second.skipped, 1u);
   const std::string library = read_text_file(options.library);
@@ -106,7 +106,7 @@ TEST_F(Batches, ResumeSkipsWhatIsThereOfTheSameFileAndOptions) {
   EXPECT_EQ(run(both).failed_scans, 1u);
   EXPECT_TRUE(contains(log.said[1], "already, made from another file"));
   options.replace = true;
-  const BatchResult fourth = run(both);
+  const ScanBatchResult fourth = run(both);
   EXPECT_EQ(fourth.skipped, 1u);
   EXPECT_EQ(fourth.added, 1u);
   EXPECT_EQ(fourth.blocks, 2u);
@@ -143,7 +143,7 @@ TEST_F(Batches, OneBlockOfASplitThatIsThereAlreadyCostsNeitherTheOthersNorTheBat
   run({{folder / "cube.obj", "scene_2", {}}});
   options.scan.split = true;
   options.scan.vertices = 60;
-  const BatchResult result = run(scans);
+  const ScanBatchResult result = run(scans);
   EXPECT_EQ(result.failed_scans, 1u);
   EXPECT_EQ(result.blocks, 3u);
   ASSERT_EQ(log.said.size(), 3u);
@@ -169,7 +169,7 @@ TEST_F(Batches, WithoutAnObserverTheReasonsOfAllFailuresAreThrown) {
   const std::vector<ScanFile> scans = {{folder / "a.obj", "a", {}},
                                        {folder / "none.obj", "none", {}},
                                        {scan("c.obj", cuboid(1, 0.9, 0.8)), "c", {}}};
-  const std::string text = refusal([&] { reconstruct_batch(scans, options); });
+  const std::string text = refusal([&] { reconstruct_scan_batch(scans, options); });
   EXPECT_TRUE(contains(text, "a.obj") && contains(text, "none.obj"));
   EXPECT_EQ(stored(), 1u);
 }

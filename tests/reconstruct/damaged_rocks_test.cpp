@@ -28,9 +28,9 @@ TEST(DamagedShapes, AnHourglassIsWrappedAndKeepsItsVolume) {
   EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_TRUE(find_self_intersections(result.mesh).empty());
   EXPECT_NEAR(enclosed_volume(result.mesh), 1.0 / 3.0, 1e-9);  // squares of side |1 - 2 z|
-  ASSERT_TRUE(result.report.wrap_bias);
-  EXPECT_GT(*result.report.wrap_bias, 0.0);
-  EXPECT_LT(*result.report.wrap_bias, 0.08);
+  ASSERT_TRUE(result.report.relative_wrap_excess);
+  EXPECT_GT(*result.report.relative_wrap_excess, 0.0);
+  EXPECT_LT(*result.report.relative_wrap_excess, 0.08);
   EXPECT_NE(describe_repairs(result.report).back().find("was wrapped anew"), std::string::npos);
 }
 

@@ -42,7 +42,7 @@ TEST(DuplicateSurface, ACompleteCopyInsideOrOutsideIsNoBubble) {
       ASSERT_EQ(report.duplicates.size(), 1u);
       EXPECT_EQ(report.inner_shells, 0u);
       EXPECT_TRUE(report.duplicates[0].closed);
-      EXPECT_EQ(report.duplicates[0].retention_reason, RetentionReason::kSize);
+      EXPECT_EQ(report.duplicates[0].retention_reason, RetentionReason::kLarger);
       const double larger = solid_volume(doubled_rock()) * std::max(1.0, scale * scale * scale);
       const double smaller = solid_volume(doubled_rock()) * std::min(1.0, scale * scale * scale);
       EXPECT_NEAR(solid_volume(block.scan.mesh) / larger, 1.0, 1e-9);

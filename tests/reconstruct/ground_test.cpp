@@ -78,7 +78,7 @@ TEST(Ground, LocalSurfaceFollowsAHollow) {
   const auto ground = find_ground(points);
   ASSERT_TRUE(ground.has_value());
   for (const double x : {-0.8, -0.3, 0.2, 0.9}) {
-    EXPECT_NEAR(ground->height({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
+    EXPECT_NEAR(ground->height_above_ground({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
     const Plane below = ground->tangent_plane_below({x, 0.4, 1.0}, 0.1);
     EXPECT_LT(degrees_between(below.normal, Vec3(-0.1 * x, -0.04, 1.0)), 0.7) << x;
     EXPECT_NEAR(below.signed_distance({x, 0.4, bowl(x, 0.4)}), 0.0, 0.003) << x;
@@ -122,7 +122,7 @@ TEST(Ground, TooFewPointsHaveNone) {
 TEST(Ground, OptionsOutOfRangeAreNamed) {
   EXPECT_TRUE(contains(refusal([] { find_ground({}, {.trials = 0}); }), "trials"));
   EXPECT_TRUE(contains(refusal([] { find_ground({}, {.tolerance = 0.5}); }), "tolerance"));
-  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.least_rise = 0.0}); }), "least_rise"));
+  EXPECT_TRUE(contains(refusal([] { find_ground({}, {.min_block_height = 0.0}); }), "least_rise"));
 }
 
 TEST(BlocksOnGround, BlockOnGravelHasHalfAPercentOfWrongPointsAtMost) {
@@ -154,7 +154,7 @@ TEST(BlocksOnGround, ThreeBlocksAreThreeInOrderOfX) {
   EXPECT_LE(wrong_share(scene, standing.blocks[0], 1), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[1], 2), 0.005);
   EXPECT_LE(wrong_share(scene, standing.blocks[2], 0), 0.005);
-  EXPECT_EQ(standing.central, 1u);  // the smallest of all, but in the middle
+  EXPECT_EQ(standing.central_block, 1u);  // the smallest of all, but in the middle
   const BlocksOnGround again = find_blocks_on_ground(scene.points, *find_ground(scene.points));
   for (int k = 0; k < 3; ++k) EXPECT_EQ(again.blocks[k].points, standing.blocks[k].points);
 }

@@ -62,7 +62,7 @@ TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
   ASSERT_EQ(before.boundary_edges, 0u);
   const TriangleMesh whole = mesh;
 
-  const reconstruct_detail::SplitEdges touching =
+  const reconstruct_detail::EdgeSplitResult touching =
       reconstruct_detail::split_non_manifold_edges(mesh);
   reconstruct_detail::split_non_manifold_vertices(mesh);
 
@@ -73,12 +73,12 @@ TEST(TouchingSheets, StayClosedWhereTheyMeetAtBothEndsOfAnEdgeToo) {
   EXPECT_NEAR(signed_volume(mesh), signed_volume(whole), 1e-15);
   EXPECT_NEAR(surface_area(mesh), surface_area(whole), 1e-14);
   // Each part lies in the triangle that it is said to come from.
-  ASSERT_EQ(touching.source.size(), mesh.triangles.size());
+  ASSERT_EQ(touching.original_triangle.size(), mesh.triangles.size());
   std::vector<double> areas(whole.triangles.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    areas[touching.source[t]] += triangle_area(mesh, mesh.triangles[t]);
+    areas[touching.original_triangle[t]] += triangle_area(mesh, mesh.triangles[t]);
     const Vec3 normal =
-        doubled_area_vector(whole, whole.triangles[touching.source[t]]).normalized();
+        doubled_area_vector(whole, whole.triangles[touching.original_triangle[t]]).normalized();
     EXPECT_NEAR(normal.dot(doubled_area_vector(mesh, mesh.triangles[t]).normalized()), 1.0, 1e-14);
   }
   for (std::size_t t = 0; t < areas.size(); ++t) {
@@ -107,9 +107,9 @@ TEST(TouchingSheets, TrianglesThatLieOnOneAnotherAreDropped) {
   mesh.triangles.push_back({t[1], t[0], t[2]});
   mesh.triangles.push_back(t);
   const TriangleMesh whole = mesh;
-  const reconstruct_detail::SplitEdges touching =
+  const reconstruct_detail::EdgeSplitResult touching =
       reconstruct_detail::split_non_manifold_edges(mesh);
-  EXPECT_EQ(touching.source.size(), mesh.triangles.size());
+  EXPECT_EQ(touching.original_triangle.size(), mesh.triangles.size());
   EXPECT_EQ(inspect_mesh(mesh).non_manifold_edges, 0u);
   EXPECT_LE(surface_area(mesh), surface_area(whole));
 }

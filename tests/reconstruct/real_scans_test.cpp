@@ -99,7 +99,8 @@ TEST(RealScans, AnOpenPhoneScanBecomesABlockThatSaysWhatWasInvented) {
   EXPECT_LT(scan.report.filled_fraction, 0.05);
   std::string notes;
   for (const std::string& note : scan.notes) notes += note + "\n";
-  EXPECT_NE(notes.find("% of the surface is invented"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("% of the surface was not scanned but filled in"), std::string::npos)
+      << notes;
 }
 
 TEST(RealScans, GroundAndCloudsAreNoBlocks) {
@@ -133,7 +134,8 @@ TEST(RealScans, AuthumeBlocksAreClosedAndOnlySp1aNeedsATriangle) {
       EXPECT_EQ(scan.report.as_read.boundary_edges, 3u);
       ASSERT_EQ(scan.notes.size(), 2u);
       EXPECT_NE(scan.notes[0].find("closed by a fan"), std::string::npos);
-      EXPECT_NE(scan.notes[1].find("% of the surface is invented"), std::string::npos);
+      EXPECT_NE(scan.notes[1].find("% of the surface was not scanned but filled in"),
+                std::string::npos);
     } else {
       EXPECT_TRUE(scan.notes.empty());
     }

@@ -113,11 +113,11 @@ TEST(Repair, AHoleOfMoreThanATenthIsToldOfByItself) {
     return text;
   };
   EXPECT_TRUE(contains(notes(small), "1 hole filled; the largest has "));
-  EXPECT_TRUE(contains(notes(small), " % of the surface is filling without data: no scan shows"));
+  EXPECT_TRUE(contains(notes(small), " % of the surface was filled without data: no scan shows"));
   EXPECT_FALSE(contains(notes(small), "a guess"));
   EXPECT_TRUE(contains(notes(large),
                        " % of the surface; it is an assumption on which volume and axes depend"));
-  EXPECT_GT(large.report.holes[0].area_fraction, kLargeHole);
+  EXPECT_GT(large.report.holes[0].area_fraction, kLargeHoleFraction);
 }
 
 TEST(Repair, AnOpenSheetIsRefusedAsGround) {
@@ -358,7 +358,7 @@ TEST(Repair, HalvesThatDontMeetAreToldToBeMerged) {
 
 TEST(Repair, PlacesAreToldAsAsked) {
   RepairOptions options;
-  options.reported_place = [](const Vec3& p) -> Vec3 { return 1000.0 * p + Vec3(5e6, 0, 0); };
+  options.to_reported_position = [](const Vec3& p) -> Vec3 { return 1000.0 * p + Vec3(5e6, 0, 0); };
   const RepairedMesh result = repair_mesh(beheaded(unit_sphere(12), 0.9), options);
   EXPECT_NEAR(result.report.holes[0].centre.x(), 5e6, 50.0);
   EXPECT_NEAR(result.report.holes[0].centre.z(), 900.0, 50.0);
@@ -393,8 +393,8 @@ TEST(Repair, TheSameDirtGivesTheSameBits) {
 TEST(Repair, BadOptionsAreRefusedByName) {
   EXPECT_TRUE(contains(refusal([] { repair_mesh(tetrahedron(), {.weld_tolerance = -1.0}); }),
                        "weld_tolerance"));
-  EXPECT_TRUE(
-      contains(refusal([] { repair_mesh(tetrahedron(), {.largest_hole = 1.5}); }), "largest_hole"));
+  EXPECT_TRUE(contains(refusal([] { repair_mesh(tetrahedron(), {.max_hole_fraction = 1.5}); }),
+                       "largest_hole"));
 }
 
 }  // namespace

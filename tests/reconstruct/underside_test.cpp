@@ -383,9 +383,11 @@ TEST(Underside, OptionsOutOfRangeAreNamed) {
                          close_underside(mesh, {.ground = Plane{Vec3(0.0, 0.0, 2.0), 0.0}});
                        }),
                        "ground normal"));
-  EXPECT_TRUE(contains(
-      refusal([&] { close_underside(mesh, {.smallest_share = 0.5, .largest_share = 0.4}); }),
-      "smallest_share"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         close_underside(mesh,
+                                         {.min_hole_fraction = 0.5, .max_filling_fraction = 0.4});
+                       }),
+                       "smallest_share"));
 }
 
 }  // namespace

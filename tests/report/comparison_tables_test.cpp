@@ -111,7 +111,7 @@ TEST(CrossingsTable, HoldsAllInOrderOfRunAndTimeOnTheMap) {
 TEST(BarriersTable, ARingCountsItsFirstEntryAndItsFirstExit) {
   for (const bool counter_clockwise : {true, false}) {
     CampaignResults results = hand_made_results();
-    std::vector<Vec2>& ring = results.barriers[0].through;
+    std::vector<Vec2>& ring = results.barriers[0].vertices;
     ring = {Vec2(8, -9), Vec2(12, -9), Vec2(12, 9), Vec2(8, 9), Vec2(8, -9)};
     if (!counter_clockwise) std::reverse(ring.begin(), ring.end());
     const auto crossing = [&](std::uint32_t run, double time, double speed, bool out) {
@@ -174,7 +174,7 @@ TEST(ImpactsTable, HoldsEveryImpactOnTheMap) {
   impact.zone = 1;
   impact.time = 2.5;
   impact.contact_duration = 0.03;
-  impact.place = Vec3(12.0, 1.0, -6.0);
+  impact.position = Vec3(12.0, 1.0, -6.0);
   impact.speed_before = 9.0;
   impact.translational_after = 1000.0;
   impact.depth = 0.02;
@@ -241,7 +241,7 @@ TEST(WriteComparison, LeavesTheWholeSetAndNothingElse) {
 TEST(ProvenanceJson, HasTheStiffnessOfEveryBlock) {
   CampaignResults results = hand_made_results();
   results.runs[0].impact_depth = 0.05;
-  for (RunRecord& run : results.runs) run.rest_depth = std::nan("");
+  for (RunRecord& run : results.runs) run.settled_depth = std::nan("");
   const auto json = nlohmann::json::parse(make_provenance_json(compared(std::move(results))));
   const nlohmann::json& blocks = json["files"][0]["stiffness"];
   ASSERT_EQ(blocks.size(), 2u);

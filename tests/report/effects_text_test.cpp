@@ -44,9 +44,9 @@ TEST(EffectsText, GivesNoMiddleOfAnIntervalThatIsTooWide) {
   DesignEffects file = effects();
   file.outcomes[0].shares.factors[0] = share(0.09, 0.02, 0.82);
   const std::string text = describe_effects({file}).front();
-  EXPECT_TRUE(
-      text.starts_with("Form explains between 2 and 82 % (too few to say more) of the "
-                       "runout's variance, the orientation at release 31 % (10 to 50)"))
+  EXPECT_TRUE(text.starts_with(
+      "Form explains between 2 and 82 % (too few data for a narrower range) of the "
+      "runout's variance, the orientation at release 31 % (10 to 50)"))
       << text;
   EXPECT_EQ(text.find("9 %"), std::string::npos);
 }
@@ -54,19 +54,20 @@ TEST(EffectsText, GivesNoMiddleOfAnIntervalThatIsTooWide) {
 TEST(EffectsText, NamesTheFileWhereThereAreSeveralAndSaysWhyThereIsNothing) {
   DesignEffects second;
   second.file = 1;
-  second.refusal = "its 11 runs are not every combination once";
+  second.refusal_reason = "its 11 runs are not every combination once";
   const std::vector<std::string> sentences = describe_effects({effects(), second});
   ASSERT_EQ(sentences.size(), 3u);
   EXPECT_TRUE(sentences[0].starts_with("File 1: form explains"));
   EXPECT_EQ(sentences[2],
-            "File 2: the variance has no shares: its 11 runs are not every combination once.");
+            "File 2: the variance cannot be divided among the factors: its 11 runs are not every "
+            "combination once.");
 }
 
 TEST(EffectsText, SaysThatSharesAreEstimates) {
   DesignEffects file = effects();
   file.estimated = "11 runs are not every combination once";
   EXPECT_EQ(describe_effects({file}).front(),
-            "Shares are estimates of a mixed model, in which levels are drawn by chance: 11 runs "
+            "The fractions are estimated with a mixed model with random factors: 11 runs "
             "are not every combination once.");
 }
 

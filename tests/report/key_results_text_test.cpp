@@ -64,17 +64,17 @@ TEST(AnswerText, SaysWhichClassRunsFartherAndWhoPasses) {
   CampaignResults results = made_up_results();
   add_barrier(results, "EC22", 38.0);
   const Comparison comparison = compared(std::move(results));
-  const FileSummary statement = summarise_key_results(comparison).statements.at(0);
-  const RunoutContrast& gap = *statement.gap;
+  const FileSummary statement = summarise_key_results(comparison).file_summaries.at(0);
+  const RunoutContrast& gap = *statement.class_contrast;
   const BarrierSummary& passage = statement.passages.at(0);
-  const int decimals = decimals_of_length(gap.gap, gap.interval);
+  const int decimals = decimals_of_length(gap.mean_difference, gap.interval);
   EXPECT_EQ(sentences(comparison),
-            "Compact blocks run " + format_length(gap.gap, decimals) +
+            "Compact blocks run " + format_length(gap.mean_difference, decimals) +
                 " farther than elongated ones (" + format_length_interval(*gap.interval, decimals) +
                 ", for runs of these 2 blocks only). " +
-                format_percentage(passage.classes[0].share) + " of compact and " +
-                format_percentage(passage.classes[1].share) +
-                " of elongated blocks pass EC22. Of those that pass, 95 % carry less than " +
+                format_percentage(passage.classes[0].passing_probability) + " of compact and " +
+                format_percentage(passage.classes[1].passing_probability) +
+                " of elongated blocks pass EC22. Of the blocks that pass, 95 % carry less than " +
                 format_energy_limit(passage.all.energy) + ", and the tops of 95 % stay below " +
                 format_height_limit(passage.all.top) + ".\n");
 }
@@ -83,7 +83,7 @@ TEST(AnswerText, SaysWhenItCanBeChance) {
   const std::string text =
       sentences(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = 4}));
   EXPECT_TRUE(contains(text, "blocks run "));
-  EXPECT_TRUE(contains(text, "can be chance"));
+  EXPECT_TRUE(contains(text, "is not significant"));
   EXPECT_FALSE(contains(text, "farther"));
 }
 
@@ -112,12 +112,12 @@ TEST(AnswerText, RunsThatEndEarlyAreSaid) {
   CampaignResults all = made_up_results();
   for (RunRecord& run : all.runs) run.result.stop_reason = StopReason::kLeftTerrain;
   EXPECT_TRUE(contains(sentences(all),
-                       "Runouts can't be compared: 0 of 96 compact and 0 of 96 elongated "
+                       "Runouts cannot be compared: 0 of 96 compact and 0 of 96 elongated "
                        "blocks came to rest (192 left the surveyed terrain)."));
   std::erase_if(all.runs, [](const RunRecord& run) { return run.block == 1; });
-  EXPECT_TRUE(contains(sentences(std::move(all)),
-                       "No run of 96 came to rest (96 left the surveyed terrain), so how far the "
-                       "blocks run isn't known."));
+  EXPECT_TRUE(contains(
+      sentences(std::move(all)),
+      "No run of 96 came to rest (96 left the surveyed terrain), so the runout is not known."));
 }
 
 TEST(AnswerText, OneRealisationIsNotEvidence) {
@@ -126,10 +126,10 @@ TEST(AnswerText, OneRealisationIsNotEvidence) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(
-      contains(sentences(comparison), "; one realisation does not show whether this is chance."));
+      contains(sentences(comparison), "; with one realisation, significance cannot be tested."));
   EXPECT_FALSE(contains(sentences(comparison), "farther"));
   EXPECT_TRUE(contains(describe_intervals(summarise_key_results(comparison)),
-                       "One realisation: no interval"));
+                       "With one realisation, no interval"));
   for (const KeyFigure& figure :
        select_key_figures(comparison, summarise_key_results(comparison))) {
     EXPECT_EQ(figure.range, "") << figure.label;
@@ -143,10 +143,10 @@ TEST(AnswerText, OneRealisationHasNoIntervalOnItsPage) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   const std::string differences = format_differences_section(comparison);
-  EXPECT_FALSE(contains(differences, "more than chance:"));
-  EXPECT_FALSE(contains(differences, "No clear difference"));
+  EXPECT_FALSE(contains(differences, "significant differences:"));
+  EXPECT_FALSE(contains(differences, "No significant difference"));
   EXPECT_TRUE(contains(differences, "of one realisation, which can&#39;t tell what is chance:") ||
-              contains(differences, "of one realisation, not tested for chance:"))
+              contains(differences, "from one realisation, without a test:"))
       << differences.substr(0, 800);
   EXPECT_FALSE(contains(differences, "95 % interval</"));
   for (const BarrierGroupStatistics& group : comparison.barriers) EXPECT_FALSE(group.interval);
@@ -164,7 +164,7 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
   for (const KeyFigure& figure : figures) {
     EXPECT_TRUE(contains(figure.range, " over draws of the ground parameters")) << figure.label;
   }
-  const CrossingEstimate& all = found.statements[0].passages[0].all;
+  const CrossingEstimate& all = found.file_summaries[0].passages[0].all;
   EXPECT_EQ(figures[2].range, format_energy_limit(all.energy_range->low) + " to " +
                                   format_energy_limit(all.energy_range->high) +
                                   " over draws of the ground parameters");
@@ -173,10 +173,10 @@ TEST(AnswerText, UncertainGroundIsInTheTiles) {
       contains(text, " over draws of the ground parameters, for runs of these 2 blocks only)."))
       << text;
   EXPECT_TRUE(contains(text, "Over 5 draws of the ground, mean runout is ")) << text;
-  EXPECT_FALSE(contains(text, "nine draws of ten"));
-  EXPECT_TRUE(contains(describe_intervals(found),
-                       "cover all draws; they say nothing about "
-                       "other release points or blocks."));
+  EXPECT_FALSE(contains(text, "nine draws in ten"));
+  EXPECT_TRUE(
+      contains(describe_intervals(found),
+               "cover all draws; these ranges do not cover other release points or blocks."));
   EXPECT_FALSE(contains(describe_intervals(found), "95 %"));
 }
 
@@ -187,11 +187,15 @@ TEST(AnswerText, DifferenceMadeByFewIsCalledSo) {
     if (run.block == 0 && run.run % 4 == 0) run.result.final_state.position.x() += 60.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_TRUE(summarise_key_results(comparison).statements.at(0).gap->of_few);
+  EXPECT_TRUE(
+      summarise_key_results(comparison).file_summaries.at(0).class_contrast->due_to_few_runs);
   EXPECT_TRUE(contains(sentences(comparison), " farther than elongated ones on average ("));
   EXPECT_TRUE(
-      contains(sentences(comparison), ": the means differ because more compact blocks run on"));
-  EXPECT_FALSE(summarise_key_results(compared(made_up_results())).statements.at(0).gap->of_few);
+      contains(sentences(comparison),
+               ": the means differ because more of the compact blocks run far beyond the median"));
+  EXPECT_FALSE(summarise_key_results(compared(made_up_results()))
+                   .file_summaries.at(0)
+                   .class_contrast->due_to_few_runs);
 }
 
 TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
@@ -201,10 +205,10 @@ TEST(AnswerText, LargeNumbersSayWhatClassesAndTheLargestAre) {
   const KeyResults said = summarise_key_results(comparison);
   const std::vector<KeyFigure> figures = select_key_figures(comparison, said);
   ASSERT_EQ(figures.size(), 4u);
-  const RunoutEstimate& compact = said.statements[0].classes[0];
+  const RunoutEstimate& compact = said.file_summaries[0].classes[0];
   EXPECT_TRUE(figures[0].more.starts_with("half stop before " + format_decimals(compact.median, 0)))
       << figures[0].more;
-  const BarrierSummary& road = said.statements[0].passages[0];
+  const BarrierSummary& road = said.file_summaries[0].passages[0];
   EXPECT_EQ(figures[2].more, "compact " + format_energy_limit(road.classes[0].energy) +
                                  ", elongated " + format_energy_limit(road.classes[1].energy) +
                                  "; largest " + format_energy(road.all.largest_energy));
@@ -231,7 +235,7 @@ TEST(AnswerText, NamesThatAreNounsHaveAnArticle) {
 TEST(AnswerText, SaysWhatWasNotRun) {
   const auto limits = [](CampaignResults results) {
     const Comparison comparison = compared(std::move(results));
-    return describe_limits(comparison, summarise_key_results(comparison));
+    return describe_validity_limits(comparison, summarise_key_results(comparison));
   };
   EXPECT_EQ(limits(made_up_results({.points = 1, .runs_each = 12})),
             "Not run: blocks above 300 kg, other ground, other release points.");
@@ -242,14 +246,14 @@ TEST(AnswerText, NobodyPassesIsNotNever) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 500.0);
   EXPECT_TRUE(contains(sentences(std::move(results)),
-                       "None of 192 runs passes the road (with more runs, up to 2 % might)."));
+                       "None of 192 runs passes the road (the 95 % interval reaches 2 %)."));
 }
 
 TEST(AnswerText, EverybodyPassesIsSaidOnce) {
   CampaignResults results = made_up_results();
   add_barrier(results, "road", 1.0);
   EXPECT_TRUE(contains(sentences(std::move(results)),
-                       "All 192 runs pass the road (98 to 100 %). Of those"));
+                       "All 192 runs pass the road (98 to 100 %). Of the blocks"));
 }
 
 TEST(AnswerText, FewPassagesAreCountedNotRanked) {
@@ -314,10 +318,11 @@ TEST(AnswerText, MeasuredStopsHaveAVerdict) {
     EXPECT_EQ(unbalanced(html), "");
     return describe_measured_stops(comparison).at(0);
   };
-  EXPECT_TRUE(contains(verdict(0.0, 30), "All blocks: field and simulation agree"));
+  EXPECT_TRUE(contains(verdict(0.0, 30),
+                       "All blocks: no significant difference between field and simulation"));
   EXPECT_TRUE(contains(verdict(25.0, 30), " farther in the field than simulated ("));
   EXPECT_TRUE(contains(verdict(-25.0, 30), " less far in the field than simulated ("));
-  EXPECT_TRUE(contains(verdict(25.0, 3), "3 measured stops, too few to judge by"));
+  EXPECT_TRUE(contains(verdict(25.0, 3), "3 measured stops, too few for a test"));
 }
 
 TEST(AnswerText, StandsWhatIsAlmostEmpty) {
@@ -329,7 +334,7 @@ TEST(AnswerText, StandsWhatIsAlmostEmpty) {
   EXPECT_EQ(sentences(one), "Block round<1> runs 10.0 m (1 run).\n");
   EXPECT_TRUE(contains(sentences(hand_made_results()),
                        "There are too few runs to compare runouts (4 compact, 2 elongated)."));
-  for (const std::string& line : describe_first_screen(one, summarise_key_results(one))) {
+  for (const std::string& line : describe_results_and_warnings(one, summarise_key_results(one))) {
     EXPECT_EQ(line.find("nan"), std::string::npos) << line;
   }
   results.runs[0].result = ReleaseResult();
@@ -343,7 +348,7 @@ TEST(AnswerText, TheFirstScreenHasTheCautionsAndNoSettings) {
   const Comparison comparison = compared(hand_made_results());
   std::string text;
   for (const std::string& line :
-       describe_first_screen(comparison, summarise_key_results(comparison)))
+       describe_results_and_warnings(comparison, summarise_key_results(comparison)))
     text += line + "\n";
   EXPECT_TRUE(contains(text, "- The classes differ in mass (compact 300 kg, elongated 500 kg)"));
   for (const char* setting : {"k_n", "1e-05", "clast 0"}) {
@@ -365,7 +370,7 @@ TEST(AnswerText, WhatTheCampaignAskedForIsNoWarning) {
     EXPECT_EQ(warning.find("is scaled by"), std::string::npos);
   }
   const std::string html = format_provenance_section(comparison);
-  EXPECT_TRUE(contains(html, "As asked, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
+  EXPECT_TRUE(contains(html, "As requested, block round&lt;1&gt; is scaled by 1.25 to 300 kg."));
   EXPECT_TRUE(contains(html, "its underside was not seen"));
   EXPECT_EQ(format_head_section(comparison, summarise_key_results(comparison)).find("underside"),
             std::string::npos);

@@ -37,13 +37,13 @@ class ThrownRuns : public testing::Test {
 // 0, over one row of cells, one to 5 m and one to 2.5 m.
 TEST_F(ThrownRuns, FillTheCellsTheyPass) {
   const MapRasterSet rasters = compute_path_rasters(comparison_);
-  EXPECT_EQ(rasters.cell, 0.5);
+  EXPECT_EQ(rasters.cell_size, 0.5);
   EXPECT_EQ(rasters.columns, 11u);
   EXPECT_EQ(rasters.rows, 1u);
   EXPECT_EQ(rasters.corner, Vec2(900000.0, 6500000.0));
   const auto layer = [&](const std::string& name) -> const std::vector<float>& {
     for (const RasterLayer& one : rasters.layers) {
-      if (one.name == name) return one.value;
+      if (one.name == name) return one.values;
     }
     throw std::runtime_error("no layer " + name);
   };
@@ -74,12 +74,12 @@ TEST(Rasters, CountCellsThatAreCutAtACorner) {
   ASSERT_EQ(rasters.layers[1].name, "Nr_passages");
   const double end = 5.0 / std::hypot(1.0, slope);  // x where the longer run stops
   std::size_t cut = 0;
-  for (std::size_t i = 0; i < rasters.layers[1].value.size(); ++i) {
+  for (std::size_t i = 0; i < rasters.layers[1].values.size(); ++i) {
     const double x = 0.5 * static_cast<double>(i % rasters.columns);
     const double y = 0.5 * static_cast<double>(rasters.rows - 1 - i / rasters.columns);
     // Where the way enters and leaves the cell.
     const double from = std::max(x, y / slope), to = std::min({x + 0.5, (y + 0.5) / slope, end});
-    EXPECT_EQ(std::isnan(rasters.layers[1].value[i]), from >= to) << x << " " << y;
+    EXPECT_EQ(std::isnan(rasters.layers[1].values[i]), from >= to) << x << " " << y;
     cut += from < to && to - from < 0.1 ? 1 : 0;
   }
   EXPECT_EQ(cut, 3u) << "the way should cut corners";
@@ -105,7 +105,7 @@ TEST_F(ThrownRuns, AreGeoTiffsOnTheMap) {
   ASSERT_EQ(band->RasterIO(GF_Read, 0, 0, 11, 1, cells, 11, 1, GDT_Float32, 0, 0, nullptr),
             CE_None);
   for (std::size_t i = 0; i < 11; ++i) {
-    EXPECT_EQ(cells[i], rasters.layers.back().value[i]) << i;
+    EXPECT_EQ(cells[i], rasters.layers.back().values[i]) << i;
   }
   GDALClose(dataset);
 }

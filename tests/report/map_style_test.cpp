@@ -26,20 +26,20 @@ using namespace report_detail;
 
 MapRasterSet rasters_with(std::vector<RasterLayer> layers) {
   MapRasterSet rasters;
-  rasters.columns = static_cast<std::uint32_t>(layers.front().value.size());
+  rasters.columns = static_cast<std::uint32_t>(layers.front().values.size());
   rasters.rows = 1;
   rasters.layers = std::move(layers);
   return rasters;
 }
 
-ValueStyle style_of(const std::string& layer, std::vector<float> values) {
-  return choose_value_styles(rasters_with({{layer, "", std::move(values)}})).front();
+ColourScale style_of(const std::string& layer, std::vector<float> values) {
+  return choose_colour_scales(rasters_with({{layer, "", std::move(values)}})).front();
 }
 
 using Numbers = std::vector<std::string>;
 
 TEST(MapStyle, EnergiesHaveTheLimitsOfHazardMaps) {
-  const ValueStyle style = style_of("E_95", {2.5e3F, 6e4F, 2.9e5F, NAN});
+  const ColourScale style = style_of("E_95", {2.5e3F, 6e4F, 2.9e5F, NAN});
   EXPECT_EQ(style.unit, "kJ");
   EXPECT_EQ(style.numbers, (Numbers{"3", "10", "30", "100", "300"}));
   EXPECT_EQ(style.breaks[2], 30e3);
@@ -51,7 +51,7 @@ TEST(MapStyle, EnergiesHaveTheLimitsOfHazardMaps) {
 }
 
 TEST(MapStyle, LayersOfOneQuantityHaveTheSameLimits) {
-  const auto styles = choose_value_styles(rasters_with(
+  const auto styles = choose_colour_scales(rasters_with(
       {{"E_mean", "", {2e3F, 5e3F}}, {"E_max", "", {8e3F, 9e4F}}, {"V_max", "", {8.0F, 9.0F}}}));
   EXPECT_EQ(styles[0].breaks, styles[1].breaks);
   EXPECT_EQ(styles[0].numbers, (Numbers{"3", "10", "30", "100"}));
@@ -61,7 +61,7 @@ TEST(MapStyle, LayersOfOneQuantityHaveTheSameLimits) {
 TEST(MapStyle, CountsAndSharesHaveOneTwoFiveAndOthersEvenLimits) {
   EXPECT_EQ(style_of("Nr_passages", {1.0F, 2.0F, 37.0F}).numbers,
             (Numbers{"1", "2", "5", "10", "20", "50"}));
-  const ValueStyle reach = style_of("Reach_probability", {0.002F, 1.0F});
+  const ColourScale reach = style_of("Reach_probability", {0.002F, 1.0F});
   EXPECT_EQ(reach.unit, "%");
   EXPECT_EQ(reach.numbers, (Numbers{"0.5", "1", "2", "5", "10", "20", "50", "100"}))
       << "eight classes at most, the rare ones together";
@@ -70,7 +70,7 @@ TEST(MapStyle, CountsAndSharesHaveOneTwoFiveAndOthersEvenLimits) {
 }
 
 /// The class of a value, as page and QGIS find it: the first limit that is not below.
-std::size_t class_of(const ValueStyle& style, float value) {
+std::size_t class_of(const ColourScale& style, float value) {
   std::size_t k = 0;
   while (k < style.breaks.size() && static_cast<double>(value) > style.breaks[k]) ++k;
   return k;
@@ -85,7 +85,7 @@ TEST(MapStyle, EveryValueHasAClassAndTheOutermostAreNotEmpty) {
       for (int i = 0; i < 5; ++i) {
         values.push_back(static_cast<float>(largest * std::pow(10.0, random.uniform(-3.0, 0.0))));
       }
-      const ValueStyle style = style_of(name, values);
+      const ColourScale style = style_of(name, values);
       ASSERT_FALSE(style.breaks.empty());
       ASSERT_LE(style.breaks.size(), 8u);
       EXPECT_EQ(style.colours.size(), style.breaks.size());
@@ -104,7 +104,7 @@ TEST(MapStyle, EveryValueHasAClassAndTheOutermostAreNotEmpty) {
 // A share of 0.2 is a little more as a 32-bit float, and a limit of 20 % includes it.
 TEST(MapStyle, AValueOnALimitBelongsToTheClassBelow) {
   const std::vector<float> shares = {0.01F, 0.02F, 0.05F, 0.1F, 0.2F, 0.5F, 1.0F};
-  const ValueStyle style = style_of("Reach_probability", shares);
+  const ColourScale style = style_of("Reach_probability", shares);
   ASSERT_EQ(style.breaks.size(), shares.size());
   for (std::size_t i = 0; i < shares.size(); ++i) EXPECT_EQ(class_of(style, shares[i]), i);
   EXPECT_EQ(style_of("E_mean", {0.0F, 0.0F}).breaks.size(), 1u) << "nothing but zeros";
@@ -153,7 +153,7 @@ TEST(QgisStyles, ARasterHasTheClassesOfThePage) {
             std::vector<std::string>{"singlebandpseudocolor"});
   EXPECT_EQ(attributes(qml, "colorrampshader", "colorRampType"),
             std::vector<std::string>{"DISCRETE"});
-  const ValueStyle style = choose_value_styles(rasters).front();
+  const ColourScale style = choose_colour_scales(rasters).front();
   const std::vector<std::string> values = attributes(qml, "item", "value");
   const std::vector<std::string> labels = attributes(qml, "item", "label");
   const std::vector<std::string> colours = attributes(qml, "item", "color");

@@ -34,7 +34,8 @@ class PagePdf : public testing::Test {
   }
   std::string refused(const std::string& script, double seconds = 20.0) {
     const fs::path program = browser(script);
-    return refusal([&] { print_page(folder / "page.html", folder / "a.pdf", program, seconds); });
+    return refusal(
+        [&] { print_page_to_pdf(folder / "page.html", folder / "a.pdf", program, seconds); });
   }
   ScratchFolder folder;
 };
@@ -44,7 +45,7 @@ TEST_F(PagePdf, IsWhatTheBrowserWrote) {
       "for word in \"$@\"; do case $word in --print-to-pdf=*) printf '%%PDF-1.4' > "
       "\"${word#--print-to-pdf=}\";; esac; done\n");
   write_text_file(folder / "a.pdf", "old");
-  print_page(folder / "page.html", folder / "a.pdf", program);
+  print_page_to_pdf(folder / "page.html", folder / "a.pdf", program);
   EXPECT_EQ(read_text_file(folder / "a.pdf"), "%PDF-1.4");
 }
 
@@ -60,7 +61,7 @@ TEST_F(PagePdf, EqualPagesGiveEqualFiles) {
     const fs::path program =
         browser("for word in \"$@\"; do case $word in --print-to-pdf=*) printf %s '" + content +
                 "' > " + "\"${word#--print-to-pdf=}\";; esac; done\n");
-    print_page(folder / "page.html", folder / "a.pdf", program);
+    print_page_to_pdf(folder / "page.html", folder / "a.pdf", program);
     return read_text_file(folder / "a.pdf");
   };
   const std::string one = printed("20261127110656", 849);

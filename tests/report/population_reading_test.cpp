@@ -32,7 +32,7 @@ class Talus : public WorkingFolder {
         "id;L_cm;I_cm;S_cm;mass_kg\nW1;90;50;40;400\nW2;50;100;45;500\nW3;70;40;38;250\n");
   }
   /// Reads what `request` asks for, and the JSON of it.
-  Json json_of(const PopulationRequest& request) {
+  Json json_of(const PopulationReportRequest& request) {
     report = read_populations(request);
     std::ostringstream out;
     write_population_json(out, report);
@@ -176,16 +176,17 @@ TEST_F(Talus, AColumnIsOneQuantity) {
 TEST_F(Talus, OptionsThatCantBeUnderstoodAreRefusedByTheirFields) {
   EXPECT_TRUE(contains(refused("east.csv", "L=1,weight=2"), "`columns`: \"weight=2\""));
   EXPECT_TRUE(contains(
-      refusal([&] { PopulationRequest{.first = tables({"east.csv"}, "", "ell")}.check(); }),
+      refusal([&] { PopulationReportRequest{.first = tables({"east.csv"}, "", "ell")}.check(); }),
       "`units`: \"ell\" is not a length unit"));
-  EXPECT_TRUE(contains(refusal([&] {
-                         PopulationRequest{.options = {.schemes = {"zingg", "zingg"}}}.check();
-                       }),
-                       "`schemes`: names zingg more than once"));
+  EXPECT_TRUE(
+      contains(refusal([&] {
+                 PopulationReportRequest{.options = {.schemes = {"zingg", "zingg"}}}.check();
+               }),
+               "`schemes`: names zingg more than once"));
   EXPECT_TRUE(contains(
-      refusal([&] { PopulationRequest{.options = {.schemes = {"best"}}}.check(); }), "best"));
-  const PopulationRequest box = {.first = tables({"east.csv"}),
-                                 .reading = {.box = "feret", .box_given = true}};
+      refusal([&] { PopulationReportRequest{.options = {.schemes = {"best"}}}.check(); }), "best"));
+  const PopulationReportRequest box = {.first = tables({"east.csv"}),
+                                       .reading = {.box = "feret", .box_given = true}};
   EXPECT_TRUE(contains(refusal([&] { read_populations(box); }), "`box`: east.csv is a table"));
 }
 
@@ -208,7 +209,7 @@ TEST_F(Talus, TablesThatCantBeReadAreRefused) {
 TEST_F(Talus, BlocksThatAreCountedTwiceAreNoted) {
   const Json twice = json_of({"east.csv", "east.csv"});
   EXPECT_EQ(twice["blocks"].size(), 8u);
-  EXPECT_TRUE(contains(brief(), "the same file was given 2 times"));
+  EXPECT_TRUE(contains(brief(), "the same file is given 2 times"));
   EXPECT_TRUE(contains(brief(), "counted 2 times"));
   EXPECT_TRUE(contains(twice["notes"].dump(), "counted 2 times"));
   // By content, whatever the name.

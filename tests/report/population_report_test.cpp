@@ -169,7 +169,7 @@ TEST(PopulationPage, TwoPopulationsAreComparedInWords) {
 TEST(PopulationPage, BlocksWithBoxesSayWhatTheConventionDecides) {
   Population population = blocks("scans", 5);
   for (MeasuredBlock& block : population.blocks) block.axes_by_box = {4, block.axes};
-  population.blocks[0].axes = population.blocks[0].axes_as_written = {1.2, 1.0, 0.9};
+  population.blocks[0].axes = population.blocks[0].axes_in_table_unit = {1.2, 1.0, 0.9};
   population.blocks[0].axes_by_box = {
       {1.2, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}, {1.4, 1.0, 0.9}};
   const std::string html = page_of(report_of({population}));
@@ -218,7 +218,7 @@ TEST(PopulationPage, EverySchemeHasItsDiagramAndColumn) {
   report.options.limits.sneed_folk_thirds = true;
   report.populations[0].summary =
       summarise_population(report.populations[0].population, report.options);
-  const Diagrams diagrams = draw_population_diagrams(report);
+  const PopulationDiagrams diagrams = draw_population_diagrams(report);
   const ScratchFolder folder;
   write_classes_csv(report, folder / "classes.csv");
   const CsvTable table = read_csv(read_text_file(folder / "classes.csv"));
@@ -239,29 +239,29 @@ TEST(PopulationPage, BlocksNearALimitSaySo) {
                         {make_measured_block("edge", {1.0, 0.85, 0.7}),
                          make_measured_block("clear", {1.0, 0.9, 0.1})}};
   population.blocks[0].axis_error = 0.05;
-  const std::string edge = format_block_title(population.blocks[0], {.schemes = {"sneed-folk"}});
+  const std::string edge = format_block_tooltip(population.blocks[0], {.schemes = {"sneed-folk"}});
   EXPECT_TRUE(contains(edge, "sneed-folk: C (") && contains(edge, "0.7"));
-  EXPECT_EQ(format_block_title(population.blocks[1], {.schemes = {"zingg"}}).find('('),
+  EXPECT_EQ(format_block_tooltip(population.blocks[1], {.schemes = {"zingg"}}).find('('),
             std::string::npos);
 }
 
 TEST(PopulationTables, SharesAndSizesAreThoseOfTheSummary) {
   const PopulationReport report = report_of({blocks("a", 30), blocks("b", 20, false)});
-  const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
+  const CsvTable shares = read_csv(find_report_table(population_tables(), "shares").csv(report));
   EXPECT_EQ(shares.rows.size(), 2u * (10 + 4 + 2));
-  const ClassFraction& first = report.populations[0].summary.schemes[0].shares[0];
+  const ClassFraction& first = report.populations[0].summary.schemes[0].fractions[0];
   EXPECT_EQ(shares.number(0, "blocks"), double(first.count));
   EXPECT_EQ(shares.number(0, "mass_share_high"), first.mass_high);
   EXPECT_EQ(shares.rows[16].at("population"), "b");
   EXPECT_EQ(shares.rows[16].at("mass_share"), "");
-  const CsvTable sizes = read_csv(find_table(population_tables(), "sizes").csv(report));
+  const CsvTable sizes = read_csv(find_report_table(population_tables(), "sizes").csv(report));
   const std::size_t d50 = sizes.find("quantity", "d50");
   EXPECT_EQ(sizes.number(d50, "value"), report.populations[0].summary.size.by_number.d50);
   EXPECT_EQ(sizes.rows[d50].at("unit"), "m");
   const std::size_t d63 = sizes.find("quantity", "rosin_rammler_d63");
   EXPECT_EQ(sizes.number(d63, "standard_error"),
             report.populations[0].summary.size.by_number.laws[1].location_error);
-  const CsvTable tests = read_csv(find_table(population_tables(), "tests").csv(report));
+  const CsvTable tests = read_csv(find_report_table(population_tables(), "tests").csv(report));
   EXPECT_EQ(tests.rows.size(), 3u + 3u + 3u + 3u);
   EXPECT_EQ(tests.number(6, "statistic"), report.comparison->measures[0].test->statistic);
 }
@@ -274,7 +274,7 @@ TEST(PopulationTables, TheJsonHasTheFiguresOfTheTables) {
   write_population_json(text, report);
   const auto json = nlohmann::json::parse(text.str());
 
-  const CsvTable shares = read_csv(find_table(population_tables(), "shares").csv(report));
+  const CsvTable shares = read_csv(find_report_table(population_tables(), "shares").csv(report));
   std::size_t row = 0;
   for (const std::string& scheme : report.options.schemes) {
     for (const auto& share : json["population"][scheme]) {
@@ -406,7 +406,7 @@ TEST(LogTicks, AreRoundAndFew) {
 TEST(Histogram, AValueOnALimitIsBelowIt) {
   for (const double highest : {0.5, 0.9, 2.0, 4.0}) {
     for (const double lowest : {0.0, 0.3}) {
-      Series series{"talus", "#000000", "", {lowest, 1.3 / 1.0 - 1.0, 0.301, highest}};
+      ChartSeries series{"talus", "#000000", "", {lowest, 1.3 / 1.0 - 1.0, 0.301, highest}};
       series.names = {"low", "edge", "over", "high"};
       const std::string svg = draw_histogram({"s_c", "s_c", false, {{0.3, "limit"}}}, {series});
       const double limit = number_after(svg, "stroke-dasharray", " x1=\"");
@@ -458,7 +458,7 @@ TEST(Html, ShortenedTextKeepsItsCharactersWhole) {
 
 // Half of the mass lies up to 2 m: the step to 50 % stands where the axis has 2 m.
 TEST(CumulativeChart, WeighsItsValues) {
-  Series series{"by mass", "#000000", "", {1.0, 2.0, 4.0}};
+  ChartSeries series{"by mass", "#000000", "", {1.0, 2.0, 4.0}};
   series.weights = {10.0, 40.0, 50.0};
   series.names = {"a", "b", "c"};
   const std::string svg = draw_cumulative_chart({"Size", "size, m", true}, {series});

@@ -81,7 +81,7 @@ TEST(HtmlReport, AnEnsembleIsNeitherMoreOrientationsNorFixedParameters) {
   EXPECT_TRUE(contains(html, "1 orientation \xC3\x97 3 draws of the ground"));
   EXPECT_TRUE(contains(html, "0.500 to 0.700"));
   EXPECT_TRUE(contains(format_ensemble_section(comparison),
-                       "Over 3 draws of the ground the mean runout is"));
+                       "Over 3 draws of the ground parameters, the mean runout is"));
   EXPECT_TRUE(contains(describe_key_results(comparison, summarise_key_results(comparison)).front(),
                        "Over 3 draws of the ground, mean runout is"));
 }
@@ -108,7 +108,7 @@ TEST(HtmlReport, ShowsWarningsAndLostRunsWithTheirReason) {
   const std::string html = comparison_report(compared(std::move(results)));
   EXPECT_EQ(unbalanced(html), "");
   EXPECT_TRUE(contains(html, "mass differs between classes"));
-  EXPECT_TRUE(contains(html, "1 of 6 runs ended with an error."));
+  EXPECT_TRUE(contains(html, "1 of 6 runs failed with an error."));
   EXPECT_TRUE(contains(html, "turned to &lt;nan&gt; in step 7"));
   EXPECT_FALSE(contains(html, "=\"nan\""));
 }
@@ -192,8 +192,8 @@ TEST(ReportMap, MarksEveryStopUntilThereAreTooMany) {
 TEST(ReportCharts, HoldTheSharesOfEveryClass) {
   const auto figures = figures_of(comparison_report(compared(hand_made_results())));
   // Compact blocks stop at 10, 20, 30 and 40 m, elongated ones at 10 and 20 m.
-  const Json& stops =
-      trace_named(figures.at("Share of runs that stop before, by class"), "compact (4)");
+  const Json& stops = trace_named(
+      figures.at("Fraction of runs that stop before a runout, by class"), "compact (4)");
   EXPECT_EQ(stops["x"], Json::parse("[10.0,10.0,20.0,30.0,40.0]"));
   EXPECT_EQ(stops["y"], Json::parse("[0.0,0.25,0.5,0.75,1.0]"));
   const Json& bars = trace_named(figures.at("Runout by class"), "elongated (2)");
@@ -211,15 +211,15 @@ TEST(ReportCharts, HoldTheSharesOfEveryClass) {
 // Two blocks say nothing of what share goes with the block: the numbers are folded away.
 TEST(HtmlReport, SharesOfFewBlocksAreFolded) {
   const std::string page = comparison_report(compared(made_up_results()));
-  const std::size_t said = page.find("There are too few blocks to say");
+  const std::size_t said = page.find("There are too few blocks to estimate");
   ASSERT_NE(said, page.npos);
-  EXPECT_LT(said, page.find("<summary>Shares of the variance</summary>"));
+  EXPECT_LT(said, page.find("<summary>Fractions of the variance</summary>"));
 }
 
 TEST(ReportCharts, LargeSamplesAreThinnedToTheirEnds) {
-  Series sample{"many", "#000000", "", {}};
+  ChartSeries sample{"many", "#000000", "", {}};
   for (int i = 0; i < 100'000; ++i) sample.values.push_back(i);
-  const std::vector<Trace> traces = make_cumulative_traces({sample});
+  const std::vector<ChartTrace> traces = make_cumulative_traces({sample});
   ASSERT_EQ(traces.size(), 1u);
   EXPECT_LT(traces[0].x.size(), 2000u);
   EXPECT_EQ(traces[0].x.front(), 0.0);
@@ -292,15 +292,15 @@ TEST(Relief, ShowsTheUpperOfTwoSurfaces) {
   EXPECT_EQ(relief.zone[corner], 1);
 }
 
-TEST(Ticks, AreRoundAndInside) {
-  const Ticks marks = choose_ticks(-3.2, 47.9, 7);
+TEST(AxisTicks, AreRoundAndInside) {
+  const AxisTicks marks = choose_ticks(-3.2, 47.9, 7);
   EXPECT_EQ(marks.step, 10.0);
   EXPECT_EQ(marks.values, (std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0}));
   EXPECT_EQ(choose_ticks(0.0, 0.5, 5).decimals, 1);
   EXPECT_EQ(choose_ticks(6500000.0, 6500100.0, 5).values.front(), 6500000.0);
 }
 
-TEST(Ticks, EndOnRangesThatHaveNoWidth) {
+TEST(AxisTicks, EndOnRangesThatHaveNoWidth) {
   EXPECT_EQ(choose_ticks(3.0, 3.0, 5).values.size(), 1u);
   EXPECT_EQ(choose_ticks(1e9, std::nextafter(1e9, 2e9), 5).values.size(), 1u);
   EXPECT_EQ(choose_ticks(0.0, INFINITY, 5).values.size(), 1u);

@@ -67,8 +67,8 @@ TEST(ContourField, OfAPlaneIsFlatWithStraightLines) {
   std::vector<double> values;
   for (const Vec2& place : places) values.push_back(5.0 + 0.1 * place.x());
   const ThinPlateSpline plate(places, values);
-  EXPECT_NEAR(plate.at({50, 20}), 10.0, 1e-9);
-  const std::vector<Vec2> hull = convex_hull_of(places);
+  EXPECT_NEAR(plate.value_at({50, 20}), 10.0, 1e-9);
+  const std::vector<Vec2> hull = plan_convex_hull(places);
   EXPECT_EQ(hull.size(), 4u) << "the fifth is inside";
   EXPECT_TRUE(is_inside(hull, {50, 50}));
   EXPECT_FALSE(is_inside(hull, {101, 50}));
@@ -111,7 +111,7 @@ TEST(ContourField, BandsHaveTheirAreaInFewParts) {
   const std::vector<Vec2> places = {{0, 0}, {100, 0}, {0, 100}, {100, 100}};
   const std::vector<double> values = {0.0, 10.0, 0.0, 10.0};
   const ThinPlateSpline plate(places, values);
-  const std::vector<Vec2> hull = convex_hull_of(places);
+  const std::vector<Vec2> hull = plan_convex_hull(places);
   for (const double level : {-5.0, 2.0, 5.0, 9.0}) {
     const double width = std::min(100.0, 100.0 - 10.0 * level);
     const std::vector<double> areas = areas_of(format_band_path(plate, hull, level, 5.0));
@@ -127,7 +127,7 @@ TEST(ContourField, PassesThroughItsValues) {
   const std::vector<double> values = {1.0, 4.0, -2.0, 7.0, 0.5};
   const ThinPlateSpline plate(places, values);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    EXPECT_NEAR(plate.at(places[i]), values[i], 1e-9);
+    EXPECT_NEAR(plate.value_at(places[i]), values[i], 1e-9);
   }
 }
 

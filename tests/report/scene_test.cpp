@@ -130,7 +130,7 @@ TEST_F(Scene, IsOnePieceOfThePageAndSaysHowManyRunsItDraws) {
 
 TEST_F(Scene, SaysWhatIsMissing) {
   EXPECT_TRUE(contains(format_scene_section(compared(hand_made_results())),
-                       "The results hold no trajectories: set [run] trajectory_interval_s"));
+                       "The results contain no trajectories; set [run] trajectory_interval_s"));
   ASSERT_EQ(::setenv("CLAST_THREE", folder.path().c_str(), 1), 0);
   const std::string none = format_scene_section(stored());
   ::unsetenv("CLAST_THREE");

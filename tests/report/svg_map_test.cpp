@@ -271,10 +271,10 @@ TEST(SvgMapOfCampaign, ShowsReleasePointsOnceAndTheWayThatCounts) {
   header.barriers[0].counted = CountedDirection::kForward;
   header.barriers.push_back({"ring", {Vec2(30, 0), Vec2(40, 0), Vec2(40, 9), Vec2(30, 0)}});
   const SiteMap site = make_site_map(header);
-  ASSERT_EQ(site.places.size(), 2u);
-  EXPECT_EQ(site.places[1].point, 1u);
-  EXPECT_EQ(site.places[1].place, Vec2(kMapOrigin.head<2>() + Vec2(5, 3)));
-  EXPECT_TRUE(site.outlines.empty());
+  ASSERT_EQ(site.release_positions.size(), 2u);
+  EXPECT_EQ(site.release_positions[1].point, 1u);
+  EXPECT_EQ(site.release_positions[1].position, Vec2(kMapOrigin.head<2>() + Vec2(5, 3)));
+  EXPECT_TRUE(site.release_outlines.empty());
   // Heights of the ground, 30 m on 70 m.
   EXPECT_EQ(site.contour_interval(), 5.0);
   const std::string svg = draw_svg_map(site);
@@ -289,24 +289,24 @@ TEST(SvgMapOfCampaign, ShowsReleasePointsOnceAndTheWayThatCounts) {
 TEST(SvgMapOfComparison, HoldsTheRunsAndOutlinesOfMasses) {
   CampaignResults results = hand_made_results();
   const SiteMap apart = make_site_map(compared(results));
-  ASSERT_EQ(apart.places.size(), 1u);
-  EXPECT_TRUE(apart.outlines.empty());
+  ASSERT_EQ(apart.release_positions.size(), 1u);
+  EXPECT_TRUE(apart.release_outlines.empty());
   // Stops at x 10 to 40 and y -10 to 20, barriers at y -20 and 20.
   EXPECT_LT(apart.window.low.x(), kMapOrigin.x());
   EXPECT_GT(apart.window.high.x(), kMapOrigin.x() + 40.0);
   EXPECT_LT(apart.window.high.x(), kMapOrigin.x() + 60.0) << "not the whole ground";
 
-  results.stay = {3, {0.01, 0.5, 0.3}, true};
+  results.persistent_blocks = {3, {0.01, 0.5, 0.3}, true};
   for (std::uint32_t run = 0; run < 6; ++run) {
-    results.stays.push_back({.run = run});
+    results.persistent_block_records.push_back({.run = run});
     results.runs[run].start.position = Vec3(run % 3, run % 2, 2.0);
   }
   const Comparison comparison = compared(std::move(results));
   const SiteMap mass = make_site_map(comparison);
-  EXPECT_TRUE(mass.places.empty());
-  ASSERT_EQ(mass.outlines.size(), 1u);
-  EXPECT_EQ(mass.outlines[0].name, "release of 3 blocks") << "in each of two realisations";
-  EXPECT_EQ(mass.outlines[0].corners.size(), 4u);
+  EXPECT_TRUE(mass.release_positions.empty());
+  ASSERT_EQ(mass.release_outlines.size(), 1u);
+  EXPECT_EQ(mass.release_outlines[0].name, "release of 3 blocks") << "in each of two realisations";
+  EXPECT_EQ(mass.release_outlines[0].corners.size(), 4u);
   const std::string svg = draw_svg_map(mass);
   EXPECT_EQ(unbalanced(svg), "");
   EXPECT_EQ(count_of(svg, "stroke-dasharray=\"6 4\""), 2u) << "on the map and in the legend";

@@ -92,9 +92,9 @@ const char* type_of(const std::string&) { return "text"; }
 template <class Row>
 std::string datasets_of(const std::string& group) {
   std::vector<DocumentedColumn> documented;
-  visit_columns(kRowsOf<Row>, [&](const std::string& name, const std::string& unit,
-                                  const std::string& meaning, const auto& field) {
-    const std::string type = type_of(Stored<Row, decltype(field)>());
+  visit_columns(kRowType<Row>, [&](const std::string& name, const std::string& unit,
+                                   const std::string& meaning, const auto& field) {
+    const std::string type = type_of(StoredType<Row, decltype(field)>());
     const std::string about = describe({type + " [" + group + "]", unit}, meaning);
     const bool begins = documented.empty() || documented.back().about != about;
     documented.push_back({(begins ? "/" + group + "/" : "") + name, about});

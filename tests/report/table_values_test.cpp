@@ -42,7 +42,7 @@ TEST(TableValues, AreThoseOfTheCsvFiles) {
 
 TEST(TableValues, CountsStayCountsAndTextsTexts) {
   const TableValues runs =
-      find_table(comparison_tables(), "runs").values(compared(hand_made_results()));
+      find_report_table(comparison_tables(), "runs").values(compared(hand_made_results()));
   ASSERT_EQ(runs[0].name, "run");
   EXPECT_TRUE(std::holds_alternative<std::vector<std::uint64_t>>(runs[0].values));
   ASSERT_EQ(runs[1].name, "block");
@@ -51,7 +51,7 @@ TEST(TableValues, CountsStayCountsAndTextsTexts) {
 }
 
 TEST(ComparisonTables, OthersAreRefused) {
-  EXPECT_TRUE(contains(refusal([] { find_table(comparison_tables(), "colours"); }),
+  EXPECT_TRUE(contains(refusal([] { find_report_table(comparison_tables(), "colours"); }),
                        "\"colours\" is no table; there are runs, crossings"));
 }
 

@@ -55,7 +55,7 @@ TEST_F(Unpack, SaysWhenTheBrowserIsTooOld) {
   EXPECT_EQ(evaluated(format_packed_element("a", "b"),
                       "delete globalThis.DecompressionStream;\n"
                       "clastUnpacked('a').catch((error) => error.message)"),
-            "This browser can't unpack charts and 3-D views: it is of before 2023.");
+            "This browser can't unpack charts and 3-D views: it is older than 2023.");
 }
 
 }  // namespace

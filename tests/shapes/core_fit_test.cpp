@@ -62,7 +62,7 @@ TEST(CoreFit, SameInputGivesTheSameBits) {
 TEST(CoreFit, GoodEnoughIsLeftAlone) {
   const TriangleMesh rock = random_rock(5, 2, 0.1);
   const SpheroPolyhedron start = inset_core(rock, 0.05);
-  EXPECT_EQ(fit_core(rock, start, {.good_enough = 1.0}).body.vertices, start.vertices);
+  EXPECT_EQ(fit_core(rock, start, {.target_distance = 1.0}).body.vertices, start.vertices);
   EXPECT_EQ(fit_core(rock, start, {.rounds = 0}).body.vertices, start.vertices);
 }
 
@@ -71,7 +71,7 @@ TEST(CoreFit, NonsenseIsRefused) {
   EXPECT_THROW(fit_core(rock, {}), GeometryError);
   EXPECT_THROW(fit_core(TriangleMesh{}, make_sphero_polyhedron(rock, 0.1)), GeometryError);
   EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.rounds = -1}), InputError);
-  EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.good_enough = -1.0}),
+  EXPECT_THROW(fit_core(rock, make_sphero_polyhedron(rock, 0.1), {.target_distance = -1.0}),
                InputError);
 }
 

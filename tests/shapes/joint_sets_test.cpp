@@ -69,7 +69,7 @@ TEST(ConvexCell, CutsOfABoxAreClosedAndAddUp) {
 }
 
 /// Blocks are closed, convex, inside the mass and share no inner point.
-void expect_sound(const JointedMass& cut, const TriangleMesh& mass, double slack) {
+void expect_sound(const JointedRockMass& cut, const TriangleMesh& mass, double slack) {
   const TriangleTree tree(mass);
   for (const TriangleMesh& block : cut.blocks) {
     const MeshReport report = inspect_mesh(block);
@@ -100,16 +100,16 @@ TEST(CutByJoints, ThreeUprightSetsCutABoxIntoBoxes) {
   const TriangleMesh mass = box_mesh({6.0, 4.0, 3.0});
   const std::vector<JointSet> sets = {parse_joint_set("90/90/1"), parse_joint_set("90/0/1"),
                                       parse_joint_set("0/0/1")};
-  const JointedMass cut = cut_by_joints(mass, sets, {.least_volume = 1e-9});
+  const JointedRockMass cut = cut_by_joints(mass, sets, {.min_volume = 1e-9});
   EXPECT_NEAR(cut.volume, 72.0, 1e-9);
   EXPECT_NEAR(cut.block_volume, 72.0, 1e-6);
   // Joints lie anywhere: as many cells as spacings fit, and the two ends of each row.
   EXPECT_EQ(cut.blocks.size(), 7u * 5u * 4u);
   for (const TriangleMesh& block : cut.blocks) EXPECT_EQ(block.vertices.size(), 8u);
   expect_sound(cut, mass, 1e-6);
-  const JointedMass other = cut_by_joints(mass, sets, {.least_volume = 1e-9, .seed = 2});
+  const JointedRockMass other = cut_by_joints(mass, sets, {.min_volume = 1e-9, .seed = 2});
   EXPECT_NE(signed_volume(other.blocks[0]), signed_volume(cut.blocks[0]));
-  EXPECT_EQ(cut_by_joints(mass, sets, {.least_volume = 1e-9}).blocks[7].vertices,
+  EXPECT_EQ(cut_by_joints(mass, sets, {.min_volume = 1e-9}).blocks[7].vertices,
             cut.blocks[7].vertices);
 }
 
@@ -118,7 +118,7 @@ TEST(CutByJoints, SpacingsHaveTheMeanAndTheScatterAskedFor) {
   const TriangleMesh beam = box_mesh({4000.0, 1.0, 1.0});
   const std::vector<JointSet> sets = {
       {90.0 * kRadiansPerDegree, 90.0 * kRadiansPerDegree, 2.0, 0.8}};
-  const JointedMass cut = cut_by_joints(beam, sets);
+  const JointedRockMass cut = cut_by_joints(beam, sets);
   double sum = 0.0, squares = 0.0;
   for (const TriangleMesh& slab : cut.blocks) {
     const double width = signed_volume(slab);
@@ -137,7 +137,7 @@ TEST(CutByJoints, ABallOnTheMapIsCutWithoutLoss) {
   const std::vector<JointSet> sets = {parse_joint_set("70/095/1.3/0.4"),
                                       parse_joint_set("60/200/1.1/0.3"),
                                       parse_joint_set("20/310/0.9/0.2")};
-  const JointedMass cut = cut_by_joints(mass, sets);
+  const JointedRockMass cut = cut_by_joints(mass, sets);
   EXPECT_GT(cut.blocks.size(), 60u);
   EXPECT_GT(cut.block_volume, 0.97 * cut.volume);
   EXPECT_LE(cut.block_volume, cut.volume * (1.0 + 1e-9));
@@ -150,7 +150,7 @@ TEST(CutByJoints, ARoughMassLosesWhatIsHollow) {
   const std::vector<JointSet> sets = {parse_joint_set("70/095/1.5/0.4"),
                                       parse_joint_set("60/200/1.2/0.3"),
                                       parse_joint_set("20/310/1.0/0.2")};
-  const JointedMass cut = cut_by_joints(mass, sets);
+  const JointedRockMass cut = cut_by_joints(mass, sets);
   EXPECT_GT(cut.block_volume, 0.8 * cut.volume);
   EXPECT_LT(cut.block_volume, cut.volume);
   EXPECT_NEAR(cut.lost_volume(), cut.volume - cut.block_volume, 1e-12);
@@ -162,10 +162,10 @@ TEST(CutByJoints, RefusesWhatItCanNotCut) {
   const std::vector<JointSet> fine = {parse_joint_set("90/90/0.05"), parse_joint_set("90/0/0.05"),
                                       parse_joint_set("0/0/0.05")};
   EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, {}); }), "no joint set"));
-  EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, fine, {.least_volume = 1e-9}); }),
+  EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, fine, {.min_volume = 1e-9}); }),
                        "into more than 10000 blocks"));
   const std::vector<JointSet> one = {parse_joint_set("45/90/1")};
-  EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, one, {.least_volume = 100.0}); }),
+  EXPECT_TRUE(contains(refusal([&] { cut_by_joints(mass, one, {.min_volume = 100.0}); }),
                        "no block of 100 m3"));
   TriangleMesh open = mass;
   open.triangles.pop_back();

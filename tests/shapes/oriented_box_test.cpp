@@ -224,7 +224,7 @@ TEST(SmallestRectangle, NoAngleGivesASmallerOne) {
     std::vector<Vec2> points;
     for (int i = 0; i < 30; ++i) points.emplace_back(random.normal(), 0.5 * random.normal());
     const double radius = seed % 2 ? 0.3 : 0.0;
-    const Rectangle best = smallest_rectangle(points, radius);
+    const EnclosingRectangle best = smallest_rectangle(points, radius);
     for (int step = 0; step < 2000; ++step) {
       const double angle = kPi / 2 * step / 2000;
       const Vec2 u(std::cos(angle), std::sin(angle)), v(-u.y(), u.x());

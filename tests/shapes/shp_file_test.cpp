@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"<\nname T\nradius 0.1\nnv 1\n0 0 0\nnf 1\n3 0 1 2\n>", "shape T", "vertex 2"},
         Damage{"<\nname T\nradius 0.1\nne 1\n0 -1\n>", "line 5", "-1"},
         Damage{"<\nname T\nradius 0.1\nne 1\n0 4294967296\n>", "line 5", "4294967296"},
-        Damage{tetrahedron_with("radius 0.2"), "shape T", "stands twice"},
+        Damage{tetrahedron_with("radius 0.2"), "shape T", "occurs twice"},
         Damage{tetrahedron_with("colour red"), "shape T", "\"colour\" is no keyword"},
         Damage{tetrahedron_with("preCompDone maybe"), "shape T", "y or n"},
         Damage{tetrahedron_with("orientation 1 1 0 0"), "shape T", "length 1.414"},

@@ -45,14 +45,14 @@ TriangleMesh ring() {
 
 TEST(StarShape, ACentreSeesTheWholeSurfaceAndARingHasNone) {
   const TriangleMesh rock = bumpy_rock();
-  const std::optional<Vec3> centre = find_kernel_point(rock);
+  const std::optional<Vec3> centre = find_kernel_centroid(rock);
   ASSERT_TRUE(centre);
   for (const TriangleMesh::Triangle& t : rock.triangles) {
     const Vec3 &a = rock.vertices[t[0]], &b = rock.vertices[t[1]], &c = rock.vertices[t[2]];
     EXPECT_GT((b - a).cross(c - a).dot(a - *centre), 0.0);
   }
   ASSERT_GT(enclosed_volume(ring()), 0.0);
-  EXPECT_FALSE(find_kernel_point(ring()));
+  EXPECT_FALSE(find_kernel_centroid(ring()));
 }
 
 TEST(HullInterpolation, GoesFromTheRockToItsHullAndNeverCrossesItself) {
@@ -94,16 +94,16 @@ TEST(SurfaceDetail, IsWhatLiesAboveTheDegree) {
   };
   const TriangleMesh mesh = rippled(0.05);
   EXPECT_NEAR(far(mesh), 0.05, 1e-3);
-  const DetailedSurface smooth = scale_surface_detail(mesh, {.gain = 0.0, .degree = 6});
-  EXPECT_EQ(smooth.coarse, CoarseShape::kHarmonics);
+  const ScaledDetailSurface smooth = scale_surface_detail(mesh, {.gain = 0.0, .degree = 6});
+  EXPECT_EQ(smooth.coarse_shape_method, CoarseShapeMethod::kHarmonics);
   EXPECT_LT(far(smooth.mesh), 2e-3);
   EXPECT_NEAR(far(scale_surface_detail(mesh, {.gain = 2.0, .degree = 6}).mesh), 0.1, 3e-3);
   EXPECT_EQ(scale_surface_detail(mesh, {.gain = 1.0, .degree = 6}).mesh.vertices, mesh.vertices);
 }
 
 TEST(SurfaceDetail, FallsBackToABilaplacianAndSaysSo) {
-  const DetailedSurface smooth = scale_surface_detail(ring(), {.gain = 0.9, .degree = 6});
-  EXPECT_EQ(smooth.coarse, CoarseShape::kBilaplacian);
+  const ScaledDetailSurface smooth = scale_surface_detail(ring(), {.gain = 0.9, .degree = 6});
+  EXPECT_EQ(smooth.coarse_shape_method, CoarseShapeMethod::kBilaplacian);
   EXPECT_TRUE(find_self_intersections(smooth.mesh).empty());
   EXPECT_TRUE(
       contains(refusal([] { scale_surface_detail(bumpy_rock(), {.gain = 0.0, .degree = 12}); }),
@@ -121,12 +121,12 @@ TEST(ReferenceBodies, HaveTheRatiosAskedFor) {
     EXPECT_EQ(name_of(form), name);
     BoxRatios ratios = {0.7, 0.4};
     const SpheroPolyhedron body =
-        make_reference_body(form, {.ratios = ratios, .radius_share = 0.05});
+        make_reference_body(form, {.ratios = ratios, .radius_fraction = 0.05});
     if (form == ReferenceShape::kSphere || form == ReferenceShape::kEota111) ratios = {1.0, 1.0};
     if (form == ReferenceShape::kEota221) ratios = {1.0, 0.5};
     const OrientedBox box = smallest_box(body);
     EXPECT_NEAR(box.lengths[0], 1.0, 1e-9) << name;
-    EXPECT_LT(ratio_difference(box_ratios(box), ratios), 1e-3) << name;
+    EXPECT_LT(max_ratio_difference(box_ratios(box), ratios), 1e-3) << name;
     if (form != ReferenceShape::kSphere) {
       EXPECT_NEAR(body.radius, 0.05 * box.lengths[2], 1e-4) << name;
     }

@@ -11,9 +11,9 @@ inline CampaignResults boxes_that_stay() {
   results.terrain.surface = plane_mesh(40.0, 4);
   results.terrain.zone.assign(results.terrain.surface.triangles.size(), 0);
   results.shapes.assign(results.shapes.size(), box(1.0, {2.0, 1.0, 0.5}).shape);
-  results.stay = {3, {0.01, 0.5, 0.3}};
+  results.persistent_blocks = {3, {0.01, 0.5, 0.3}};
   results.planned_runs = 6;
-  results.stays.clear();
+  results.persistent_block_records.clear();
   for (BlockSummary& block : results.blocks) {
     block.scale = 1.0;
     block.volume = 1.0;
@@ -22,7 +22,7 @@ inline CampaignResults boxes_that_stay() {
   }
   for (std::uint32_t i = 0; i < 6; ++i) {
     RunRecord& run = results.runs[i];
-    results.stays.push_back({.run = run.run});
+    results.persistent_block_records.push_back({.run = run.run});
     run.start = {};
     run.start.position = {-10.0, 0.0, 8.0 + i % 3};
     run.result.stop_reason = StopReason::kRest;

@@ -32,7 +32,7 @@ inline RunRecord hand_made_run(std::uint32_t run, std::uint32_t block, double x,
   // The second block's own, and another in its last run.
   record.stiffness = block == 0 ? ContactStiffness{1e8, 1e8, 1e7, 2e-5}
                                 : ContactStiffness{(run == 5 ? 4e8 : 3e8), 3e8, 2e7, 1e-5};
-  record.rest_depth = block == 0 ? 0.012 : 0.016;
+  record.settled_depth = block == 0 ? 0.012 : 0.016;
   record.impact_depth = 0.1;
   return record;
 }

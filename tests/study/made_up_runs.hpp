@@ -66,9 +66,10 @@ inline void add_barrier(CampaignResults& results, const std::string& name, doubl
 
 /// Makes the runs those of so many realisations of blocks that are released together.
 inline void let_stay(CampaignResults& results, std::uint32_t realisations) {
-  results.stay = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
-  results.stays.clear();
-  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  results.persistent_blocks = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
+  results.persistent_block_records.clear();
+  for (const RunRecord& run : results.runs)
+    results.persistent_block_records.push_back({.run = run.run});
 }
 
 /// Draws the ground so many times: run i is of draw i mod `draws`, and stops `farther` m farther

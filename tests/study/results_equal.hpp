@@ -32,7 +32,7 @@ inline void expect_equal(const Impact& a, const Impact& b) {
   EXPECT_EQ(a.zone, b.zone);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.contact_duration, b.contact_duration);
-  EXPECT_EQ(a.place, b.place);
+  EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.speed_before, b.speed_before);
   EXPECT_EQ(a.speed_after, b.speed_after);
   EXPECT_EQ(a.translational_before, b.translational_before);
@@ -49,8 +49,8 @@ inline void expect_equal(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.orientation, b.orientation);
   EXPECT_EQ(a.ground_set, b.ground_set);
   EXPECT_EQ(a.contacts.contact_time, b.contacts.contact_time);
-  EXPECT_EQ(a.contacts.mean_points, b.contacts.mean_points);
-  EXPECT_EQ(a.contacts.most_points, b.contacts.most_points);
+  EXPECT_EQ(a.contacts.mean_contact_points, b.contacts.mean_contact_points);
+  EXPECT_EQ(a.contacts.max_contact_points, b.contacts.max_contact_points);
   EXPECT_EQ(a.contacts.longest_flight, b.contacts.longest_flight);
   EXPECT_EQ(a.contacts.max_energy, b.contacts.max_energy);
   EXPECT_EQ(a.contacts.max_spin, b.contacts.max_spin);
@@ -59,7 +59,7 @@ inline void expect_equal(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.stiffness.tangential, b.stiffness.tangential);
   EXPECT_EQ(a.stiffness.rolling, b.stiffness.rolling);
   EXPECT_EQ(a.stiffness.time_step, b.stiffness.time_step);
-  EXPECT_EQ(a.rest_depth, b.rest_depth);
+  EXPECT_EQ(a.settled_depth, b.settled_depth);
   EXPECT_EQ(a.impact_depth, b.impact_depth);
   const ReleaseResult &x = a.result, &y = b.result;
   EXPECT_EQ(x.stop_reason, y.stop_reason);

@@ -48,7 +48,7 @@ inline CampaignResults sample_header() {
   header.ground[0].soil_memory = 0.2;
   header.ground_sets = {{"", 0, header.ground}, {"hard", 1, {{0.02, 0.6, 0.3}, {0.05, 0.2, 0.1}}}};
   header.law = SpringDashpotLaw{};
-  header.weights = ContactWeighting::kOverlap;
+  header.weighting = ContactWeighting::kOverlap;
   header.warnings = {"mind the gap"};
   header.downslope = Vec2(1.0, 0.25);
   header.terrain.surface.vertices = {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0.25}, {0, 1, 0}};
@@ -100,7 +100,7 @@ inline StoredRun sample_run(std::uint32_t number) {
                         &result.energy.reassigned,
                         &result.energy.error,
                         &run.record.contacts.contact_time,
-                        &run.record.contacts.mean_points,
+                        &run.record.contacts.mean_contact_points,
                         &run.record.contacts.longest_flight,
                         &run.record.contacts.max_energy,
                         &run.record.contacts.max_spin,
@@ -108,19 +108,19 @@ inline StoredRun sample_run(std::uint32_t number) {
                         &run.record.stiffness.tangential,
                         &run.record.stiffness.rolling,
                         &run.record.stiffness.time_step,
-                        &run.record.rest_depth,
+                        &run.record.settled_depth,
                         &run.record.impact_depth}) {
     *value = random.normal();
   }
   result.below_ground = number % 3 == 0;
   result.contact_steps = 5'000'000'000ULL + number;
   result.impacts = number;
-  run.record.contacts.most_points = 7 + number;
+  run.record.contacts.max_contact_points = 7 + number;
   for (std::uint32_t i = 0; i < number % 4; ++i) {
     Impact impact;
     impact.run = number;
     impact.zone = i % 2;
-    impact.place = Vec3(random.normal(), random.normal(), random.normal());
+    impact.position = Vec3(random.normal(), random.normal(), random.normal());
     for (double* value :
          {&impact.time, &impact.contact_duration, &impact.speed_before, &impact.speed_after,
           &impact.translational_before, &impact.translational_after, &impact.rotational_before,

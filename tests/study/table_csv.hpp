@@ -7,7 +7,7 @@
 namespace clast {
 
 inline std::string table_csv(const Comparison& comparison, const std::string& name) {
-  return find_table(comparison_tables(), name).csv(comparison);
+  return find_report_table(comparison_tables(), name).csv(comparison);
 }
 
 }  // namespace clast

@@ -11,12 +11,12 @@
 
 namespace clast {
 
-constexpr double kBlockDensity = 2600.0;  ///< kg/m^3
+constexpr double kBlockDensityRange = 2600.0;  ///< kg/m^3
 
 /// A convex body of 12 vertices and 20 faces, rounded: an icosahedron stretched to the half axes.
 inline RigidBody convex_block(const Vec3& half_axes, double radius) {
-  return body_of(make_sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius), kBlockDensity,
-                 2.0 * (half_axes.minCoeff() + radius));
+  return body_of(make_sphero_polyhedron(rock_mesh(1, half_axes, 1, 0.0), radius),
+                 kBlockDensityRange, 2.0 * (half_axes.minCoeff() + radius));
 }
 
 /// Blocks of five sizes, 0.85 to 1.15 times the middle one, which has the volume of a ball 1 m in
@@ -24,7 +24,7 @@ inline RigidBody convex_block(const Vec3& half_axes, double radius) {
 /// @param of_scale  a block, its lengths times a number
 template <class OfScale>
 std::vector<RigidBody> five_sizes(const OfScale& of_scale) {
-  const double unit = std::cbrt(of_scale(1.0).mass / (kBlockDensity * kPi / 6.0));
+  const double unit = std::cbrt(of_scale(1.0).mass / (kBlockDensityRange * kPi / 6.0));
   std::vector<RigidBody> shapes;
   for (const double size : {0.85, 0.925, 1.0, 1.075, 1.15}) shapes.push_back(of_scale(size / unit));
   return shapes;
@@ -39,7 +39,7 @@ inline std::vector<RigidBody> block_sizes() {
 /// Mean volume when all of them are equally frequent, m^3.
 inline double mean_volume(const std::vector<RigidBody>& shapes) {
   double sum = 0.0;
-  for (const RigidBody& shape : shapes) sum += shape.mass / kBlockDensity;
+  for (const RigidBody& shape : shapes) sum += shape.mass / kBlockDensityRange;
   return sum / static_cast<double>(shapes.size());
 }
 

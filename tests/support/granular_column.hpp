@@ -64,7 +64,7 @@ inline Collapse collapse_column(const ColumnScene& scene) {
   options.law = scene.law;
   options.multi_block = true;
   options.normal = scene.stiffness_factor * middle_mass * kGravity * scene.aspect * result.radius /
-                   (0.01 * ground_requirements(zones, scene.law).static_stiffness_ratio);
+                   (0.01 * ground_stiffness_inputs(zones, scene.law).static_stiffness_ratio);
   WorldSettings settings;
   settings.law = scene.law;
   settings.between_bodies = zones[0];

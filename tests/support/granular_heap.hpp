@@ -30,7 +30,7 @@ inline std::vector<RigidBody> heap_sizes(const HeapScene& scene) {
   if (scene.shape == HeapShape::kCompact) return block_sizes();
   return five_sizes([&](double scale) {
     return scene.shape == HeapShape::kBall
-               ? ball(kBlockDensity * kPi / 6.0 * scale * scale * scale, 0.5 * scale)
+               ? ball(kBlockDensityRange * kPi / 6.0 * scale * scale * scale, 0.5 * scale)
                : convex_block(0.5 * scale * Vec3(scene.elongation, 1.0, 0.9), 0.05 * scale);
   });
 }
@@ -125,7 +125,7 @@ inline Heap heap_on_disc(const HeapScene& scene) {
   StiffnessOptions options;
   options.multi_block = true;
   options.normal = scene.stiffness_factor * shapes[2].mass * kGravity * radius /
-                   (0.01 * ground_requirements(zones, ContactLaw()).static_stiffness_ratio);
+                   (0.01 * ground_stiffness_inputs(zones, ContactLaw()).static_stiffness_ratio);
   WorldSettings settings;
   settings.between_bodies = zones[0];
   settings.stiffness =

@@ -43,14 +43,14 @@ inline std::optional<double> ground_gap(const TerrainSurface& terrain, const Rig
   for (const std::uint32_t v : vertices) {
     const Vec3 in_body = body_from_world * ground.features.vertices[v];
     for (std::uint32_t f = 0; f < block.faces.size(); ++f) {
-      nearest = std::min(nearest, std::abs(nearest_on_face(block, f, in_body).distance));
+      nearest = std::min(nearest, std::abs(nearest_point_on_face(block, f, in_body).distance));
     }
   }
   for (const SurfaceEdge& edge : block.edges) {
     const Vec3 along = world_from_body.rotation * edge.direction;
     for (const std::uint32_t g : edges) {
       const SurfaceEdge& other = ground.features.edges[g];
-      const SegmentDistance closest = closest_points(
+      const ClosestSegmentPoints closest = closest_segment_points(
           {corners[edge.vertices[0]], along, edge.length},
           {ground.features.vertices[other.vertices[0]], other.direction, other.length});
       nearest = std::min(nearest, closest.separation.norm());

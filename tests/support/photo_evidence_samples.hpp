@@ -71,13 +71,13 @@ struct EvidenceSample {
     scan = scan_of(photos);
     for (std::size_t i = 0; i + 1 < 33; ++i) scan.cloud.pairs.push_back({i, i + 1, 0.17});
     scan.cloud.blurred = {33};
-    scan.without_camera = {"img_90.jpg"};
+    scan.photos_without_camera = {"img_90.jpg"};
     scan.metric = true;
     scan.scale_source = "board";
     for (const int id : {0, 1, 2, 5}) {
       scan.markers.markers.push_back(made_up_marker(id, {0.5 * id, 0.1 * id * id, 0.0}, 0.2));
     }
-    scan.markers.missed = {{3, 2}};
+    scan.markers.unlocated = {{3, 2}};
     const ScaleBoard board{.dictionary = "4x4_50",
                            .markers = {{0, {0.0, 0.0, 0.0}},
                                        {1, {0.5, 0.1, 0.0}},

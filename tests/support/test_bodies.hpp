@@ -11,7 +11,7 @@
 namespace clast {
 
 /// In the names of tests.
-inline void PrintTo(ContactWeighting weights, std::ostream* out) { *out << name_of(weights); }
+inline void PrintTo(ContactWeighting weighting, std::ostream* out) { *out << name_of(weighting); }
 
 inline RigidBody ball(double mass, double radius) {
   RigidBody body;

@@ -197,8 +197,9 @@ TEST_F(CloudGround, OutliersAreLeftOutWithTheirNumberAndAPlace) {
       read_terrain({.surface = {cloud(text)}, .resolution = 1.0, .outliers = 3.0});
   EXPECT_EQ(terrain.surface.vertices.size(), 400u);
   for (const Vec3& v : terrain.surface.vertices) EXPECT_NEAR(v.z(), plane.at(v.x(), v.y()), 1e-9);
-  EXPECT_TRUE(contains(terrain.report.notes.at(1),
-                       "2 points more than 3 m below and 2 above the ground around were left out"));
+  EXPECT_TRUE(contains(
+      terrain.report.notes.at(1),
+      "2 points more than 3 m below and 2 points above the surrounding ground were left out"));
   EXPECT_TRUE(contains(terrain.report.notes.at(1), "near x 12.500, y 12.500, z -50.000"));
   // They count where nothing is said.
   const Terrain all =

@@ -73,8 +73,8 @@ TEST_F(Released, AParaboloidHasItsVolume) {
     expect_solid(mass.bodies[0].mesh);
     EXPECT_TRUE(mass.excluded.empty());
     EXPECT_TRUE(mass.notes.empty());
-    EXPECT_NEAR(mass.edge_before, 0.4, 0.15);
-    EXPECT_NEAR(mass.edge_after, 0.57, 0.2);
+    EXPECT_NEAR(mass.median_edge_before, 0.4, 0.15);
+    EXPECT_NEAR(mass.median_edge_after, 0.57, 0.2);
   }
 }
 
@@ -93,7 +93,7 @@ TEST_F(Released, ANicheWithAnUprightBackIsExact) {
     EXPECT_NEAR(mass.volume(), 0.5 * 8.0 * 4.0 * 20.0, 0.01);
     expect_solid(mass.bodies[0].mesh);
     ASSERT_EQ(mass.notes.size(), 1u);
-    EXPECT_TRUE(contains(mass.notes[0], "body 1 ends at a wall of up to 4 m"));
+    EXPECT_TRUE(contains(mass.notes[0], "body 1 ends at a vertical wall of up to 4 m"));
   }
 }
 
@@ -114,7 +114,7 @@ TEST_F(Released, IsTheIntegralOfTheThicknessOnRoughGround) {
     const Terrain before = ground(rough(23, 20.0)), after = ground(rough(31, 21.0));
     const double least = 0.3;
     const ReleasedMass mass = find_released_mass(
-        before, after, {.min_thickness = least, .bodies = "all", .least_volume = 0.0});
+        before, after, {.min_thickness = least, .bodies = "all", .min_volume = 0.0});
     EXPECT_GT(mass.bodies.size(), 5u);
     const TerrainSurface upper = make_terrain_surface(before), lower = make_terrain_surface(after);
     double sum = 0.0;
@@ -126,7 +126,7 @@ TEST_F(Released, IsTheIntegralOfTheThicknessOnRoughGround) {
       }
     }
     EXPECT_NEAR(mass.volume() / sum, 1.0, 2e-3);
-    for (const MassBody& body : mass.bodies) {
+    for (const ReleasedBody& body : mass.bodies) {
       expect_solid(body.mesh);
       for (const Vec3& corner : body.mesh.vertices) {
         const auto top = upper.height_at(corner.x(), corner.y(), 0.0);
@@ -176,8 +176,8 @@ TEST_F(Released, OfSeveralBodiesThoseAskedForAreTaken) {
   EXPECT_EQ(two.bodies[1].rank, 3u);
   EXPECT_EQ(two.excluded[0].rank, 2u);
   EXPECT_EQ(find_released_mass(before, after, {.bodies = "all"}).bodies.size(), 3u);
-  EXPECT_EQ(
-      find_released_mass(before, after, {.bodies = "all", .least_volume = 20.0}).bodies.size(), 2u);
+  EXPECT_EQ(find_released_mass(before, after, {.bodies = "all", .min_volume = 20.0}).bodies.size(),
+            2u);
   const std::string said =
       refusal<InputError>([&] { find_released_mass(before, after, {.bodies = "4"}); });
   EXPECT_TRUE(contains(said, "`bodies` = 4: there are 3 bodies")) << said;
@@ -192,7 +192,7 @@ TEST_F(Released, APolygonCutsItOff) {
   EXPECT_NEAR(mass.volume() / kDomeVolume, 0.5, 3e-3);
   expect_solid(mass.bodies[0].mesh);
   EXPECT_NEAR(bounds(mass.bodies[0].mesh).low.x(), 16.0, 1e-5);
-  EXPECT_TRUE(contains(mass.notes.at(0), "a wall of up to 4 m"));
+  EXPECT_TRUE(contains(mass.notes.at(0), "a vertical wall of up to 4 m"));
 }
 
 // A roof over the niche: two heights say nothing of it; the highest points of a grid do.

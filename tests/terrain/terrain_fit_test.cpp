@@ -43,23 +43,24 @@ TEST_F(TerrainFit, ReleasePointsNearTheBorderAreWarnedOf) {
 TEST_F(TerrainFit, AReleaseOutsideIsRefused) {
   const std::vector<Vec3> places = {{652005, 5203005, 9}, {652012, 5203005, 9}};
   EXPECT_EQ(
-      refusal<Error>([&] { check_over_ground(ground(), places, "points.xyz"); }),
+      refusal<Error>([&] { check_positions_over_terrain(ground(), places, "points.xyz"); }),
       "points.xyz: release point 2 at x 652012.000, y 5203005.000, z 9.000 is off the ground, "
       "which lies in x 652000 to 652010, y 5203000 to 5203010 (map, z up); move the point, or "
       "check its map system and up axis");
-  EXPECT_EQ(refusal<Error>(
-                [&] { check_over_ground(ground(), std::span(places).first(1), "points.xyz"); }),
+  EXPECT_EQ(refusal<Error>([&] {
+              check_positions_over_terrain(ground(), std::span(places).first(1), "points.xyz");
+            }),
             "");
 }
 
 TEST_F(TerrainFit, CellsMuchLargerOrSmallerThanTheBlocksAreWarnedOf) {
   const Terrain terrain = ground();  // edges of 1, 1 and 1.41 m
-  EXPECT_EQ(cell_size_warning(terrain, 0.4, 0.6), std::nullopt);
-  EXPECT_EQ(cell_size_warning(terrain, 0.1, 0.3).value_or(""),
+  EXPECT_EQ(edge_length_warning(terrain, 0.4, 0.6), std::nullopt);
+  EXPECT_EQ(edge_length_warning(terrain, 0.1, 0.3).value_or(""),
             "the edges of the ground, 1 m (median), are much longer than the blocks, 0.3 m; the "
             "simulated ground is smoother than the real one: survey it at higher resolution, or "
             "represent its roughness by friction");
-  EXPECT_EQ(cell_size_warning(terrain, 25.0, 30.0).value_or(""),
+  EXPECT_EQ(edge_length_warning(terrain, 25.0, 30.0).value_or(""),
             "the edges of the ground, 1 m (median), are much shorter than the blocks, 25 m; runs "
             "take unnecessarily long: use a coarser resolution or a tolerance");
 }

@@ -26,7 +26,7 @@ std::optional<std::uint64_t> attribute_checksum(hid_t object, const std::string&
 /// Returns the checksum of all attributes except the checksum itself; empty if one is unreadable.
 std::optional<std::uint64_t> attributes_checksum(hid_t object);
 
-/// Returns the stored checksum; empty if there is none.
+/// Returns the stored checksum of a group or dataset; empty if there is none.
 std::optional<std::uint64_t> stored_checksum(hid_t object);
 
 /// Combines a change into the stored checksum by exclusive or. A missing checksum counts as 0.

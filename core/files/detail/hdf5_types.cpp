@@ -4,12 +4,12 @@
 
 namespace clast::hdf5 {
 
-void silence_errors() {
+void silence_hdf5_errors() {
   thread_local const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(done);
 }
 
-std::string last_error_message() {
+std::string last_hdf5_error() {
   std::string found;
   H5Ewalk2(
       H5E_DEFAULT, H5E_WALK_UPWARD,

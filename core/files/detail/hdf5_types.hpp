@@ -11,9 +11,9 @@
 namespace clast::hdf5 {
 
 /// Disables HDF5's own error output in this thread.
-void silence_errors();
+void silence_hdf5_errors();
 
-/// HDF5 identifier that is closed by its owner.
+/// Owner of an HDF5 identifier, which it closes on destruction.
 class ScopedId {
  public:
   using CloseFunction = herr_t (*)(hid_t);
@@ -31,15 +31,15 @@ class ScopedId {
 };
 
 /// Returns HDF5's innermost error message of the last call in brackets, or an empty text.
-std::string last_error_message();
+std::string last_hdf5_error();
 
-/// Makes a zero-padded text type of fixed width. HDF5's variable-length text is stored in a heap
-/// without checksums, and a damaged heap crashes inside HDF5.
+/// Makes an HDF5 type for zero-padded text of fixed width. Variable-length text would be stored in
+/// a heap without checksums, and a damaged heap crashes HDF5.
 ScopedId fixed_string_type(std::size_t width);
 
 /// Returns the HDF5 type of numbers T, native in memory or little-endian in the file.
 template <class T>
-ScopedId number_type(bool file_type) {
+ScopedId hdf5_number_type(bool file_type) {
   const auto copy = [](hid_t type) { return ScopedId(H5Tcopy(type), H5Tclose); };
   if constexpr (std::is_same_v<T, double>) {
     return copy(file_type ? H5T_IEEE_F64LE : H5T_NATIVE_DOUBLE);
@@ -85,21 +85,21 @@ bool is_lossless_conversion(hid_t stored) {
   }
 }
 
-/// Concatenates texts, each padded or truncated to `width` bytes, never inside a character.
+/// Concatenates texts, each padded or truncated to `width` bytes. No UTF-8 character is split.
 std::string padded_strings(std::span<const std::string> texts, std::size_t width);
 std::string unpadded_string(const std::string& bytes, std::size_t begin, std::size_t width);
 /// Returns the size of the longest text in bytes, at least 1.
 std::size_t longest_size(std::span<const std::string> texts);
 
-/// Values in the layout that HDF5 writes.
+/// Values in the memory layout from which HDF5 writes them, with their HDF5 types.
 template <class T>
-struct WriteBuffer {
-  explicit WriteBuffer(std::span<const T> all)
+struct Hdf5WriteBuffer {
+  explicit Hdf5WriteBuffer(std::span<const T> all)
       : element_size(sizeof(T)),
-        file_type(number_type<T>(true)),
-        memory_type(number_type<T>(false)),
+        file_type(hdf5_number_type<T>(true)),
+        memory_type(hdf5_number_type<T>(false)),
         values(all) {}
-  WriteBuffer(std::span<const T> all, std::size_t) : WriteBuffer(all) {}
+  Hdf5WriteBuffer(std::span<const T> all, std::size_t) : Hdf5WriteBuffer(all) {}
   const void* data() const { return values.data(); }
 
   std::size_t element_size;  ///< size of one value in the file, bytes
@@ -109,13 +109,14 @@ struct WriteBuffer {
 };
 
 template <>
-struct WriteBuffer<std::string> {
-  WriteBuffer(std::span<const std::string> all, std::size_t width)
+struct Hdf5WriteBuffer<std::string> {
+  Hdf5WriteBuffer(std::span<const std::string> all, std::size_t width)
       : element_size(width),
         file_type(fixed_string_type(width)),
         memory_type(fixed_string_type(width)),
         bytes(padded_strings(all, width)) {}
-  explicit WriteBuffer(std::span<const std::string> all) : WriteBuffer(all, longest_size(all)) {}
+  explicit Hdf5WriteBuffer(std::span<const std::string> all)
+      : Hdf5WriteBuffer(all, longest_size(all)) {}
   const void* data() const { return bytes.data(); }
 
   std::size_t element_size;

@@ -7,18 +7,22 @@
 
 namespace clast::dem_detail {
 
-/// Computes the rolling spring load, limited by mu_R l f (Eq. 5).
-inline SpringResponse rolling_resistance(const Contact& contact,
-                                         const ContactKinematics& kinematics, double stiffness,
-                                         const RelativeMotion& motion, double rolling_friction) {
-  const Vec3 trial = contact.rolling - stiffness * motion.duration * motion.spin;
+/// Computes the moment of the rolling spring. It is limited by rolling friction times lever arm
+/// times normal force (Eq. 5).
+inline SpringResponse rolling_response(const Contact& contact, const ContactKinematics& kinematics,
+                                       double stiffness, const RelativeMotion& motion,
+                                       double rolling_friction) {
+  const Vec3 trial = contact.rolling_moment - stiffness * motion.duration * motion.spin;
   const double squared_norm = trial.squaredNorm();
-  if (!(rolling_friction > 0.0)) return coulomb_limited(contact.rolling, trial, squared_norm, 0.0);
+  if (!(rolling_friction > 0.0))
+    return scaled_to_coulomb_limit(contact.rolling_moment, trial, squared_norm, 0.0);
   // The arm l is perpendicular to the axis about which the block rolls: the length of the moment
   // times the arm is that of the product of both.
-  const double largest = rolling_friction * contact.normal * kinematics.arm.cross(trial).norm();
+  const double largest =
+      rolling_friction * contact.normal_force * kinematics.arm.cross(trial).norm();
   if (!(squared_norm > largest)) return {trial, squared_norm};
-  return coulomb_limited(contact.rolling, trial, squared_norm, largest / squared_norm);
+  return scaled_to_coulomb_limit(contact.rolling_moment, trial, squared_norm,
+                                 largest / squared_norm);
 }
 
 }  // namespace clast::dem_detail

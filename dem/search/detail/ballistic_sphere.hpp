@@ -1,5 +1,5 @@
 #pragma once
-/// Contact-free flight time of the bounding sphere of a tumbling block.
+/// Sphere in ballistic flight, which contains a tumbling block.
 #include "dem/surface/indexed_surface.hpp"
 
 namespace clast::dem_detail {
@@ -11,10 +11,9 @@ struct BallisticSphere {
   double radius = 0.0;           ///< m
 };
 
-/// Returns a lower bound of the time until the sphere touches a ground triangle, s; 0 if contact is
-/// possible at once. It is computed from the height ranges of the grid cells along the path. The
-/// search ends at a cell without ground.
-/// @param longest  largest time searched, s
+/// Returns a lower bound of the flight time until the sphere touches the ground, s; 0 if contact is
+/// possible at once. It follows from the height ranges of the grid cells along the path.
+/// @param longest  time limit of the search, s
 double ballistic_contact_free_time(const PlanGrid& grid, const BallisticSphere& ball,
                                    double longest);
 

@@ -105,10 +105,10 @@ void BlockNarrowPhase::build_candidate_list() {
   vertices_.clear();
   faces_.clear();
   pairs_.clear();
-  list_touching_ = contact_distance();
+  max_listed_depth_ = contact_distance();
   const double gap = improve_separating_direction();
   if (gap > listing_distance()) {
-    list_valid_until_ = displacement_ + gap - list_touching_;
+    list_valid_until_ = displacement_ + gap - max_listed_depth_;
   } else {
     list_valid_until_ = displacement_ + margin_;
     collect_features();
@@ -157,7 +157,7 @@ void BlockNarrowPhase::collect_ground_features() {
       if (side.is_face) continue;
       const auto [a, b] = ground_.features.edges[side.feature].vertices;
       if (std::max(s.ground_heights[a], s.ground_heights[b]) >=
-          low_ - depth_beyond_plane(ground_.arcs[side.feature])) {
+          low_ - depth_beyond_plane(ground_.edge_normal_arcs[side.feature])) {
         s.edges.push_back(i);
       }
     }
@@ -259,7 +259,7 @@ void BlockNarrowPhase::transform_sides(const BlockPart& part) {
     if (side.is_face) {
       side.arc.first = side.arc.second = block_.features.faces[feature].normal;
     } else {
-      side.arc = block_.arcs[feature];
+      side.arc = block_.edge_normal_arcs[feature];
       side.direction = tests_.rotation() * block_.features.edges[feature].direction;
     }
     side.arc.first = tests_.rotation() * -side.arc.first;
@@ -277,7 +277,7 @@ void BlockNarrowPhase::collect_face_pairs(const TransformedSide& side,
   for (const std::uint32_t ground_vertex : ground_vertices) {
     if (s.ground_heights[ground_vertex] < low_ - side.beyond ||
         !within(side.centre - ground_.features.vertices[ground_vertex], side.radius + room) ||
-        !vertex_may_oppose(ground_vertex, side.arc)) {
+        !can_vertex_normal_oppose(ground_vertex, side.arc)) {
       continue;
     }
     std::optional<ContactPoint> contact;
@@ -298,9 +298,9 @@ void BlockNarrowPhase::collect_edge_pairs(const TransformedSide& side,
   for (const std::uint32_t i : edges) {
     const BlockSide& other = ground_.parts.sides[i];
     if (!within(side.centre - other.centre, side.radius + other.radius + room) ||
-        !arcs_may_oppose(ground_.arcs[other.feature],
-                         ground_.features.edges[other.feature].direction, side.arc,
-                         side.direction)) {
+        !can_edge_normals_oppose(ground_.edge_normal_arcs[other.feature],
+                                 ground_.features.edges[other.feature].direction, side.arc,
+                                 side.direction)) {
       continue;
     }
     contact.reset();
@@ -314,7 +314,7 @@ void BlockNarrowPhase::collect_edge_pairs(const TransformedSide& side,
     if (s.ground_heights[ground_vertex] < low_ - within_reach ||
         !within(side.centre - ground_.features.vertices[ground_vertex],
                 side.radius + within_reach) ||
-        !vertex_may_oppose(ground_vertex, side.arc)) {
+        !can_vertex_normal_oppose(ground_vertex, side.arc)) {
       continue;
     }
     contact.reset();
@@ -335,11 +335,13 @@ double BlockNarrowPhase::depth_beyond_plane(double along, double slack) const {
   const double farthest = listing_distance() + kListRounding;
   if (along < 0.0) return farthest;
   // A block feature that penetrates the ground along such a normal is below the ground feature.
-  return std::min(farthest, tests_.reach() + margin_ + kListRounding + slack * list_touching_);
+  return std::min(farthest, tests_.reach() + margin_ + kListRounding + slack * max_listed_depth_);
 }
 
-bool BlockNarrowPhase::arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec3& ground_direction,
-                                       const EdgeNormalArc& arc, const Vec3& direction) const {
+bool BlockNarrowPhase::can_edge_normals_oppose(const EdgeNormalArc& of_ground,
+                                               const Vec3& ground_direction,
+                                               const EdgeNormalArc& arc,
+                                               const Vec3& direction) const {
   if (of_ground.is_unbounded || arc.is_unbounded) return true;
   const double room = of_ground.slack + arc.slack + kListRounding;
   // The common normal is perpendicular to both edges. An arc on one side of the plane perpendicular
@@ -351,8 +353,8 @@ bool BlockNarrowPhase::arcs_may_oppose(const EdgeNormalArc& of_ground, const Vec
   return crosses(arc, ground_direction) && crosses(of_ground, direction);
 }
 
-bool BlockNarrowPhase::vertex_may_oppose(std::uint32_t ground_vertex,
-                                         const EdgeNormalArc& arc) const {
+bool BlockNarrowPhase::can_vertex_normal_oppose(std::uint32_t ground_vertex,
+                                                const EdgeNormalArc& arc) const {
   if (arc.is_unbounded) return true;
   const double room = ground_.cone_slacks[ground_vertex] + arc.slack + kListRounding;
   const std::span<const std::uint32_t> edges = ground_.features.edges_at(ground_vertex);

@@ -70,8 +70,8 @@ bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
 
 }  // namespace
 
-double TerrainNarrowPhase::safe_displacement() {
-  if (touches_ || moved_ < search_at_) return displacement_;
+double TerrainNarrowPhase::contact_free_displacement() {
+  if (touches_ || accumulated_displacement_ < search_at_) return displacement_;
   // Only parts that could touch within `wanted` are measured. It is increased only while all parts
   // are clear. At a speed of 1, the time is the displacement.
   const FlightBounds creeping{.acceleration = 1e300, .max_point_speed = 1.0};
@@ -85,7 +85,7 @@ double TerrainNarrowPhase::safe_displacement() {
     if (clear < wanted || wanted >= kLastLook * margin_) break;
     wanted *= kStride;
   }
-  if (clear < first) search_at_ = moved_ + 0.5 * clear;
+  if (clear < first) search_at_ = accumulated_displacement_ + 0.5 * clear;
   return displacement_ + clear;
 }
 
@@ -100,9 +100,9 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
     return std::min(distance_in(time, speed + turning, flight.acceleration),
                     distance_in(time, flight.max_point_speed, flight.gravity));
   };
-  const auto time_for = [&](double remaining, double per_axial, double per_transverse,
-                            double speed) {
-    const double per_total = per_axial + per_transverse;
+  const auto time_for = [&](double remaining, double axial_coefficient,
+                            double transverse_coefficient, double speed) {
+    const double per_total = axial_coefficient + transverse_coefficient;
     return std::max(
         min_travel_time(remaining, speed + per_total * turning, per_total * flight.acceleration),
         min_travel_time(remaining, per_total * flight.max_point_speed, per_total * flight.gravity));
@@ -111,25 +111,25 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   if (near) {
     update_displacement(p);
     refresh_ground_list(p, total);
-  } else if (part_expiry_[p] < moved_ + total) {
-    update_part(p, moved_ + total);
+  } else if (part_expiry_[p] < accumulated_displacement_ + total) {
+    update_part(p, accumulated_displacement_ + total);
   }
   if (!near) {
-    const double gap = part_expiry_[p] - moved_;
+    const double gap = part_expiry_[p] - accumulated_displacement_;
     return gap >= total ? wanted : time_for(gap, 0.0, 1.0, speed);
   }
   const NearPart& part = *near;
   const double axial = std::min(std::abs(velocity.dot(part.axis)), speed);
   const double transverse = std::sqrt(speed * speed - axial * axial);
-  const Displacement ahead{displacement_in(wanted, axial), displacement_in(wanted, transverse),
-                           total};
+  const AccumulatedDisplacement ahead{displacement_in(wanted, axial),
+                                      displacement_in(wanted, transverse), total};
   FoundContacts& found = scratch().ahead;
   found.clear();
   update_vertices(p, ahead, found);
   update_sides(p, ahead, found);
   part_expiry_[p] = next_update(p);
   if (!part.expired_vertices.empty()) return 0.0;
-  const Displacement then = part.displacement + ahead;
+  const AccumulatedDisplacement then = part.displacement + ahead;
   double time = wanted;
   if (list_expiry(part) < then.total) {
     time = time_for(list_expiry(part) - part.displacement.total, 0.0, 1.0, speed);
@@ -138,15 +138,17 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
        {&part.other_vertices, &part.all_features, &part.all_pairs}) {
     if (!separation_bound->is_expired(then)) continue;
     time = std::min(time, time_for(separation_bound->remaining(part.displacement),
-                                   separation_bound->per_axial, separation_bound->per_transverse,
-                                   separation_bound->per_axial * axial +
-                                       separation_bound->per_transverse * transverse));
+                                   separation_bound->axial_coefficient,
+                                   separation_bound->transverse_coefficient,
+                                   separation_bound->axial_coefficient * axial +
+                                       separation_bound->transverse_coefficient * transverse));
   }
   return time;
 }
 
-double TerrainNarrowPhase::safe_time(const FlightBounds& flight, double worthwhile) {
-  if (touches_ || moved_ < search_at_) return 0.0;
+double TerrainNarrowPhase::find_contact_free_flight_time(const FlightBounds& flight,
+                                                         double worthwhile) {
+  if (touches_ || accumulated_displacement_ < search_at_) return 0.0;
   const double ball = ballistic_contact_free_time(ground_.grid,
                                                   {.centre = tests_.position(),
                                                    .velocity = flight.velocity,
@@ -155,13 +157,15 @@ double TerrainNarrowPhase::safe_time(const FlightBounds& flight, double worthwhi
                                                   kMaxFlight);
   if (ball >= kBallSteps * worthwhile) return ball;
   const double time = std::max(ball, contact_free_time(flight, kMaxFlight));
-  if (time < worthwhile) search_at_ = moved_ + 0.5 * time * flight.max_point_speed;
+  if (time < worthwhile)
+    search_at_ = accumulated_displacement_ + 0.5 * time * flight.max_point_speed;
   return time;
 }
 
 double TerrainNarrowPhase::contact_free_time(const FlightBounds& flight, double horizon) {
   collect_ground(reach_ + kLastLook * margin_);
-  const double known = ground_complete_ - (moved_ - ground_gathered_at_) - reach_;
+  const double known =
+      ground_complete_ - (accumulated_displacement_ - ground_gathered_at_) - reach_;
   double time = std::min(horizon, min_travel_time(known, flight.max_point_speed, flight.gravity));
   std::vector<std::uint32_t>& unseparated_parts = scratch().unseparated_parts;
   unseparated_parts.clear();
@@ -203,14 +207,14 @@ double TerrainNarrowPhase::contact_free_time_over_face(const LocalFaces::Face& f
   for (std::uint32_t p = 0; p < parts_.parts.size(); ++p) {
     const BlockPart& part = parts_.parts[p];
     const double distance = height + above.normal.dot(part.centre) - part.radius;
-    if (!above.clear(distance, part.centre, flight.turning * part.arm, horizon)) {
+    if (!above.clear(distance, part.centre, flight.rotational_acceleration * part.arm, horizon)) {
       near_parts.push_back(p);
     }
   }
   double time = horizon;
   for (const std::uint32_t p : near_parts) {
     const BlockPart& part = parts_.parts[p];
-    const double turning = flight.turning * (part.arm + part.radius);
+    const double turning = flight.rotational_acceleration * (part.arm + part.radius);
     for (std::uint32_t v = part.first_vertex; v < part.end_vertex; ++v) {
       const Vec3& arm = block_.vertices[parts_.vertices[v]];
       const double distance = height + above.normal.dot(arm);
@@ -229,7 +233,8 @@ double TerrainNarrowPhase::parts_contact_free_time(const LocalFaces::Face& face,
   double time = horizon;
   for (const std::uint32_t p : scratch().near_parts) {
     const BlockPart& part = parts_.parts[p];
-    const PartSphere ball{in_ground_frame(part.centre), part.radius, flight.turning * part.arm};
+    const PartSphere ball{in_ground_frame(part.centre), part.radius,
+                          flight.rotational_acceleration * part.arm};
     const double beside = at_border ? 0.0 : sphere_contact_free_time(face, ball, flight, time);
     if (beside > 0.0) {
       time = std::min(time, beside);
@@ -251,16 +256,16 @@ double TerrainNarrowPhase::sphere_contact_free_time(const LocalFaces::Face& face
   const double far = from_middle.norm();
   if (far > face.radius + touching &&
       Approach(from_middle / far, flight)
-          .clear(far - face.radius - touching, arm, part.turning, horizon)) {
+          .clear(far - face.radius - touching, arm, part.centre_acceleration, horizon)) {
     return horizon;
   }
   const NearestPoint nearest = project_onto_face(ground_.features, face.face, part.centre);
   const double distance = std::abs(nearest.distance), clearance = distance - touching;
   if (!(clearance > 0.0)) return 0.0;
   const Approach beside((part.centre - nearest.point) / distance, flight);
-  return beside.clear(clearance, arm, part.turning, horizon)
+  return beside.clear(clearance, arm, part.centre_acceleration, horizon)
              ? horizon
-             : beside.time(clearance, arm, part.turning);
+             : beside.time(clearance, arm, part.centre_acceleration);
 }
 
 }  // namespace clast::dem_detail

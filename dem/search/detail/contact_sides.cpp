@@ -14,15 +14,15 @@ constexpr double kPairMargins = 1.0;
 
 }  // namespace
 
-void TerrainNarrowPhase::update_sides(std::uint32_t p, const Displacement& ahead,
+void TerrainNarrowPhase::update_sides(std::uint32_t p, const AccumulatedDisplacement& ahead,
                                       FoundContacts& found) {
   NearPart& part = *part_states_[p].near;
-  const Displacement then = part.displacement + ahead;
+  const AccumulatedDisplacement then = part.displacement + ahead;
   if (part.all_features.is_expired(then)) {
     for (GroundFeature& feature : part.features) {
       if (feature.separation_bound.is_expired(then)) update_feature(p, feature);
     }
-    EarliestExpiry first(part.displacement);
+    EarliestBoundExpiry first(part.displacement);
     for (const GroundFeature& feature : part.features) first.include(feature.separation_bound);
     part.all_features = first.separation_bound();
     shrink_capacity(part.pairs);
@@ -35,7 +35,7 @@ void TerrainNarrowPhase::update_sides(std::uint32_t p, const Displacement& ahead
       update_pair(part, pair, found);
       expired = expired || pair.separation_bound.is_expired(part.displacement);
     }
-    EarliestExpiry first(part.displacement);
+    EarliestBoundExpiry first(part.displacement);
     if (!expired) {
       for (const FeaturePair& pair : part.pairs) first.include(pair.separation_bound);
     }
@@ -91,7 +91,7 @@ void TerrainNarrowPhase::update_pair(const NearPart& part, FeaturePair& pair,
       tests_.test_pair(pair.kind, of_block, pair.ground_feature, contact).separation;
   if (contact) {
     pair.separation_bound = {};
-    found.of_sides.push_back({pair.side, *contact});
+    found.side_contacts.push_back({pair.side, *contact});
     return;
   }
   const double distance = between.norm();
@@ -100,13 +100,14 @@ void TerrainNarrowPhase::update_pair(const NearPart& part, FeaturePair& pair,
 }
 
 void TerrainNarrowPhase::add_side_contacts(FoundContacts& found) {
-  std::sort(found.of_sides.begin(), found.of_sides.end(),
+  std::sort(found.side_contacts.begin(), found.side_contacts.end(),
             [](const SideContact& a, const SideContact& b) {
               return std::tuple(a.side, a.point.kind, a.point.ground_feature) <
                      std::tuple(b.side, b.point.kind, b.point.ground_feature);
             });
-  for (const SideContact& contact : found.of_sides) add_unique(found.contacts, contact.point);
-  found.of_sides.clear();
+  for (const SideContact& contact : found.side_contacts)
+    add_unique_contact(found.contacts, contact.point);
+  found.side_contacts.clear();
 }
 
 }  // namespace clast::dem_detail

@@ -15,11 +15,11 @@ constexpr double kDistinctGroundMargins = 4.0;
 
 }  // namespace
 
-void TerrainNarrowPhase::update_vertices(std::uint32_t p, const Displacement& ahead,
+void TerrainNarrowPhase::update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead,
                                          FoundContacts& found) {
   NearPart& part = *part_states_[p].near;
-  const Displacement displacement = part.displacement, then = displacement + ahead;
-  EarliestExpiry first(displacement);
+  const AccumulatedDisplacement displacement = part.displacement, then = displacement + ahead;
+  EarliestBoundExpiry first(displacement);
   const std::span<const SeparationBound> separation_bound(part.vertex_bounds);
   if (!part.other_vertices.is_expired(then)) {
     if (part.expired_vertices.empty()) return;
@@ -46,8 +46,8 @@ void TerrainNarrowPhase::update_vertices(std::uint32_t p, const Displacement& ah
   part.other_vertices = first.separation_bound();
 }
 
-void TerrainNarrowPhase::update_vertex(NearPart& part, std::uint32_t v, const Displacement& ahead,
-                                       FoundContacts& found) {
+void TerrainNarrowPhase::update_vertex(NearPart& part, std::uint32_t v,
+                                       const AccumulatedDisplacement& ahead, FoundContacts& found) {
   const Vec3 centre = in_ground_frame(block_.vertices[block_vertex(part, v)]);
   if (update_nearest_face(part, v, centre, found)) return;
   const SeparationBound by_closest = plane_separation_bound(part, v, centre);
@@ -59,7 +59,7 @@ void TerrainNarrowPhase::update_vertex(NearPart& part, std::uint32_t v, const Di
   const double above = plane.clearance(centre) - reach_;
   if (above > kEnough * margin_) {
     const SeparationBound by_plane =
-        separation_bound(part, plane.normal, above, completeness(part) - reach_);
+        separation_bound(part, plane.normal, above, remaining_complete_distance(part) - reach_);
     if (!by_plane.is_expired(part.displacement + ahead)) {
       part.vertices[v].outside = true;
       part.vertex_bounds[v] = by_plane;
@@ -83,9 +83,9 @@ SeparationBound TerrainNarrowPhase::plane_separation_bound(const NearPart& part,
   const LocalFaces::Face& face = part.ground.faces[state.closest_plane];
   const double height = face.normal.dot(centre) - face.offset - reach_;
   if (!(height > 0.0)) return {};
-  const FaceTilt& tilt = part.tilts[state.closest_plane];
-  EarliestExpiry first(part.displacement);
-  first.include(state.others);
+  const FaceNormalComponents& tilt = part.tilts[state.closest_plane];
+  EarliestBoundExpiry first(part.displacement);
+  first.include(state.other_features_bound);
   first.include(
       SeparationCoefficients{tilt.axial / height, tilt.transverse / height}.separation_bound(
           part.displacement));
@@ -96,14 +96,14 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
                                                             const Vec3& centre) {
   VertexState& state = part.vertices[v];
   state.closest_plane = kNoFeature;
-  const double complete = completeness(part) - reach_;
+  const double complete = remaining_complete_distance(part) - reach_;
   if (!(complete > 0.0)) return {};
   double apart_from_far = complete;
   SeparationCoefficients others, plane;
   std::uint32_t closest = kNoFeature;
   for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
     const LocalFaces::Face& face = part.ground.faces[i];
-    const FaceTilt& tilt = part.tilts[i];
+    const FaceNormalComponents& tilt = part.tilts[i];
     // The separating plane is that of the face, or one that touches its bounding sphere.
     const double height = face.normal.dot(centre) - face.offset - reach_;
     const double by_plane = height * tilt.displacement_per_height;
@@ -122,7 +122,7 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
     } else if (tilt.is_at_border()) {
       return {};
     } else {
-      const NearestPoint nearest = nearest_on_face(ground_.features, face.face, centre);
+      const NearestPoint nearest = nearest_point_on_face(ground_.features, face.face, centre);
       const double distance = nearest.distance - reach_;
       if (!(distance > 0.0)) return {};
       const Vec3 away = (centre - nearest.point) / nearest.distance;
@@ -132,7 +132,7 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
   }
   others.include({1.0 / apart_from_far, 1.0 / apart_from_far});
   state.closest_plane = closest;
-  state.others = others.separation_bound(part.displacement);
+  state.other_features_bound = others.separation_bound(part.displacement);
   others.include(plane);
   return others.separation_bound(part.displacement);
 }
@@ -140,7 +140,7 @@ SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std:
 void TerrainNarrowPhase::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& centre,
                                         FoundContacts& found) {
   VertexState& state = part.vertices[v];
-  const double complete = completeness(part);
+  const double complete = remaining_complete_distance(part);
   const LocalFaces::NearestFace of_faces = part.ground.nearest(
       ground_.features, centre, complete, kDistinctGroundMargins * margin_, state.near_face);
   const NearestPoint& nearest = of_faces.nearest;
@@ -156,7 +156,7 @@ void TerrainNarrowPhase::measure_vertex(NearPart& part, std::uint32_t v, const V
     return;
   }
   const bool inverted =
-      nearest.distance < 0.0 && tests_.is_inverted(block_vertex(part, v), centre, nearest);
+      nearest.distance < 0.0 && tests_.is_inverted_push(block_vertex(part, v), centre, nearest);
   if (nearest.within_face && !inverted) {
     state.nearest_face = nearest.face;
     state.foot_on_face_until = part.displacement.total;
@@ -173,9 +173,10 @@ void TerrainNarrowPhase::measure_vertex(NearPart& part, std::uint32_t v, const V
   if (nearest.distance >= 0.0) {
     return tests_.add_outside_contacts(vertex, centre, part.ground.faces, found.contacts);
   }
-  found.contacts.push_back(tests_.inside_contact(
+  found.contacts.push_back(tests_.make_inside_contact(
       vertex, centre,
-      inverted ? tests_.nearest_uninverted(vertex, centre, nearest, part.ground.faces) : nearest));
+      inverted ? tests_.nearest_valid_push_point(vertex, centre, nearest, part.ground.faces)
+               : nearest));
 }
 
 bool TerrainNarrowPhase::update_nearest_face(NearPart& part, std::uint32_t v, const Vec3& centre,

@@ -6,10 +6,11 @@
 
 namespace clast::dem_detail {
 
-/// Removes contacts of edges and faces that disappear once a shallower contact has pushed the block
-/// out. Example: a block overhangs a step. It penetrates the top only slightly, but its side lies
-/// deep behind the step's wall. Contacts in which only the rounded layers overlap are kept.
-/// @param contacts  in the frame of the ground
+/// Removes spurious edge and face contacts. A contact is spurious if it disappears after a
+/// shallower contact has pushed the block out of the ground. Example: the side of a block that
+/// overhangs a step lies deep behind the wall of the step. Contacts in which only the rounded
+/// layers overlap are kept.
+/// @param contacts  contact points in the frame of the ground
 void remove_resolved_contacts(std::vector<ContactPoint>& contacts, const IndexedSurface& ground,
                               const IndexedSurface& block, const Pose& ground_from_block,
                               double size);

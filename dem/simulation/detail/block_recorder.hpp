@@ -1,5 +1,5 @@
 #pragma once
-/// Records the motion of one block of a sequence.
+/// Records the motion of one block in a simulation of several blocks.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,7 +10,7 @@ namespace clast::dem_detail {
 
 struct BlockRecorder {
   void record_step(const MotionStep& step);
-  /// Records the blocks that it touches during its own release.
+  /// Records other blocks that the block touches during its own release.
   void record_hits(std::span<const std::size_t> others);
 
   template <class Bytes>
@@ -19,9 +19,10 @@ struct BlockRecorder {
   }
 
   SequenceResult result;
-  bool touching = false;                ///< true if it had contact at the end of the last step
-  std::vector<std::size_t> hit_blocks;  ///< blocks it touched during its own release, ascending
-  Vec3 first_rest = Vec3::Zero();       ///< position at the end of its own release
+  bool touching = false;  ///< true if the block had contact at the end of the last step
+  /// Ascending indices of the blocks that it touched during its own release.
+  std::vector<std::size_t> hit_blocks;
+  Vec3 first_rest = Vec3::Zero();  ///< position of the block at the end of its own release
 };
 
 }  // namespace clast::dem_detail

@@ -16,7 +16,7 @@ constexpr std::size_t kPairsAtATime = 8;
 
 /// True if two bodies may touch; a confining wall touches only the bodies that it holds.
 bool may_touch(const BroadPhase::Pair& pair, std::span<const WorldBody> bodies) {
-  const std::optional<ConfinedRange>&first = bodies[pair[0]].confined,
+  const std::optional<ConfinedBodyRange>&first = bodies[pair[0]].confined,
         &second = bodies[pair[1]].confined;
   return (!first || first->contains(pair[1])) && (!second || second->contains(pair[0]));
 }
@@ -117,14 +117,14 @@ void ContactPairTable::update_active_list(std::span<const WorldBody> bodies) {
   }
 }
 
-void ContactPairTable::update(std::span<const WorldBody> bodies, double duration,
-                              ThreadPool& team) {
+void ContactPairTable::update_contacts(std::span<const WorldBody> bodies, double duration,
+                                       ThreadPool& team) {
   team.run(active_.size(), kPairsAtATime, [&](std::size_t i) {
     ContactPair& pair = pairs_[active_[i]];
     if (!pair.has_load && displacement_bound(pair, bodies) < pair.separated_until) {
       pair.time_since_update += duration;
     } else {
-      update(pair, bodies, duration);
+      update_contacts(pair, bodies, duration);
     }
   });
 }
@@ -132,17 +132,17 @@ void ContactPairTable::update(std::span<const WorldBody> bodies, double duration
 void ContactPairTable::begin_contacts(std::span<const WorldBody> bodies,
                                       const std::function<bool(const ContactPair&)>& is_new) {
   for (ContactPair& pair : pairs_) {
-    if (is_new(pair)) update(pair, bodies, 0.0);
+    if (is_new(pair)) update_contacts(pair, bodies, 0.0);
   }
 }
 
-void ContactPairTable::update(ContactPair& pair, std::span<const WorldBody> bodies,
-                              double duration) {
+void ContactPairTable::update_contacts(ContactPair& pair, std::span<const WorldBody> bodies,
+                                       double duration) {
   const BodyMotion& reference = motion_of(pair.reference, bodies);
   const BodyMotion& block = motion_of(pair.block, bodies);
   pair.contacts->advance_time(std::exchange(pair.time_since_update, 0.0));
-  const ContactLoad& load = pair.contacts->update(reference, block, duration);
-  pair.has_load = pair.contacts->is_touching() || load.event;
+  const ContactLoad& load = pair.contacts->update_loads(reference, block, duration);
+  pair.has_load = pair.contacts->is_touching() || load.correction;
   if (pair.has_load) return;
   if (pair.reference != ContactPair::kTerrain) {
     pair.arm = (block.world_from_body.translation - reference.world_from_body.translation).norm() +
@@ -176,8 +176,8 @@ void ContactPairTable::store_indentations(std::span<const WorldBody> bodies, Soi
   }
 }
 
-ContactPairTable::Losses ContactPairTable::losses() const {
-  Losses losses = ended_;
+ContactPairTable::ContactLosses ContactPairTable::losses() const {
+  ContactLosses losses = ended_;
   for (const ContactPair& pair : pairs_) losses.of(pair) += pair.contacts->energy_balance();
   return losses;
 }

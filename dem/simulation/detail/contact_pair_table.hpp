@@ -1,6 +1,6 @@
 #pragma once
-/// Contact pairs of a world: pairs of bodies that are near each other, or of a body near the
-/// terrain, with their contact state.
+/// Contact pairs of a simulation: two bodies that are near each other, or a body near the terrain,
+/// with their contacts.
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -25,10 +25,11 @@ struct ContactPair {
   std::uint32_t block;
   std::unique_ptr<PairContactState> contacts;
   // Kept here, where they are read for many pairs that do nothing:
-  bool has_load = false;            ///< true if contact forces act
-  double separated_until = -1e300;  ///< no contact below this `displacement_bound`, m
+  bool has_load = false;  ///< true if contact forces act
+  /// Value of `displacement_bound` below which contact is impossible, m.
+  double separated_until = -1e300;
   double arm = 0.0;  ///< largest distance of a block point from the centre of the reference body, m
-  double time_since_update = 0.0;  ///< s
+  double time_since_update = 0.0;  ///< time without an update of the contacts, s
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
@@ -36,14 +37,14 @@ struct ContactPair {
   }
 
   BroadPhase::Pair key() const { return {std::min(reference, block), std::max(reference, block)}; }
-  /// True if the indices of both bodies are below `end`; the terrain does not count.
+  /// True if the indices of the bodies of the pair are below `end`. The terrain is always included.
   bool has_bodies_below(std::size_t end) const {
     return block < end && (reference == kTerrain || reference < end);
   }
 };
 
-/// Table of all pairs. A pair is kept while its bodies are near each other. Parallel loops write
-/// data of one pair only, so that results do not depend on the number of threads.
+/// Table of all contact pairs of a simulation. A pair is kept while its bodies are near each other.
+/// Results do not depend on the number of threads.
 class ContactPairTable {
  public:
   /// Makes an empty table; all arguments must outlive it.
@@ -68,23 +69,25 @@ class ContactPairTable {
   void update_active_list(std::span<const WorldBody> bodies);
   /// Computes contacts and loads of the active pairs at the poses after a step of `duration`. The
   /// loads of other pairs do not change.
-  void update(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
+  void update_contacts(std::span<const WorldBody> bodies, double duration, ThreadPool& team);
   /// Computes contacts and loads of the pairs for which `is_new` is true, without a step.
   void begin_contacts(std::span<const WorldBody> bodies,
                       const std::function<bool(const ContactPair&)>& is_new);
-  /// Requests a broad phase at the next `update_pairs`, as the set of movable bodies has changed.
+  /// Requests a broad phase at the next `update_pairs`. Called if the set of movable bodies has
+  /// changed.
   void request_broad_phase() { broad_phase_ = {}; }
   /// Stores residual indentations of bodies that fell asleep or left the ground or the world.
   void store_indentations(std::span<const WorldBody> bodies, SoilMemory& soil);
   /// Ends the contacts of a body that leaves the world.
   void end_contacts_of(std::uint32_t body, std::span<const WorldBody> bodies);
 
-  /// Returns the relative displacement before the bodies of a pair can touch, m.
+  /// Returns the relative displacement before which the bodies of a pair cannot touch, m.
   double clearance(const ContactPair& pair, std::span<const WorldBody> bodies) const {
     return pair.contacts->clearance(motion_of(pair.reference, bodies),
                                     motion_of(pair.block, bodies));
   }
-  /// Returns how far a body may move before it can touch a body with which it has no pair yet, m.
+  /// Returns the distance that a body may move before it can touch a body with which it has no pair
+  /// yet, m.
   double remaining_displacement(std::size_t body, const Vec3& centre) const {
     return broad_phase_.remaining_displacement(body, centre, slack_);
   }
@@ -96,8 +99,8 @@ class ContactPairTable {
   /// Returns the ascending indices of the pairs of a body.
   std::span<const std::uint32_t> pairs_of(std::size_t body) const { return of_body_[body]; }
 
-  /// Energy dissipated or reassigned by contacts, including those of removed pairs, J.
-  struct Losses {
+  /// Energies lost in the contacts of all pairs, including removed pairs, J.
+  struct ContactLosses {
     EnergyBalance on_ground, between_bodies;
     EnergyBalance& of(const ContactPair& pair) {
       return pair.reference == ContactPair::kTerrain ? on_ground : between_bodies;
@@ -107,7 +110,7 @@ class ContactPairTable {
       return sum += between_bodies;
     }
   };
-  Losses losses() const;
+  ContactLosses losses() const;
   double stored_energy() const;  ///< J
   /// True if at least one body of the pair is moving.
   static bool is_active(const ContactPair& pair, std::span<const WorldBody> bodies) {
@@ -117,7 +120,7 @@ class ContactPairTable {
   std::uint64_t broad_phase_count() const { return broad_phase_count_; }
 
   /// Serialises the state that determines the future motion.
-  /// @param bodies  of the pairs
+  /// @param bodies  bodies to which the pairs refer
   template <class Bytes>
   void serialize(Bytes& bytes, std::span<const WorldBody> bodies) {
     std::vector<BroadPhase::Pair> keys;
@@ -137,7 +140,7 @@ class ContactPairTable {
   const BodyMotion& motion_of(std::uint32_t body, std::span<const WorldBody> bodies) const {
     return body == ContactPair::kTerrain ? still_ground_ : bodies[body].motion;
   }
-  void update(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
+  void update_contacts(ContactPair& pair, std::span<const WorldBody> bodies, double duration);
   /// Returns an upper bound of the accumulated displacement of any block point relative to the
   /// reference body, m. Only differences between two times are meaningful.
   static double displacement_bound(const ContactPair& pair, std::span<const WorldBody> bodies);
@@ -155,7 +158,7 @@ class ContactPairTable {
   std::vector<ContactPair> pairs_;
   std::vector<std::uint32_t> active_;
   std::vector<std::vector<std::uint32_t>> of_body_;
-  Losses ended_;  ///< losses of removed pairs
+  ContactLosses ended_;  ///< energies lost in removed pairs
   std::uint64_t broad_phase_count_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Schedule of a sequence: which blocks settle, are fixed or are released, and when.
+/// Release schedule of a simulation of several blocks: times at which blocks settle, are fixed, or
+/// are released.
 #include <cstddef>
 #include <span>
 
@@ -9,15 +10,15 @@ namespace clast::dem_detail {
 
 class ReleaseSchedule {
  public:
-  /// Stores references.
-  /// @param blocks  blocks of the sequence; must outlive this object, as must the settings
+  /// Stores references to blocks and settings.
+  /// @param blocks  blocks of the simulation; must outlive this object, as must the settings
   ReleaseSchedule(std::span<const SequenceBlock> blocks, const SequenceSettings& settings)
       : blocks_(blocks), settings_(settings) {}
 
   /// True if a confining wall holds the block.
   bool is_confined(std::size_t block) const;
   bool starts_fixed(std::size_t block) const;
-  /// Returns the release time of a block of a multi-block release, since the first release, s.
+  /// Returns the time from the first release to the release of a block, s.
   double release_time(std::size_t block) const;
 
  private:

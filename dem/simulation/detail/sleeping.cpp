@@ -40,7 +40,7 @@ double put_body_to_sleep(std::uint32_t index, std::span<WorldBody> bodies,
   body.apply_motion(body.integrator.current_motion());
   body.asleep = true;
   for (const std::uint32_t e : pairs.pairs_of(index))
-    pairs.all_pairs()[e].contacts->clear_event_impulse();
+    pairs.all_pairs()[e].contacts->clear_correction_impulse();
   return energy;
 }
 
@@ -66,7 +66,7 @@ void SleepManager::wake_around(std::uint32_t body, std::span<WorldBody> bodies,
     const std::uint32_t other = other_of(pair, body);
     wake(other, bodies, pairs);
     // A body that is awake may have rested on it, too.
-    bodies[other].resting = 0.0;
+    bodies[other].resting_time = 0.0;
     bodies[other].sleep_detector.reset();
   }
 }
@@ -80,7 +80,7 @@ void SleepManager::wake(std::uint32_t body, std::span<WorldBody> bodies,
     WorldBody& woken = bodies[index];
     if (!woken.asleep) continue;
     woken.asleep = false;
-    woken.resting = 0.0;
+    woken.resting_time = 0.0;
     woken.sleep_detector.reset();
     --count_;
     for (const std::uint32_t e : pairs.pairs_of(index)) {

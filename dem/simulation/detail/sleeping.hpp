@@ -7,7 +7,7 @@
 
 namespace clast::dem_detail {
 
-/// Puts bodies to sleep and wakes them. Changes their sleep state, velocities and sleep detectors.
+/// Puts stationary bodies to sleep and wakes them, so that sleeping bodies need no computing time.
 class SleepManager {
  public:
   std::size_t count() const { return count_; }

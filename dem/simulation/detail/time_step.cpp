@@ -71,7 +71,7 @@ TimeStep choose_time_step(std::span<const WorldBody> bodies, std::span<const std
     if (!pair.has_load || !pair.contacts->is_touching()) continue;
     touching = true;
     const WorldBody& block = bodies[pair.block];
-    const double energy = pair.contacts->load().impact * block.shape->body.mass;
+    const double energy = pair.contacts->load().impact_energy * block.shape->body.mass;
     if (in_impact(block, energy, settings.rest_energy) ||
         (pair.reference != ContactPair::kTerrain &&
          in_impact(bodies[pair.reference], energy, settings.rest_energy))) {

@@ -7,11 +7,11 @@
 
 namespace clast::dem_detail {
 
-/// Contacts are an impact if they transfer more than this fraction of a body's kinetic energy.
+/// Fraction of the kinetic energy of a body above which an energy transfer counts as impact.
 inline constexpr double kImpactFraction = 0.01;
-/// Largest step divided by `max_time_step`, for contacts at points of low mobility.
+/// Ratio of the longest time step between impacts to `ContactStiffness::max_time_step`.
 inline constexpr double kMaxStepGrowth = 2.0;
-/// Largest energy of a rocking stationary block, as a multiple of the rest energy.
+/// Largest kinetic energy of a block that rocks in place, as a multiple of the rest energy.
 inline constexpr double kRockingEnergyFactor = 10.0;
 
 /// True if steps between impacts may be longer than steps that resolve an impact.
@@ -25,9 +25,10 @@ inline bool is_impact(double transferred_energy, double kinetic) {
   return transferred_energy > kImpactFraction * kinetic;
 }
 
-/// Returns the time step of a single release if longer steps are allowed, s. It follows from the
-/// stiffness of all contacts; during an impact it is at most `time_step`.
-/// @param mobility_ratio  mobility of the body at its contacts over its largest vertex mobility
+/// Returns the time step of a single release, s, if steps between impacts may be longer. During an
+/// impact, it is at most `ContactStiffness::time_step`.
+/// @param mobility_ratio  inverse effective mass of the body at its contacts, divided by the
+///                        largest one of its vertices
 double contact_time_step(const ContactStiffness& contact, double mobility_ratio, bool impact);
 
 struct TimeStep {
@@ -35,8 +36,7 @@ struct TimeStep {
   bool flight = false;  ///< true if no contact exists, and none is possible before the step ends
 };
 
-/// Chooses the longest step that the contacts of all moving bodies allow. It is `time_step` during
-/// an impact, before a possible impact, and if longer steps are disabled.
+/// Chooses the longest time step that the contacts of all moving bodies allow.
 /// @param moving  indices of the moving bodies
 /// @param pairs  pairs with an up-to-date active list
 TimeStep choose_time_step(std::span<const WorldBody> bodies, std::span<const std::uint32_t> moving,

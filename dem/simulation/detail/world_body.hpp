@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies of a world, with shared shapes.
+/// Bodies of a simulation, with shared shapes.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -12,7 +12,7 @@
 
 namespace clast::dem_detail {
 
-/// Shape with precomputed contact data, shared by bodies.
+/// Shape of bodies, with precomputed contact data. Several bodies share one shape.
 struct BodyShape {
   explicit BodyShape(RigidBody of_body)
       : body(std::move(of_body)),
@@ -22,13 +22,13 @@ struct BodyShape {
         largest_mobility(*std::max_element(mobilities.begin(), mobilities.end())) {}
   RigidBody body;
   BlockSurface surface;
-  double radius;                   ///< of the rounded body about its centre, m
-  std::vector<double> mobilities;  ///< `vertex_mobilities` of the body, 1/kg
+  double radius;                   ///< radius of the rounded body about its centre of mass, m
+  std::vector<double> mobilities;  ///< inverse effective mass at each vertex, 1/kg
   double largest_mobility;
 };
 
-/// Range of the bodies that a confining wall holds.
-struct ConfinedRange {
+/// Range of the indices of the bodies that a confining wall holds.
+struct ConfinedBodyRange {
   std::size_t first = 0, end = 0;
 
   bool contains(std::size_t body) const { return body >= first && body < end; }
@@ -67,30 +67,33 @@ struct WorldBody {
     return integrator.kinetic_energy() +
            shape->body.mass * gravity * integrator.state().position.z();
   }
-  /// Serialises all but the shape.
+  /// Serialises the state of the body without its shape.
   template <class Bytes>
   void serialize(Bytes& bytes) {
     bytes(integrator, fixed, confined, inactive, off_terrain, motion, path_length, rotation_path,
-          force, torque, touching, correction_energy, resting, asleep, sleep_detector, pair_steps);
+          force, torque, touching, correction_energy, resting_time, asleep, sleep_detector,
+          pair_steps);
   }
 
   const BodyShape* shape;
   RigidBodyIntegrator integrator;
   bool fixed;
-  std::optional<ConfinedRange> confined;  ///< for a confining wall: the bodies that it holds
-  bool inactive = false;     ///< true if it left the terrain or was removed; it keeps its last pose
-  bool off_terrain = false;  ///< true if it left the terrain in the last step
-  BodyMotion motion;         ///< its motion over the last step
-  double path_length = 0.0;  ///< sum of the displacements of its centre in all steps, m
-  double rotation_path = 0.0;  ///< sum of 2 sin(angle/2) for the rotations of all steps
+  /// Bodies that it holds, if the body is a confining wall.
+  std::optional<ConfinedBodyRange> confined;
+  bool inactive = false;       ///< true if it left the terrain or was removed
+  bool off_terrain = false;    ///< true if it left the terrain in the last step
+  BodyMotion motion;           ///< motion over the last step
+  double path_length = 0.0;    ///< sum of the displacements of its centre in all steps, m
+  double rotation_path = 0.0;  ///< sum of 2 sin(angle/2) over all steps, with their rotation angles
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   bool touching = false;           ///< true if it has contacts
-  double correction_energy = 0.0;  ///< energy added by event impulses of the last step, J
-  double resting = 0.0;            ///< s
+  double correction_energy = 0.0;  ///< energy added by the correction impulses of the last step, J
+  double resting_time = 0.0;       ///< time for which it has been slow and in contact, s
   bool asleep = false;             ///< true if it and all bodies that it touches are at rest
   SleepDetector sleep_detector;    ///< active while the body is slow enough to rest
-  std::uint64_t pair_steps = 0;    ///< touching pairs in which it is the block, summed over steps
+  /// Number of touching pairs in which it is the block, summed over all steps.
+  std::uint64_t pair_steps = 0;
 };
 
 }  // namespace clast::dem_detail

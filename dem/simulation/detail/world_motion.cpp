@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kBodiesAtATime = 16;
 
 /// Adds the events of one pair to those of one of its bodies.
-void add_body_event(std::optional<EventImpulse>& sum, const EventImpulse& event, bool is_block) {
+void add_body_event(std::optional<CorrectionImpulse>& sum, const CorrectionImpulse& event,
+                    bool is_block) {
   if (!sum) sum.emplace();
   sum->impulse += is_block ? event.impulse : Vec3(-event.impulse);
   sum->angular_impulse += is_block ? event.angular_impulse : event.angular_impulse_on_other;
@@ -34,12 +35,12 @@ WorldMotion::WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& 
   settings_.check();
   for (const GroundParameters& zone : zones_) zone.check("zone");
   if (soil_.is_enabled() &&
-      !std::visit([]<NormalLaw Law>(const Law&) { return Law::kIsPlastic; }, with.law)) {
+      !std::visit([]<NormalForceLaw Law>(const Law&) { return Law::kIsPlastic; }, with.law)) {
     throw InputError(
         "soil_memory of a ground zone needs the law elastoplastic, which leaves residual "
         "indentations");
   }
-  if (terrain_) check_zones(*terrain_, zones_);
+  if (terrain_) check_zone_parameters(*terrain_, zones_);
   shapes_.reserve(of_shapes.size());
   for (RigidBody& body : of_shapes) {
     body.check("shape " + std::to_string(shapes_.size()));
@@ -73,7 +74,7 @@ void WorldMotion::advance(double longest) {
   if (observer_) record_start_states();
   begin_body_steps(step);
   update_all_pairs();
-  pairs_.update(bodies_, dt, team_);
+  pairs_.update_contacts(bodies_, dt, team_);
   wake_touched();
   end_body_steps(dt, step.flight);
   const double begin = time_;
@@ -224,7 +225,7 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
     body.force = body.torque = Vec3::Zero();
     body.correction_energy = 0.0;
     std::uint64_t touching = 0, as_block = 0;
-    std::optional<EventImpulse> events;
+    std::optional<CorrectionImpulse> events;
     for (const std::uint32_t e : pairs_.pairs_of(i)) {
       const ContactPair& pair = pairs_.all_pairs()[e];
       if (!pair.has_load) continue;
@@ -232,7 +233,7 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
       const bool is_block = pair.block == i;
       body.force += is_block ? load.force : Vec3(-load.force);
       body.torque += is_block ? load.torque : load.torque_on_other;
-      if (load.event) add_body_event(events, *load.event, is_block);
+      if (load.correction) add_body_event(events, *load.correction, is_block);
       if (!pair.contacts->is_touching()) continue;
       ++touching;
       if (is_block) ++as_block;
@@ -241,12 +242,13 @@ void WorldMotion::end_body_steps(double dt, bool flight) {
     if (body.is_immobile()) return;
     if (!flight) body.integrator.end_step(dt, body.force, body.torque, gravity());
     if (events && dt > 0.0) {  // otherwise they were applied at the end of the previous step
-      body.correction_energy =
-          body.integrator.apply_event_impulse(events->impulse, events->angular_impulse,
-                                              events->moment, events->angular_moment, gravity());
+      body.correction_energy = body.integrator.apply_correction_impulse(
+          events->impulse, events->angular_impulse, events->moment, events->angular_moment,
+          gravity());
     }
     const double specific = body.integrator.kinetic_energy() / body.shape->body.mass;
-    body.resting = touching > 0 && specific < settings_.rest_energy ? body.resting + dt : 0.0;
+    body.resting_time =
+        touching > 0 && specific < settings_.rest_energy ? body.resting_time + dt : 0.0;
     if (touching > 0 && specific < kRockingEnergyFactor * settings_.rest_energy) {
       body.sleep_detector.add_step(body.integrator.state(), dt, settings_.sleep_duration,
                                    settings_.sleep_drift * body.shape->body.size(),
@@ -335,11 +337,11 @@ EnergyBalance WorldMotion::energy_balance() const {
 
 EnergySample WorldMotion::energy_sample() const {
   const auto dissipation = [](const EnergyBalance& energy_balance) {
-    return Dissipation{energy_balance.normal, energy_balance.friction, energy_balance.rolling};
+    return DissipatedEnergy{energy_balance.normal, energy_balance.friction, energy_balance.rolling};
   };
   EnergySample sample;
   sample.time = time_;
-  const ContactPairTable::Losses lost = pairs_.losses();
+  const ContactPairTable::ContactLosses lost = pairs_.losses();
   sample.on_ground = dissipation(lost.on_ground);
   sample.between_bodies = dissipation(lost.between_bodies);
   sample.reassigned = losses().reassigned;

@@ -1,5 +1,5 @@
 #pragma once
-/// Motion of all bodies of a world.
+/// Motion of all bodies of a simulation.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,11 +17,12 @@
 
 namespace clast::dem_detail {
 
-/// All bodies of a world and their contacts. Not movable, because members refer to each other.
+/// Bodies and contacts of a simulation, with their integration in time. Objects cannot be moved,
+/// because members refer to each other.
 class WorldMotion {
  public:
-  /// Makes a world.
-  /// @param on  terrain of the world, or null; must outlive this object
+  /// Makes a simulation without bodies.
+  /// @param on  terrain, or null; must outlive this object
   /// @throws InputError  if settings are out of range
   /// @throws SimulationError  if a shape has no mass or a ground zone has no parameters
   WorldMotion(std::vector<RigidBody> of_shapes, const WorldSettings& with, const TerrainSurface* on,
@@ -32,8 +33,8 @@ class WorldMotion {
   /// Adds a body.
   /// @param start  initial state, with a unit quaternion; the centre is above the terrain
   void add_body(std::size_t shape, const RigidState& start, bool fixed);
-  /// Turns the body that was added last, which is fixed, into a confining wall.
-  void set_confined_bodies(std::size_t wall, const ConfinedRange& confined) {
+  /// Makes a fixed body a confining wall for the bodies of a range. It must be the body added last.
+  void set_confined_bodies(std::size_t wall, const ConfinedBodyRange& confined) {
     bodies_[wall].confined = confined;
   }
   /// Removes a body and wakes the bodies that it touched. It becomes inactive and keeps its pose.
@@ -50,7 +51,7 @@ class WorldMotion {
   /// Advances the time while no body moves, s.
   void advance_time(double duration) { time_ += duration; }
 
-  /// Summarises the current contacts of a body, as `World::contact_summary`.
+  /// Summarises the current contacts of a body (`World::contact_summary`).
   ContactSummary contact_summary(std::size_t body) const;
   /// Returns the energy balance since the first body was added.
   EnergyBalance energy_balance() const;
@@ -58,14 +59,14 @@ class WorldMotion {
 
   /// True if the body is idle, or if it has been slow and in contact for the rest duration.
   bool is_resting(const WorldBody& body) const {
-    return body.is_idle() || body.resting >= settings_.rest_duration;
+    return body.is_idle() || body.resting_time >= settings_.rest_duration;
   }
   const WorldSettings& settings() const { return settings_; }
   const TerrainSurface* terrain() const { return terrain_; }
   std::span<const BodyShape> shapes() const { return shapes_; }
   const std::vector<WorldBody>& bodies() const { return bodies_; }
   const ContactPairTable& pairs() const { return pairs_; }
-  /// True if the contacts of the body have been set up, which its first step does.
+  /// True if the first step of the body has set up its contacts.
   bool is_prepared(std::size_t body) const { return body < prepared_count_; }
   std::size_t sleeping_count() const { return sleep_manager_.count(); }
   double time() const { return time_; }  ///< s
@@ -96,12 +97,12 @@ class WorldMotion {
   ContactModel make_contact_model(std::span<const GroundParameters> zone_parameters,
                                   std::span<const std::uint16_t> zone_of_face,
                                   const SoilMemory* soil) const {
-    return {zone_parameters,   zone_of_face,  settings_.stiffness,
-            settings_.weights, settings_.law, soil};
+    return {zone_parameters,     zone_of_face,  settings_.stiffness,
+            settings_.weighting, settings_.law, soil};
   }
   EnergyBalance losses() const {
     EnergyBalance sum = pairs_.losses().sum();
-    sum.reassigned += reassigned_;  ///< losses that belong to no pair, J
+    sum.reassigned += reassigned_;
     return sum;
   }
   Vec3 gravity() const { return {0.0, 0.0, -settings_.gravity}; }
@@ -111,12 +112,12 @@ class WorldMotion {
   void update_moving_list();
   /// Marks the lists as outdated. Must be called if the moving bodies or active pairs change.
   void invalidate_lists() { listed_ = positions_known_ = false; }
-  /// Predicate: true if a pair is new because one of its bodies starts.
+  /// Predicate that is true for contact pairs with a body that starts to move.
   using IsNew = std::function<bool(const ContactPair&)>;
-  /// Updates the pairs and computes the contacts of new ones.
+  /// Updates the contact pairs and computes the contacts of new pairs.
   void begin_new_pairs(const IsNew& is_new);
   void check_start_overlaps(const IsNew& is_new) const;
-  /// Updates all pairs to the poses of the bodies.
+  /// Recomputes the contacts of all pairs at the present poses of the bodies.
   void update_all_pairs();
   void wake_touched();
   void put_to_sleep();
@@ -149,13 +150,14 @@ class WorldMotion {
   std::size_t prepared_count_ = 0;  ///< number of bodies whose contacts have been set up
   SleepManager sleep_manager_;
   BodyObserver observer_;
-  /// State of a body at the start of the step, and a flag for bodies without contact then.
+  /// State of a body at the start of the step. `free` is true if it has no contact there.
   struct StartState {
     std::uint32_t body;
     RigidState state;
     bool free = false;
   };
-  std::vector<StartState> start_states_;  ///< of moving bodies, if there is an observer
+  /// Start states of moving bodies; empty without an observer.
+  std::vector<StartState> start_states_;
 
   // Sleeping bodies should cost next to nothing, so a step works on these lists only.
   bool listed_ = false;                ///< true if both lists and the active pairs are up to date

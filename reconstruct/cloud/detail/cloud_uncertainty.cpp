@@ -22,7 +22,7 @@ constexpr double kNoise = 1.0;        ///< standard deviations of the noise by w
 
 class Margin {
  public:
-  Margin(const TriangleMesh& surface, const PointUncertainty& known)
+  Margin(const TriangleMesh& surface, const SurfacePointStatistics& known)
       : surface_(surface),
         known_(known),
         tree_(surface.vertices),
@@ -74,29 +74,29 @@ class Margin {
     const Vec3 &a = surface_.vertices[t[0]], &b = surface_.vertices[t[1]],
                &c = surface_.vertices[t[2]];
     const Vec3 normal = (b - a).cross(c - a).normalized(), middle = (a + b + c) / 3.0;
-    margin_.outer.push_back(middle + reach(middle, normal, t[0]) * normal);
+    margin_.outer_points.push_back(middle + reach(middle, normal, t[0]) * normal);
   }
 
   void add_vertex(std::uint32_t v) {
     const Vec3& position = surface_.vertices[v];
     const Vec3& normal = known_.normals[v];
     const double noise = kNoise * known_.noise;
-    margin_.outer.push_back(position + noise * normal);
+    margin_.outer_points.push_back(position + noise * normal);
     // At the edge of a side, the neighbours of a point lie to one side of it.
     Vec3 away = Vec3::Zero();
     for (const std::uint32_t n : near(v)) away += position - surface_.vertices[n];
     if (const double length = away.norm(); length > 0.0) {
       away /= length;
-      margin_.outer.push_back(position + (reach(position, away, v) + noise) * away);
+      margin_.outer_points.push_back(position + (reach(position, away, v) + noise) * away);
     }
     const MovingLeastSquares::PlaneDeviation& standing = standings_[v];
     const double out_of = standing.height - kStandsOut * standing.deviation;
     const double stands_out = std::clamp(out_of, 0.0, kMaxOut * known_.spacings[v]);
-    margin_.inner.push_back(position - (stands_out + noise) * normal);
+    margin_.inner_points.push_back(position - (stands_out + noise) * normal);
   }
 
   const TriangleMesh& surface_;
-  const PointUncertainty& known_;
+  const SurfacePointStatistics& known_;
   PointTree tree_;
   std::vector<MovingLeastSquares::PlaneDeviation> standings_;
   std::vector<std::vector<std::uint32_t>> near_;  ///< of vertices, as they are asked for
@@ -106,7 +106,7 @@ class Margin {
 }  // namespace
 
 SurfaceUncertainty compute_surface_uncertainty(const TriangleMesh& surface,
-                                               const PointUncertainty& points) {
+                                               const SurfacePointStatistics& points) {
   return Margin(surface, points).run();
 }
 

@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 /// @cite levin2004
 class MovingLeastSquares {
  public:
-  /// Stores the points.
+  /// Constructs the method for a set of points.
   /// @param points  must outlive this object
   /// @param normals  unit, outward, one per point; must outlive this object
   MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals);
@@ -26,7 +26,7 @@ class MovingLeastSquares {
   /// @param spacings  local point spacings, m
   std::vector<bool> find_off_surface_points(std::span<const double> spacings) const;
 
-  /// Deviation of a point from the plane of its neighbours.
+  /// Deviation of a point from the plane fitted to its neighbours.
   struct PlaneDeviation {
     double height = 0.0;     ///< height of the point above the fitted plane, m
     double deviation = 0.0;  ///< standard deviation of the neighbours, m

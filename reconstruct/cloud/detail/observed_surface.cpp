@@ -132,9 +132,9 @@ ObservedSurface find_observed_surface(const TriangleMesh& closed, std::span<cons
     largest = patch.area;
     result.gap_position = patch.position;
   }
-  result.observed.assign(closed.triangles.size(), true);
+  result.is_observed.assign(closed.triangles.size(), true);
   for (std::size_t i = 0; i < triangle_indices.size(); ++i) {
-    if (unobserved[patch_of[i]]) result.observed[triangle_indices[i]] = false;
+    if (unobserved[patch_of[i]]) result.is_observed[triangle_indices[i]] = false;
   }
   return result;
 }

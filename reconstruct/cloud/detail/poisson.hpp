@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 /// @cite kazhdan2006
 class IndicatorFunction {
  public:
-  /// Solves for the function.
+  /// Computes the indicator function of points.
   /// @param normals  unit normals, nearly all outward or nearly all inward
   IndicatorFunction(std::span<const Vec3> points, std::span<const Vec3> normals);
   ~IndicatorFunction();

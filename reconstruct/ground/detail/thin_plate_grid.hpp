@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 /// penalty smooths the roughness and gives a smooth extrapolation.
 class ThinPlateGrid {
  public:
-  /// Fits the grid.
+  /// Fits a grid of heights to points.
   /// @param points  (x, y, height), m
   /// @param nodes  number of nodes along the longer side of `extent`
   /// @param stiffness  weight of the bending penalty relative to the points of an average node

@@ -92,8 +92,8 @@ std::map<std::uint32_t, std::size_t> read_colmap_cameras(const std::filesystem::
     for (double& p : parameters) p = cameras.next<double>();
     lens_of[id] = model.lenses.size();
     model.lenses.push_back(
-        make_colmap_lens(known.name, static_cast<int>(std::min(width, 1000000ul)),
-                         static_cast<int>(std::min(height, 1000000ul)), parameters));
+        make_colmap_intrinsics(known.name, static_cast<int>(std::min(width, 1000000ul)),
+                               static_cast<int>(std::min(height, 1000000ul)), parameters));
   }
   return lens_of;
 }

@@ -5,8 +5,8 @@
 
 namespace clast::photos_detail {
 
-CameraIntrinsics make_colmap_lens(const std::string& model, int width, int height,
-                                  const std::vector<double>& p) {
+CameraIntrinsics make_colmap_intrinsics(const std::string& model, int width, int height,
+                                        const std::vector<double>& p) {
   // Parameters of COLMAP's models, in its order: one focal length or two, centre, and distortion.
   struct Layout {
     std::size_t focals;
@@ -42,7 +42,7 @@ CameraIntrinsics make_colmap_lens(const std::string& model, int width, int heigh
     lens.p2 = k[3];
     if (layout.distortions == 8) {
       lens.radial[2] = k[4];
-      lens.divisor = {k[5], k[6], k[7]};
+      lens.radial_divisor = {k[5], k[6], k[7]};
     }
   } else {
     for (std::size_t i = 0; i < layout.distortions; ++i) lens.radial[i] = k[i];

@@ -86,8 +86,8 @@ PhotoModel read_colmap_text(const std::filesystem::path& folder) {
     std::vector<double> parameters;
     while (lines.has_more()) parameters.push_back(lines.number());
     lens_of[id] = model.lenses.size();
-    model.lenses.push_back(
-        make_colmap_lens(kind, static_cast<int>(width), static_cast<int>(height), parameters));
+    model.lenses.push_back(make_colmap_intrinsics(kind, static_cast<int>(width),
+                                                  static_cast<int>(height), parameters));
   }
   std::map<long, std::uint32_t> photo_of;
   for (Lines lines(folder / "images.txt"); lines.next(true);) {

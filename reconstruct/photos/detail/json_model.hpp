@@ -9,7 +9,7 @@
 
 namespace clast::photos_detail {
 
-/// Parses a file.
+/// Reads and parses a JSON file.
 /// @throws nlohmann::json::exception  if it is not JSON
 nlohmann::json load_json(const std::filesystem::path& file);
 

@@ -197,8 +197,8 @@ PhotoModel read_metashape(const std::filesystem::path& file) {
     const std::string own = camera.attribute("component_id").as_string();
     if (!model.photos.empty() && own != component) {
       throw InputError("photo " + label +
-                       " is in another component than the ones before it: the "
-                       "photos are in separate groups; add photos between them and align again");
+                       " is in a different component from the photos before it: the photos are in "
+                       "separate groups; add photos between them and align again");
     }
     component = own;
     const std::size_t lens =

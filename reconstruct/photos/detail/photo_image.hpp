@@ -10,7 +10,8 @@ struct PhotoSize {
   int height = 0;
 };
 
-/// Reads the pixels as stored. The EXIF orientation is ignored, as in structure from motion.
+/// Reads the pixels of a photo as stored. The EXIF orientation is ignored, as in structure from
+/// motion.
 /// @throws InputError  if the file is missing or not an image
 cv::Mat read_colour_photo(const std::filesystem::path& file);
 cv::Mat read_grey_photo(const std::filesystem::path& file);

@@ -29,7 +29,7 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
                     double cx, const std::filesystem::path& mask_file) {
   const Photo& p = model.photos[photo];
   const cv::Mat image = read_colour_photo(p.file);
-  const CameraIntrinsics lens = resize_image(model.lenses[p.lens], image.cols, image.rows);
+  const CameraIntrinsics lens = resized_intrinsics(model.lenses[p.lens], image.cols, image.rows);
   const Mat3 camera_from_view =
       p.camera_from_world.rotation.toRotationMatrix() * view.rotation.transpose();
   cv::Mat map_x(view.height, view.width, CV_32F), map_y(view.height, view.width, CV_32F);
@@ -59,7 +59,7 @@ Rectified rectified(const PhotoModel& model, std::size_t photo, const Rectificat
 }  // namespace
 
 Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
-                           const PhotoRegion& region, int most_pixels) {
+                           const PhotoRegion& region, int max_image_side) {
   const Photo &a = model.photos[pair.first], &b = model.photos[pair.second];
   Rectification view;
   view.left = a.centre();
@@ -81,7 +81,7 @@ Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
   const CameraIntrinsics &la = model.lenses[a.lens], &lb = model.lenses[b.lens];
   view.f = std::min({la.fx, la.fy, lb.fx, lb.fy});
   const double half_share = std::tan(std::asin(std::min(0.9, reach / depth)));
-  view.f = std::min(view.f, 0.5 * most_pixels / half_share);
+  view.f = std::min(view.f, 0.5 * max_image_side / half_share);
   view.offset = view.f * view.baseline / depth;
   const double nearest = view.f * view.baseline / (depth - reach) - view.offset;
   const double farthest = view.f * view.baseline / (depth + reach) - view.offset;
@@ -101,10 +101,10 @@ Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
 }
 
 DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair,
-                               const PhotoRegion& region, int most_pixels,
+                               const PhotoRegion& region, int max_image_side,
                                const std::vector<std::filesystem::path>& masks) {
   DisparityMap result;
-  result.view = rectify_pair(model, pair, region, most_pixels);
+  result.view = rectify_pair(model, pair, region, max_image_side);
   const Rectification& view = result.view;
   const bool swapped = model.photos[pair.first].centre() != view.left;
   const std::size_t left = swapped ? pair.second : pair.first;

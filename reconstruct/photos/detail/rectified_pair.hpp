@@ -29,12 +29,12 @@ struct Rectification {
   }
 };
 
-/// Rectifies a pair.
-/// @param most_pixels  largest image side
+/// Rectifies a pair of photos for stereo matching.
+/// @param max_image_side  largest image side
 Rectification rectify_pair(const PhotoModel& model, const StereoPair& pair,
-                           const PhotoRegion& region, int most_pixels);
+                           const PhotoRegion& region, int max_image_side);
 
-/// Disparities of a pair, and colours of the left photo.
+/// Disparities of a rectified pair of photos, and colours of the left photo.
 struct DisparityMap {
   Rectification view;
   cv::Mat disparity;  ///< 16 d as CV_16S; `kNoDisparity` if unknown
@@ -43,11 +43,11 @@ struct DisparityMap {
 
 inline constexpr short kNoDisparity = -32768;
 
-/// Computes disparities by semi-global matching.
+/// Computes the disparities of a pair of photos by semi-global matching.
 /// @param masks  one mask per photo, or empty; pixels with value 0 are not used
 /// @cite hirschmueller2008
 DisparityMap match_stereo_pair(const PhotoModel& model, const StereoPair& pair,
-                               const PhotoRegion& region, int most_pixels,
+                               const PhotoRegion& region, int max_image_side,
                                const std::vector<std::filesystem::path>& masks);
 
 }  // namespace clast::photos_detail

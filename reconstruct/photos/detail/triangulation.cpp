@@ -28,13 +28,13 @@ std::optional<Vec3> meeting(const Ray& a, const Ray& b) {
 }
 
 TriangulatedPoint judged(const PhotoModel& model, const std::vector<ImageObservation>& observations,
-                         const Vec3& position, double largest_error) {
+                         const Vec3& position, double max_reprojection_error) {
   TriangulatedPoint result{position, std::vector<bool>(observations.size()), 0, 0.0};
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const std::optional<Vec2> projection =
         project_into_photo(model, observations[i].photo, position);
     const double error2 = projection ? (*projection - observations[i].pixel).squaredNorm() : 1e300;
-    if (error2 > largest_error * largest_error) continue;
+    if (error2 > max_reprojection_error * max_reprojection_error) continue;
     result.is_inlier[i] = true;
     ++result.inlier_count;
     result.squared_error += error2;
@@ -72,7 +72,7 @@ Vec3 improved(const PhotoModel& model, const std::vector<ImageObservation>& obse
 
 std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
                                              const std::vector<ImageObservation>& observations,
-                                             double largest_error) {
+                                             double max_reprojection_error) {
   std::vector<std::optional<Ray>> rays;
   for (const ImageObservation& sighting : observations) {
     const Photo& photo = model.photos[sighting.photo];
@@ -92,7 +92,7 @@ std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
       if (pair++ % stride != 0 || !rays[i] || !rays[j]) continue;
       const std::optional<Vec3> position = meeting(*rays[i], *rays[j]);
       if (!position) continue;
-      TriangulatedPoint trial = judged(model, observations, *position, largest_error);
+      TriangulatedPoint trial = judged(model, observations, *position, max_reprojection_error);
       const bool better =
           !best || trial.inlier_count > best->inlier_count ||
           (trial.inlier_count == best->inlier_count && trial.squared_error < best->squared_error);
@@ -102,7 +102,7 @@ std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
   if (!best) return std::nullopt;
   for (int step = 0; step < kSteps; ++step) {
     TriangulatedPoint next =
-        judged(model, observations, improved(model, observations, *best), largest_error);
+        judged(model, observations, improved(model, observations, *best), max_reprojection_error);
     if (next.inlier_count < best->inlier_count) break;
     const bool still = (next.position - best->position).norm() < 1e-12 * best->position.norm();
     best = std::move(next);

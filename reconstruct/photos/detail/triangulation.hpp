@@ -7,7 +7,7 @@
 
 namespace clast::photos_detail {
 
-/// Observation of a point in a photo.
+/// Observation of a point in a photo, given by photo index and pixel.
 struct ImageObservation {
   std::size_t photo = 0;
   Vec2 pixel = Vec2::Zero();
@@ -20,11 +20,11 @@ struct TriangulatedPoint {
   double squared_error = 0.0;  ///< sum over the inliers, px^2
 };
 
-/// Triangulates the point on which most observations agree to within `largest_error` pixels.
-/// Candidates are triangulated from all pairs of observations, or from an even selection. The best
-/// one is refined by least squares over its inliers. Empty if no two observations agree.
+/// Triangulates the point on which most observations agree to within `max_reprojection_error`
+/// pixels. Candidates are triangulated from all pairs of observations, or from an even selection.
+/// The best one is refined by least squares over its inliers. Empty if no two observations agree.
 std::optional<TriangulatedPoint> triangulate(const PhotoModel& model,
                                              const std::vector<ImageObservation>& observations,
-                                             double largest_error);
+                                             double max_reprojection_error);
 
 }  // namespace clast::photos_detail

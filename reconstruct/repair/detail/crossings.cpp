@@ -10,15 +10,15 @@
 
 namespace clast::reconstruct_detail {
 
-bool remove_crossings(TriangleMesh& mesh) {
-  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
+bool replace_intersecting_triangles(TriangleMesh& mesh) {
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal_mesh(mesh);
   try {
     if (!CGAL::Polygon_mesh_processing::remove_degenerate_faces(work)) return false;
     if (!CGAL::Polygon_mesh_processing::experimental::remove_self_intersections(work)) return false;
   } catch (const CGAL::Failure_exception&) {  // met something that it takes for impossible
     return false;
   }
-  mesh = mesh_detail::from_cgal(work);
+  mesh = mesh_detail::from_cgal_mesh(work);
   return true;
 }
 

@@ -8,6 +8,6 @@ namespace clast::reconstruct_detail {
 /// Degenerate triangles are collapsed. The topology is preserved.
 /// @param mesh  closed, oriented 2-manifold
 /// @return false if intersections remain; the state of the mesh is then unspecified
-bool remove_crossings(TriangleMesh& mesh);
+bool replace_intersecting_triangles(TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

@@ -27,8 +27,8 @@ class Triangulations {
       centre_ += point(i) / static_cast<double>(n_);
       longest_side_ = std::max(longest_side_, (point((i + 1) % n_) - point(i)).norm());
       for (std::size_t k = i + 1; k < n_; ++k) {
-        free_[i * n_ + k] =
-            is_side(i, k) || (loop[i] != loop[k] && !edges.contains(edge_key(loop[i], loop[k])));
+        free_[i * n_ + k] = is_side(i, k) || (loop[i] != loop[k] &&
+                                              !edges.contains(make_edge_key(loop[i], loop[k])));
       }
     }
     for (std::size_t i = 0; i < n_; ++i) {
@@ -153,7 +153,7 @@ class Triangulations {
 bool repeats_an_edge(const std::vector<TriangleMesh::Triangle>& triangles) {
   std::vector<EdgeKey> keys;
   for (const TriangleMesh::Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) keys.push_back(edge_key(t[k], t[(k + 1) % 3]));
+    for (std::size_t k = 0; k < 3; ++k) keys.push_back(make_edge_key(t[k], t[(k + 1) % 3]));
   }
   std::sort(keys.begin(), keys.end());
   for (std::size_t i = 2; i < keys.size(); ++i) {

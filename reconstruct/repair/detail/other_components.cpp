@@ -21,7 +21,7 @@ constexpr double kIslandArea = 0.05;
 /// Share of the diagonal within which an open component lies on the block: a part scanned twice.
 constexpr double kDuplicateSheet = 0.02;
 
-void add(RepairChange& dropped, const Component& component) {
+void add(RepairChange& dropped, const SurfaceComponent& component) {
   if (dropped.count++ == 0) dropped.position = component.mesh.vertices[0];
   dropped.area += component.area;
 }
@@ -59,7 +59,7 @@ void take_shells(TriangleMesh& block, const std::vector<const TriangleMesh*>& sh
 
 }  // namespace
 
-void remove_other_components(TriangleMesh& block, std::span<const Component> components,
+void remove_other_components(TriangleMesh& block, std::span<const SurfaceComponent> components,
                              const RepairOptions& options, RepairLog& log) {
   if (components.size() == 1) return;
   const TriangleTree tree(block);
@@ -68,7 +68,7 @@ void remove_other_components(TriangleMesh& block, std::span<const Component> com
   RepairChange islands, sheets, copies;
   std::size_t others = 0;
   bool open = false;
-  for (const Component& component : components.subspan(1)) {
+  for (const SurfaceComponent& component : components.subspan(1)) {
     const TriangleMesh& mesh = component.mesh;
     const bool closed = inspect_mesh(mesh).is_closed();
     const bool small = component.area < kIslandArea * components[0].area;

@@ -16,7 +16,7 @@ namespace clast::reconstruct_detail {
 /// @param components  components of the mesh, the block first
 /// @throws GeometryError  if another component is too large for an island, so that it is a second
 ///                        block or another part of this block
-void remove_other_components(TriangleMesh& block, std::span<const Component> components,
+void remove_other_components(TriangleMesh& block, std::span<const SurfaceComponent> components,
                              const RepairOptions& options, RepairLog& log);
 
 }  // namespace clast::reconstruct_detail

@@ -13,12 +13,13 @@ namespace clast::reconstruct_detail {
 /// Records defects. Positions are given relative to a local origin and converted for the report.
 class RepairLog {
  public:
-  /// Starts a log.
+  /// Starts an empty log.
   /// @param origin  origin of the working coordinates
-  /// @param reported_place  converts positions of the mesh as read for the report; if empty, they
+  /// @param to_reported_position  converts positions of the mesh as read for the report; if empty,
+  /// they
   ///                        are unchanged
-  RepairLog(const Vec3& origin, const std::function<Vec3(const Vec3&)>& reported_place)
-      : origin_(origin), reported_place_(reported_place) {}
+  RepairLog(const Vec3& origin, const std::function<Vec3(const Vec3&)>& to_reported_position)
+      : origin_(origin), reported_place_(to_reported_position) {}
 
   Vec3 to_reported_frame(const Vec3& local) const;
   std::string format_position(const Vec3& local) const;  ///< formats a position for messages

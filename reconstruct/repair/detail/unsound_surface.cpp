@@ -81,13 +81,13 @@ void check_not_empty(const TriangleMesh& mesh) {
 void check_orientable(const TriangleMesh& mesh, const OrientationResult& facing,
                       const RepairLog& log) {
   if (facing.orientable) return;
-  throw GeometryError("the surface is one-sided near " +
-                      log.format_position(mesh.vertices[facing.conflict]) +
+  throw GeometryError("the surface is non-orientable near " +
+                      log.format_position(mesh.vertices[facing.conflict_vertex]) +
                       " (inside and outside can't be distinguished)" + kRepairAdvice);
 }
 
-void check_hole(const FilledHole& hole, double largest, const TriangleMesh& welded,
-                const RepairLog& log) {
+void check_hole_size(const FilledHole& hole, double largest, const TriangleMesh& welded,
+                     const RepairLog& log) {
   if (hole.area_fraction <= largest || hole.is_fan) return;
   throw GeometryError(
       "the surface is an open sheet, not a block: " + open_edges(welded, log) +

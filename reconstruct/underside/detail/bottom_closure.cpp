@@ -13,11 +13,12 @@ constexpr int kPowerSteps = 40;  ///< halvings of a range of powers
 
 }  // namespace
 
-double BottomClosure::lowering_at_vertex(std::size_t vertex, const ClosureShape& move) const {
+double BottomClosure::lowering_at_vertex(std::size_t vertex,
+                                         const ClosureDisplacement& move) const {
   return move.depth * std::pow(patch_.deflection[vertex], move.power);
 }
 
-TriangleMesh BottomClosure::lower_mesh(const ClosureShape& move) const {
+TriangleMesh BottomClosure::lowered_mesh(const ClosureDisplacement& move) const {
   TriangleMesh mesh = closed_;
   if (move.depth <= 0.0) return mesh;
   for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
@@ -26,16 +27,19 @@ TriangleMesh BottomClosure::lower_mesh(const ClosureShape& move) const {
   return mesh;
 }
 
-ClosureShape BottomClosure::shape_for_volume(double added, double power, double deepest) const {
+ClosureDisplacement BottomClosure::displacement_for_volume(double added, double power,
+                                                           double deepest) const {
   while (added / volume_per_depth(power) > deepest && power > kMinPower) power *= 0.8;
   return {power, added / volume_per_depth(power)};
 }
 
-ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const ClosureShape& blunt,
-                                                  double added, double max_power) const {
+ClosureDisplacement BottomClosure::displacement_touching_ground(const Plane& ground,
+                                                                const ClosureDisplacement& blunt,
+                                                                double added,
+                                                                double max_power) const {
   if (touches(ground, blunt)) return blunt;
   const auto of_power = [&](double power) {
-    return ClosureShape{power, added / volume_per_depth(power)};
+    return ClosureDisplacement{power, added / volume_per_depth(power)};
   };
   double low = blunt.power, high = max_power;
   for (int i = 0; i < kPowerSteps; ++i) {
@@ -45,7 +49,7 @@ ClosureShape BottomClosure::shape_touching_ground(const Plane& ground, const Clo
   return of_power(high);
 }
 
-bool BottomClosure::touches(const Plane& ground, const ClosureShape& move) const {
+bool BottomClosure::touches(const Plane& ground, const ClosureDisplacement& move) const {
   for (std::size_t i = 0; i < patch_.deflection.size(); ++i) {
     if (ground.signed_distance(closed_.vertices[first_vertex_ + i]) <= lowering_at_vertex(i, move))
       return true;

@@ -9,18 +9,19 @@
 
 namespace clast::reconstruct_detail {
 
-/// Displacement of the closure. Each vertex moves by `depth` (m) times its deflection raised to
-/// `power`. Larger powers give a more pointed bottom.
-struct ClosureShape {
+/// Displacement of the surface that closes a hole. Each vertex moves by `depth` (m) times its
+/// deflection raised to `power`. Larger powers give a more pointed bottom.
+struct ClosureDisplacement {
   double power = 0.0, depth = 0.0;
 };
 
-/// Closure that is lowered along one direction. The added volume is proportional to the depth.
+/// Surface that closes a hole and can be lowered along one direction. The added volume is
+/// proportional to the depth.
 class BottomClosure {
  public:
-  static constexpr double kMinPower = 0.05;  ///< minimum of `ClosureShape::power`
+  static constexpr double kMinPower = 0.05;  ///< minimum of `ClosureDisplacement::power`
 
-  /// Stores the closure.
+  /// Constructs the closure of a mesh.
   /// @param closed  mesh with the closure; must outlive this object
   /// @param patch  closure; its vertices in `closed` begin at `first_vertex`
   /// @param down  direction in which the closure is lowered, unit vector
@@ -28,21 +29,22 @@ class BottomClosure {
                 const Vec3& down)
       : closed_(closed), patch_(std::move(patch)), first_vertex_(first_vertex), down_(down) {}
 
-  /// Returns `closed` with the lowered closure.
-  TriangleMesh lower_mesh(const ClosureShape& move) const;
-  /// Returns the shape with the volume `added` (m^3). The power is reduced such that the depth is
-  /// at most `deepest` (m), if possible.
-  ClosureShape shape_for_volume(double added, double power, double deepest) const;
-  /// Returns the shape with the volume `added` that touches the ground, because a block does not
-  /// float. The power of `blunt` is increased up to `max_power`.
-  ClosureShape shape_touching_ground(const Plane& ground, const ClosureShape& blunt, double added,
-                                     double max_power) const;
+  /// Returns the closed mesh with its closure lowered.
+  TriangleMesh lowered_mesh(const ClosureDisplacement& move) const;
+  /// Returns the displacement that adds the volume `added` (m^3). The power is reduced such that
+  /// the depth is at most `deepest` (m), if possible.
+  ClosureDisplacement displacement_for_volume(double added, double power, double deepest) const;
+  /// Returns the displacement that adds the volume `added` and reaches the ground, because a block
+  /// does not float. The power of `blunt` is increased up to `max_power`.
+  ClosureDisplacement displacement_touching_ground(const Plane& ground,
+                                                   const ClosureDisplacement& blunt, double added,
+                                                   double max_power) const;
 
  private:
-  /// Returns the added volume per depth, m^2.
+  /// Returns the volume added per depth of the displacement, m^2.
   double volume_per_depth(double power) const;
-  bool touches(const Plane& ground, const ClosureShape& move) const;
-  double lowering_at_vertex(std::size_t vertex, const ClosureShape& move) const;
+  bool touches(const Plane& ground, const ClosureDisplacement& move) const;
+  double lowering_at_vertex(std::size_t vertex, const ClosureDisplacement& move) const;
 
   const TriangleMesh& closed_;
   HolePatch patch_;

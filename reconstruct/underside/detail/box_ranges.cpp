@@ -130,13 +130,13 @@ std::vector<BoxOrientation> least_boxes(const Eigen::Matrix3Xd& points,
 
 }  // namespace
 
-SideBounds bound_box_sides(std::span<const Vec3> observed, std::span<const Vec3> possible) {
+BoxSideBounds bound_box_sides(std::span<const Vec3> observed, std::span<const Vec3> possible) {
   const std::vector<Vec3> inner = outermost(observed), outer = outermost(possible);
   const OrientedBox least = smallest_box(inner), most = smallest_box(outer);
   const Eigen::Matrix3Xd of_inner = columns(inner), of_outer = columns(outer);
   const double added = std::max(0.0, most.volume() / least.volume() - 1.0);
   const double largest = (1.0 + std::min(kBoxLeeway, kLeewayOfAdded * added)) * most.volume();
-  SideBounds bounds{least.lengths, least.lengths};
+  BoxSideBounds bounds{least.lengths, least.lengths};
   const auto look = [&](const Mat3& axes) -> BoxOrientation {
     Vec3 low = extents(of_inner, axes);
     const BoxOrientation orientation{low.prod(), axes};

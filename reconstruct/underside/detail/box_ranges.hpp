@@ -15,6 +15,6 @@ namespace clast::reconstruct_detail {
 /// all local minima of the box of `observed`, and on a grid over all rotations.
 /// @param observed  not empty
 /// @param possible  points that include `observed`
-SideBounds bound_box_sides(std::span<const Vec3> observed, std::span<const Vec3> possible);
+BoxSideBounds bound_box_sides(std::span<const Vec3> observed, std::span<const Vec3> possible);
 
 }  // namespace clast::reconstruct_detail

@@ -18,7 +18,7 @@ struct EnclosedSpace {
       points;  ///< points on the planes behind the closure, and vertices of the closure
 };
 
-/// Computes the space between a closure and planes.
+/// Computes the space between the closure of a hole and planes that bound the body.
 /// @param closure  triangles that face out of the body
 /// @param centre  point inside the body and inside the half-spaces n . p <= d of all planes
 /// @param farthest  maximum distance from `centre`, m

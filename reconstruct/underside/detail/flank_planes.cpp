@@ -137,8 +137,8 @@ FlankPlanes fit_flank_planes(const TriangleMesh& closed, std::size_t observed,
         over > kHeldByRim * size && support(rim_points, patch.normal) >= distance - 1e-9 * size;
     if (!held_by_rim) found.planes.push_back({patch.normal, distance});
   }
-  if (weights > 0.0) found.slack = kSlack * standing_out / weights;
-  for (Plane& plane : found.planes) plane.distance += found.slack;
+  if (weights > 0.0) found.outward_offset = kSlack * standing_out / weights;
+  for (Plane& plane : found.planes) plane.distance += found.outward_offset;
   return found;
 }
 

@@ -9,10 +9,11 @@
 
 namespace clast::reconstruct_detail {
 
-/// Planes with outward normals n. The body is inside the half-spaces n . p <= d.
+/// Tangent planes of an observed surface, with outward normals n. The body is inside the
+/// half-spaces n . p <= d.
 struct FlankPlanes {
   std::vector<Plane> planes;
-  double slack = 0.0;  ///< outward offset from the observed surface, m
+  double outward_offset = 0.0;  ///< outward offset from the observed surface, m
 };
 
 /// Fits tangent planes to patches of the observed surface. They are moved outwards until the

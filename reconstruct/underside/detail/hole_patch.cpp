@@ -23,7 +23,7 @@ constexpr double kMinWeight = 1e-3;
 
 HolePatch triangulate(const TriangleMesh& mesh, const std::vector<std::uint32_t>& loop,
                       double density) {
-  mesh_detail::CgalMesh work = mesh_detail::to_cgal(mesh);
+  mesh_detail::CgalMesh work = mesh_detail::to_cgal_mesh(mesh);
   const auto first = mesh_detail::CgalMesh::Vertex_index(loop[0]),
              second = mesh_detail::CgalMesh::Vertex_index(loop[1]);
   const mesh_detail::CgalMesh::Halfedge_index border = work.halfedge(first, second);

@@ -21,7 +21,7 @@ double prism(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-LevelSections::LevelSections(const TriangleMesh& mesh, const Vec3& up) {
+HorizontalSections::HorizontalSections(const TriangleMesh& mesh, const Vec3& up) {
   const Bounds box = bounds(mesh);
   origin_ = 0.5 * (box.low + box.high);
   offset_ = origin_.dot(up);
@@ -37,7 +37,7 @@ LevelSections::LevelSections(const TriangleMesh& mesh, const Vec3& up) {
 
 // The border of the section, run counter-clockwise with the triangles' own turn: half the sum of
 // the cross products of its components, by Green's theorem.
-double LevelSections::area(double height) const {
+double HorizontalSections::area(double height) const {
   const double level = height - offset_;
   double doubled = 0.0;
   for (const TriangleMesh::Triangle& t : mesh_.triangles) {
@@ -54,7 +54,7 @@ double LevelSections::area(double height) const {
   return 0.5 * doubled;
 }
 
-double LevelSections::volume_above(double height) const {
+double HorizontalSections::volume_above(double height) const {
   const double level = height - offset_;
   double volume = 0.0;
   for (const TriangleMesh::Triangle& t : mesh_.triangles) {

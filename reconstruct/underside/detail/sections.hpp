@@ -5,18 +5,18 @@
 namespace clast::reconstruct_detail {
 
 /// Areas of sections, and volumes above them, as functions of the height along a direction.
-class LevelSections {
+class HorizontalSections {
  public:
-  /// Prepares the sections.
+  /// Prepares the horizontal sections of a mesh.
   /// @param mesh  closed and outward
   /// @param up  unit vector
-  LevelSections(const TriangleMesh& mesh, const Vec3& up);
+  HorizontalSections(const TriangleMesh& mesh, const Vec3& up);
 
   double min_height() const { return lowest_; }  ///< height of the lowest vertex along `up`, m
   double max_height() const { return highest_; }
-  /// Returns the area of the section at a height, m^2.
+  /// Returns the area of the horizontal section at a height, m^2.
   double area(double height) const;
-  /// Returns the volume above a height, m^3.
+  /// Returns the volume of the mesh above a height, m^3.
   double volume_above(double height) const;
 
  private:

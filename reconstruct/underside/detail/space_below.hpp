@@ -16,7 +16,7 @@ struct OccludedSpace {
   double plan_area = 0.0;  ///< plan area of the mesh
 };
 
-/// Measures the unobserved space.
+/// Measures the space below a block that was not observed to be free.
 /// @param closed  mesh that is closed below by a membrane
 /// @param strip  height of the strip above the ground, m; at least three cubes are used
 OccludedSpace measure_occluded_space(const TriangleMesh& closed, const Plane& ground, double strip,

@@ -136,7 +136,7 @@ class Behind {
   /// Depth by which a closure may be indented, or protrude over the planes of the flanks. Roughness
   /// grows with the width considered; it was measured over patches.
   double slack(const Closure& closure) const {
-    return flanks_.slack * std::min(1.0, closure.width() / (kSlackWidth * size_));
+    return flanks_.outward_offset * std::min(1.0, closure.width() / (kSlackWidth * size_));
   }
 
   /// Closures without area hide nothing.
@@ -160,7 +160,7 @@ class Behind {
  private:
   std::vector<Plane> planes_behind(const Closure& closure, double slacks) const {
     std::vector<Plane> planes = flanks_.planes;
-    for (Plane& plane : planes) plane.distance += slacks * slack(closure) - flanks_.slack;
+    for (Plane& plane : planes) plane.distance += slacks * slack(closure) - flanks_.outward_offset;
     if (floor_) planes.push_back({-floor_->normal, -floor_->distance});
     if (closure.width() < kSmallClosure * size_ && closure.faces()) {
       const Vec3 out = closure.vector_area.normalized();
@@ -291,7 +291,7 @@ std::vector<PossibleHollow> possible_hollows(const Parted& parts,
     if (column.ends_at && columns.contains(*column.ends_at)) {
       const Column& other = columns[*column.ends_at];
       if (other.ends_at == i && *column.ends_at < i) continue;  // listed from the other end
-      hollow.beyond = closures[*column.ends_at].centre;
+      hollow.other_opening = closures[*column.ends_at].centre;
       hollow.volume = std::max(hollow.volume, other.volume);
     } else if (turns[i] > -kTurnsInward) {
       continue;
@@ -319,10 +319,11 @@ std::vector<Vec3> observed_points(const Parted& parts) {
 
 }  // namespace
 
-UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts) {
-  const Parted surface = parted(closed, parts.closure);
+UnobservedPartBounds bound_unobserved_parts(const TriangleMesh& closed,
+                                            const UnobservedParts& parts) {
+  const Parted surface = parted(closed, parts.is_closure);
   const Middle middle = middle_of(closed);
-  UnobservedBounds bounds{{middle.volume, middle.volume, middle.volume}, {}};
+  UnobservedPartBounds bounds{{middle.volume, middle.volume, middle.volume}, {}};
   std::vector<Vec3> beyond;
   if (surface.first < closed.triangles.size()) {
     const FlankPlanes flanks = fit_flank_planes(surface.closed, surface.first, surface.rims);
@@ -358,8 +359,9 @@ UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const Unobse
   bounds.lower_volume = std::max(bounds.lower_volume, kMinLeftByHollows * middle.volume);
   if (!bounds.upper_volume) return bounds;
   const std::vector<Vec3> observed =
-      parts.uncertainty != nullptr ? parts.uncertainty->inner : observed_points(surface);
-  std::vector<Vec3> possible = parts.uncertainty != nullptr ? parts.uncertainty->outer : observed;
+      parts.uncertainty != nullptr ? parts.uncertainty->inner_points : observed_points(surface);
+  std::vector<Vec3> possible =
+      parts.uncertainty != nullptr ? parts.uncertainty->outer_points : observed;
   possible.insert(possible.end(), beyond.begin(), beyond.end());
   bounds.sides = bound_box_sides(observed, possible);
   if (parts.uncertainty != nullptr) {
@@ -375,9 +377,9 @@ std::vector<std::string> describe_hollows(const std::vector<PossibleHollow>& hol
   for (const PossibleHollow& hollow : hollows) {
     const std::string width = format_significant(hollow.width * unit, 2) + " m wide";
     notes.push_back(
-        hollow.beyond
+        hollow.other_opening
             ? "a tunnel may connect the unobserved areas near " + format_point(hollow.position) +
-                  " and " + format_point(*hollow.beyond) + ", " + width +
+                  " and " + format_point(*hollow.other_opening) + ", " + width +
                   ": the surface turns inwards around both, and the lower bound of volume excludes "
                   "it; "
                   "scan its walls, or weigh the block"

@@ -1,5 +1,5 @@
 #pragma once
-/// Bounds of bodies with unobserved parts.
+/// Bounds of the volume and box sides of bodies with unobserved parts.
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,29 +16,32 @@ struct PossibleHollow {
   Vec3 position = Vec3::Zero();  ///< centre of the opening
   double width = 0.0;            ///< width of the opening
   double volume = 0.0;           ///< volume of the part of the body behind it that may be empty
-  std::optional<Vec3> beyond;    ///< centre of the other opening, for a tunnel
+  std::optional<Vec3> other_opening;  ///< centre of the other opening, for a tunnel
 };
 
-/// Bounds of a body if its unobserved part continues the observed flanks, in units of the mesh. For
-/// the lower volume, closures are indented like the observed surface and cavities excluded.
-struct UnobservedBounds : VolumeBracket {
+/// Bounds of the volume and box sides of a body whose unobserved part continues the observed
+/// flanks, in units of the mesh. For the lower volume, closures are indented like the observed
+/// surface and cavities excluded.
+struct UnobservedPartBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };
 
-/// Information on the unobserved parts of a body.
+/// Unobserved parts of a body, and known limits of its surface.
 struct UnobservedParts {
-  std::vector<bool> closure;   ///< one flag per triangle; true if it fills a hole
-  std::optional<Plane> floor;  ///< plane below the body, normal up
-  bool on_ground = false;      ///< true if the unobserved part faces the ground
+  std::vector<bool> is_closure;  ///< one flag per triangle; true if it fills a hole
+  std::optional<Plane> floor;    ///< plane below the body, normal up
+  bool on_ground = false;        ///< true if the unobserved part faces the ground
   const SurfaceUncertainty* uncertainty =
       nullptr;  ///< uncertainty of the observed surface; null if it is exact
 };
 
-/// Computes bounds of the volume and sides. The upper volume is the sum of the observed part and of
-/// the space behind its closures that is within the flank planes (`fit_flank_planes`) and above the
-/// floor. Uncertainty of the observed surface widens the bounds. See docs/theory.md.
+/// Computes bounds of the volume and box sides of a body. The upper volume is the sum of the
+/// observed part and of the space behind its closures that is within the flank planes
+/// (`fit_flank_planes`) and above the floor. Uncertainty of the observed surface widens the bounds.
+/// See docs/theory.md.
 /// @param closed  closed mesh with the closures, outward
-UnobservedBounds bound_unobserved_parts(const TriangleMesh& closed, const UnobservedParts& parts);
+UnobservedPartBounds bound_unobserved_parts(const TriangleMesh& closed,
+                                            const UnobservedParts& parts);
 
 /// Describes the possible cavities and tunnels, with position and width.
 /// @param unit  m per unit of the mesh; positions are given in units of the mesh

@@ -31,8 +31,8 @@ constexpr Column kColumns[] = {{"f_table_catalog", OFTString, 256},
 
 }  // namespace
 
-void add_style_table(GDALDataset& dataset, const std::filesystem::path& target,
-                     const std::vector<LayerStyle>& styles) {
+void add_layer_style_table(GDALDataset& dataset, const std::filesystem::path& target,
+                           const std::vector<LayerStyle>& styles) {
   const auto check = [&](bool done) {
     terrain_detail::check_written(done, target, "table layer_styles");
   };

@@ -9,10 +9,10 @@
 
 namespace clast::report_detail {
 
-/// Adds the table `layer_styles` of QGIS. Each style is the default of its layer.
+/// Adds layer styles to a GeoPackage, in the table `layer_styles` that QGIS reads.
 /// @param target  file name for messages
-/// @throws InputError  if GDAL cannot write it
-void add_style_table(GDALDataset& dataset, const std::filesystem::path& target,
-                     const std::vector<LayerStyle>& styles);
+/// @throws InputError  if GDAL cannot write the table
+void add_layer_style_table(GDALDataset& dataset, const std::filesystem::path& target,
+                           const std::vector<LayerStyle>& styles);
 
 }  // namespace clast::report_detail

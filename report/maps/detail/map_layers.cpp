@@ -39,7 +39,7 @@ Joined joined(const MapRasterSet& rasters, const RasterLayer& layer) {
   grid.value.assign(std::size_t{grid.columns} * grid.rows, NAN);
   for (std::uint32_t row = 0; row < rasters.rows; ++row) {
     for (std::uint32_t column = 0; column < rasters.columns; ++column) {
-      const float value = layer.value[std::size_t{row} * rasters.columns + column];
+      const float value = layer.values[std::size_t{row} * rasters.columns + column];
       float& cell =
           grid.value[std::size_t{row / grid.factor} * grid.columns + column / grid.factor];
       if (std::isfinite(value) && !(cell >= value)) cell = value;
@@ -48,14 +48,14 @@ Joined joined(const MapRasterSet& rasters, const RasterLayer& layer) {
   return grid;
 }
 
-Json layer_json(const MapRasterSet& rasters, const RasterLayer& layer, const ValueStyle& style,
+Json layer_json(const MapRasterSet& rasters, const RasterLayer& layer, const ColourScale& style,
                 const Vec2& origin) {
   Joined grid = joined(rasters, layer);
   for (float& value : grid.value) value = visible_on_map(value);
   Json colours = Json::array();
   for (const Rgb& colour : style.colours) colours.push_back(format_colour(colour));
-  const double width = rasters.cell * grid.factor;
-  const double top = rasters.corner.y() + rasters.cell * rasters.rows - origin.y();
+  const double width = rasters.cell_size * grid.factor;
+  const double top = rasters.corner.y() + rasters.cell_size * rasters.rows - origin.y();
   return {{"name", layer.name},
           {"title", style.title},
           {"meaning", layer.meaning},
@@ -68,7 +68,7 @@ Json layer_json(const MapRasterSet& rasters, const RasterLayer& layer, const Val
           {"x0", rasters.corner.x() - origin.x() + 0.5 * width},
           {"y0", top - 0.5 * width},
           {"cell", width},
-          {"values", packed<float>(grid.value)}};
+          {"values", encode_packed_array<float>(grid.value)}};
 }
 
 /// Corners of a path of which none is nearer to the one before than `step`.
@@ -87,7 +87,8 @@ void append_path(const Trajectory& trajectory, const Vec2& shift, double step,
   y.push_back(NAN);
 }
 
-Json paths_json(const Comparison& comparison, const DrawnRuns& stored, const Vec2& origin) {
+Json paths_json(const Comparison& comparison, const RunsWithTrajectories& stored,
+                const Vec2& origin) {
   constexpr double kSteps = 1500.0;  // over the longer side of what the runs cover
   Bounds box;
   for (const RunRow& row : comparison.rows) {
@@ -111,27 +112,27 @@ Json paths_json(const Comparison& comparison, const DrawnRuns& stored, const Vec
   for (const auto& [garcia, lines] : by_class) {
     paths.push_back({{"name", garcia},
                      {"colour", class_colour(garcia)},
-                     {"x", packed<float>(lines.x)},
-                     {"y", packed<float>(lines.y)}});
+                     {"x", encode_packed_array<float>(lines.x)},
+                     {"y", encode_packed_array<float>(lines.y)}});
   }
   return paths;
 }
 
 }  // namespace
 
-MapLayers make_map_layers(const Comparison& comparison,
-                          const std::vector<const MapRasterSet*>& rasters, const Vec2& origin,
-                          bool with_paths) {
+MapLayerData make_map_layer_data(const Comparison& comparison,
+                                 const std::vector<const MapRasterSet*>& rasters,
+                                 const Vec2& origin, bool with_paths) {
   Json layers = Json::array(), paths = Json::array();
   for (const MapRasterSet* grid : rasters) {
-    const std::vector<ValueStyle> styles = choose_value_styles(*grid);
+    const std::vector<ColourScale> styles = choose_colour_scales(*grid);
     for (std::size_t i = 0; i < grid->layers.size(); ++i) {
       layers.push_back(layer_json(*grid, grid->layers[i], styles[i], origin));
     }
   }
-  MapLayers result;
+  MapLayerData result;
   if (with_paths) {
-    const DrawnRuns stored = select_drawn_runs(comparison);
+    const RunsWithTrajectories stored = find_runs_with_trajectories(comparison);
     result.stored_paths = stored.rows.size();
     result.paths = std::min(kMaxMapPaths, stored.rows.size());
     paths = paths_json(comparison, stored, origin);

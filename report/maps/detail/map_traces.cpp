@@ -61,7 +61,7 @@ void add_single_stops(const Comparison& comparison, Json& data) {
       const bool rest = row.record->result.stop_reason == StopReason::kRest;
       symbols.push_back(std::string(mark.shape.plotly) + (rest ? "" : "-open"));
     }
-    trace["meta"] = kStopsTrace;
+    trace["meta"] = kStopsTraceName;
     trace["marker"] = {{"color", mark.colour},
                        {"symbol", symbols},
                        {"size", 8},
@@ -76,13 +76,13 @@ void add_stop_density(const Comparison& comparison, const PlanWindow& window, Js
   constexpr double kSquares = 130.0;  // along the longer side
   const double cell = window.size().maxCoeff() / kSquares;
   std::map<std::pair<int, int>, std::size_t> counts;
-  std::size_t most = 1;
+  std::size_t maximum = 1;
   for (const RunRow& row : comparison.rows) {
     if (row.record->result.stop_reason == StopReason::kError) continue;
     const Vec2 place = (row.stop.head<2>() - window.low) / cell;
     const std::pair square(static_cast<int>(std::floor(place.y())),
                            static_cast<int>(std::floor(place.x())));
-    most = std::max(most, ++counts[square]);
+    maximum = std::max(maximum, ++counts[square]);
   }
   const int columns = static_cast<int>(std::ceil(window.size().x() / cell));
   const int rows = static_cast<int>(std::ceil(window.size().y() / cell));
@@ -103,13 +103,13 @@ void add_stop_density(const Comparison& comparison, const PlanWindow& window, Js
   for (std::size_t i = 0; i < kDensityColours.size(); ++i) {
     scale.push_back({static_cast<double>(i) / (kDensityColours.size() - 1), kDensityColours[i]});
   }
-  for (std::size_t decade = 1, k = 0; decade <= most; decade *= 10, ++k) {
+  for (std::size_t decade = 1, k = 0; decade <= maximum; decade *= 10, ++k) {
     ticks.push_back(k);
     labels.push_back(std::to_string(decade));
   }
   data.push_back({{"type", "heatmap"},
                   {"name", "stops"},
-                  {"meta", kStopsTrace},
+                  {"meta", kStopsTraceName},
                   {"x0", window.low.x() + 0.5 * cell},
                   {"dx", cell},
                   {"y0", window.low.y() + 0.5 * cell},
@@ -131,12 +131,12 @@ void add_measured(const Comparison& comparison, Json& data) {
   if (!comparison.measured) return;
   Json trace = points_trace("measured stop");
   for (const MeasuredStop& stop : comparison.measured->stops) {
-    add_point(trace, stop.place,
+    add_point(trace, stop.position,
               "measured stop" + (stop.block.empty() ? "" : ", block " + escape_html(stop.block)) +
                   "<br>runout " + format_fixed(stop.runout, 1) + " m");
   }
-  trace["marker"] = {{"color", kMeasuredColour},
-                     {"symbol", kMeasuredShape.plotly},
+  trace["marker"] = {{"color", kMeasuredStopColour},
+                     {"symbol", kMeasuredStopShape.plotly},
                      {"size", 10},
                      {"line", {{"width", 2}}}};
   data.push_back(std::move(trace));
@@ -144,7 +144,7 @@ void add_measured(const Comparison& comparison, Json& data) {
 
 }  // namespace
 
-void add_stops(const Comparison& comparison, const PlanWindow& window, Json& data) {
+void add_stop_traces(const Comparison& comparison, const PlanWindow& window, Json& data) {
   if (comparison.rows.size() > kMaxSingleStops) {
     add_stop_density(comparison, window, data);
   } else {
@@ -153,8 +153,8 @@ void add_stops(const Comparison& comparison, const PlanWindow& window, Json& dat
   add_measured(comparison, data);
 }
 
-void add_releases(const SiteMap& site, Json& data) {
-  for (const ReleaseOutline& outline : site.outlines) {
+void add_release_traces(const SiteMap& site, Json& data) {
+  for (const ReleaseOutline& outline : site.release_outlines) {
     Json trace = points_trace(outline.name);
     trace["mode"] = "lines";
     for (const Vec2& corner : outline.corners) add_point(trace, corner, escape_html(outline.name));
@@ -162,25 +162,25 @@ void add_releases(const SiteMap& site, Json& data) {
     trace["line"] = {{"color", "#111"}, {"width", 2}, {"dash", "dash"}};
     data.push_back(std::move(trace));
   }
-  if (site.places.empty()) return;
+  if (site.release_positions.empty()) return;
   Json trace = points_trace("release point");
-  for (const ReleasePosition& release : site.places) {
-    add_point(trace, release.place, "release point " + std::to_string(release.point));
+  for (const ReleasePosition& release : site.release_positions) {
+    add_point(trace, release.position, "release point " + std::to_string(release.point));
   }
   trace["marker"] = {
       {"color", "#111"}, {"symbol", "x-thin-open"}, {"size", 10}, {"line", {{"width", 2.4}}}};
   data.push_back(std::move(trace));
 }
 
-void add_barriers(const SiteMap& site, Json& data, Json& notes) {
+void add_barrier_traces(const SiteMap& site, Json& data, Json& notes) {
   for (const BarrierLine& line : site.barriers) {
     Json trace = points_trace(line.name);
     trace["mode"] = "lines";
-    for (const Vec2& point : line.through) add_point(trace, point, escape_html(line.name));
+    for (const Vec2& point : line.vertices) add_point(trace, point, escape_html(line.name));
     trace["line"] = {{"color", kBarrierColour}, {"width", 3}};
     trace["showlegend"] = false;
     data.push_back(std::move(trace));
-    const CountArrow arrow = make_count_arrow(line);
+    const CountedDirectionArrow arrow = make_counted_direction_arrow(line);
     constexpr double kArrow = 26.0;  // px
     notes.push_back({{"x", on_map(arrow.root.x())},
                      {"y", on_map(arrow.root.y())},
@@ -188,7 +188,7 @@ void add_barriers(const SiteMap& site, Json& data, Json& notes) {
                      {"ay", kArrow * arrow.way.y()},
                      {"showarrow", true},
                      {"arrowhead", 2},
-                     {"arrowside", arrow.both_ways ? "end+start" : "end"},
+                     {"arrowside", arrow.both_directions ? "end+start" : "end"},
                      {"startarrowhead", 2},
                      {"arrowwidth", 2},
                      {"arrowcolor", kBarrierColour},
@@ -197,7 +197,7 @@ void add_barriers(const SiteMap& site, Json& data, Json& notes) {
   }
 }
 
-void add_zones(const SiteMap& site, Json& data) {
+void add_zone_traces(const SiteMap& site, Json& data) {
   const std::vector<std::string>& zones = site.terrain->zone_names;
   for (std::size_t zone = 0; zone < zones.size(); ++zone) {
     Json trace = points_trace("ground: " + zones[zone]);

@@ -46,9 +46,9 @@ Json scale_json(const PhotoScan& scan) {
   const PhotoScale& scale = *scan.scale;
   json["metres_per_unit"] = scale.metres_per_unit;
   json["spread"] = scale.spread;
-  if (scale.side_check) json["side_check"] = *scale.side_check;
+  if (scale.marker_side_ratio) json["side_check"] = *scale.marker_side_ratio;
   json["lengths"] = Json::array();
-  for (const ScaleMeasure& one : scale.measures) {
+  for (const ComparedLength& one : scale.measures) {
     Json length = {{"name", one.name},
                    {"stated_m", one.length},
                    {"in_model_m", one.length / one.factor * scale.metres_per_unit},
@@ -69,7 +69,7 @@ Json photo_json(const PhotoScan& scan, const PhotoSummary& evidence) {
   Json json = {{"cameras_by", scan.model.source},  {"with_camera", scan.model.photos.size()},
                {"without_camera", Json::array()},  {"blurred", Json::array()},
                {"pairs", scan.cloud.pairs.size()}, {"points", scan.cloud.points.size()}};
-  for (const std::string& name : scan.without_camera)
+  for (const std::string& name : scan.photos_without_camera)
     json["without_camera"].push_back(to_utf8(name));
   for (const std::size_t photo : scan.cloud.blurred) {
     json["blurred"].push_back(to_utf8(scan.model.photos[photo].name));

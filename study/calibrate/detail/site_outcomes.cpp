@@ -21,8 +21,8 @@ constexpr OutcomeColumn column_of(const char* name, const char* unit) {
 }
 template <int axis>
 constexpr OutcomeColumn place_column(const char* name) {
-  return {name, "m", [](const OutcomeAtMoment& at) { return at.place[axis]; },
-          [](OutcomeAtMoment& at, double value) { at.place[axis] = value; }};
+  return {name, "m", [](const OutcomeAtMoment& at) { return at.position[axis]; },
+          [](OutcomeAtMoment& at, double value) { at.position[axis] = value; }};
 }
 using OutcomeColumns = std::span<const OutcomeColumn>;
 constexpr OutcomeColumn kBarrierColumns[] = {
@@ -45,7 +45,7 @@ void write_doubles(Hdf5Group& group, const std::string& name, const std::string&
 }
 
 /// A table of runs x barriers or moments for each column.
-void write_outcomes(Hdf5Group& group, OutcomeColumns columns, const Outcomes& members,
+void write_outcomes(Hdf5Group& group, OutcomeColumns columns, const MemberOutcomes& members,
                     std::vector<OutcomeAtMoment> ReleaseOutcome::*of, std::size_t width) {
   for (const OutcomeColumn& column : columns) {
     std::vector<double> values;
@@ -74,31 +74,31 @@ void read_release_outcomes(const CheckedGroup& group, OutcomeColumns columns,
 }
 
 /// Impacts by their number, then times, as `SiteDescription::moments` has them.
-void write_moments(Hdf5Group& group, const std::vector<Moment>& moments) {
+void write_moments(Hdf5Group& group, const std::vector<ObservedMoment>& moments) {
   std::vector<double> impacts, times;
-  for (const Moment& moment : moments) {
-    (moment.kind == Moment::Kind::kImpact ? impacts : times).push_back(moment.value);
+  for (const ObservedMoment& moment : moments) {
+    (moment.kind == ObservedMoment::Kind::kImpact ? impacts : times).push_back(moment.value);
   }
   write_doubles(group, "impacts", "", impacts);
   write_doubles(group, "times_s", "s", times);
 }
 
-std::vector<Moment> read_moments(const Hdf5Group& group) {
-  std::vector<Moment> moments;
+std::vector<ObservedMoment> read_moments(const Hdf5Group& group) {
+  std::vector<ObservedMoment> moments;
   if (!group.contains("impacts")) return moments;
   for (const double number : group.read<double>("impacts")) {
-    moments.push_back({Moment::Kind::kImpact, number});
+    moments.push_back({ObservedMoment::Kind::kImpact, number});
   }
   for (const double time : group.read<double>("times_s")) {
-    moments.push_back({Moment::Kind::kTime, time});
+    moments.push_back({ObservedMoment::Kind::kTime, time});
   }
   return moments;
 }
 
 }  // namespace
 
-void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& members,
-                const std::vector<bool>& done) {
+void write_site_outcomes(Hdf5Group group, const SiteDescription& site,
+                         const MemberOutcomes& members, const std::vector<bool>& done) {
   group.set_attribute<std::string>("name", site.name);
   group.write<std::string>("blocks", site.blocks);
   group.write<std::string>("shapes", site.shapes);
@@ -106,7 +106,7 @@ void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& me
   group.write<std::string>("releases", site.releases);
   if (!site.moments.empty()) write_moments(group, site.moments);
   group.write<double>("downslope", std::span(site.downslope.data(), 2));
-  group.write<double>("middle_of_starts_m", std::span(site.middle_of_starts.data(), 2));
+  group.write<double>("middle_of_starts_m", std::span(site.mean_start.data(), 2));
   group.set_unit("middle_of_starts_m", "m");
   group.write<std::uint8_t>("done", std::vector<std::uint8_t>(done.begin(), done.end()));
   std::vector<std::uint32_t> member, block, point, release;
@@ -134,7 +134,7 @@ void write_site(Hdf5Group group, const SiteDescription& site, const Outcomes& me
   write_outcomes(moments, kMomentColumns, members, &ReleaseOutcome::moments, site.moments.size());
 }
 
-SiteDescription read_facts(const CheckedGroup& site) {
+SiteDescription read_site_description(const CheckedGroup& site) {
   SiteDescription facts;
   facts.name = site.group.read_attribute<std::string>("name");
   facts.blocks = site.group.read<std::string>("blocks");
@@ -143,14 +143,14 @@ SiteDescription read_facts(const CheckedGroup& site) {
   const std::vector<double> downslope = site.column<double>("downslope", 2);
   const std::vector<double> middle = site.column<double>("middle_of_starts_m", 2);
   facts.downslope = {downslope[0], downslope[1]};
-  facts.middle_of_starts = {middle[0], middle[1]};
+  facts.mean_start = {middle[0], middle[1]};
   if (site.group.contains("releases")) facts.releases = site.group.read<std::string>("releases");
   facts.moments = read_moments(site.group);
   return facts;
 }
 
-Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts,
-                               std::size_t members) {
+MemberOutcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& facts,
+                                     std::size_t members) {
   const auto member = runs.group.read<std::uint32_t>("member");
   const std::size_t rows = member.size();
   const auto block = runs.column<std::uint32_t>("block", rows);
@@ -166,7 +166,7 @@ Outcomes read_release_outcomes(const CheckedGroup& runs, const SiteDescription& 
     read_release_outcomes(runs.open_group("moments"), kMomentColumns, outcomes,
                           &ReleaseOutcome::moments, facts.moments.size());
   }
-  Outcomes all(members);
+  MemberOutcomes all(members);
   for (std::size_t i = 0; i < rows; ++i) {
     if (member[i] >= members)
       runs.throw_damaged("member", "refers to a member that does not exist");

@@ -1,5 +1,5 @@
 #pragma once
-/// Part-by-part reading of a study file.
+/// Reading of a calibration study by parts.
 #include <filesystem>
 
 #include "study/calibrate/calibration_study.hpp"
@@ -7,7 +7,8 @@
 
 namespace clast::study_detail {
 
-/// Reads a study part by part through `read`. If one fails, dependent parts are skipped.
-CalibrationStudy read_study_in_parts(const std::filesystem::path& file, const PartReader& read);
+/// Reads a study file by parts. `read` runs the reader of each part; if it fails, dependent parts
+/// are skipped.
+CalibrationStudy read_study_by_parts(const std::filesystem::path& file, const PartReader& read);
 
 }  // namespace clast::study_detail

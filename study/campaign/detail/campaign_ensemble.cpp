@@ -16,9 +16,9 @@ namespace {
 std::size_t uncertain_numbers(const std::map<std::string, GroundDistributions>& ground) {
   std::size_t count = 0;
   for (const auto& [zone, table] : ground) {
-    for (const GroundParameterField& field : ground_fields()) {
-      const std::optional<Distribution>& asked = table.*field.asked;
-      if (asked && !asked->fixed()) ++count;
+    for (const GroundParameterField& field : ground_parameter_fields()) {
+      const std::optional<Distribution>& asked = table.*field.distribution;
+      if (asked && !asked->is_fixed()) ++count;
     }
   }
   return count;
@@ -56,7 +56,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
                  "has " + comma_separated(posterior.parameters) + " alone, and " + same_blocks +
                      "posterior out");
   }
-  const std::optional<std::vector<std::string>> take = table.text_list("take");
+  const std::optional<std::vector<std::string>> take = table.read_text_list("take");
   if (!take) {
     for (const std::string& parameter : posterior.parameters) {
       if (is_ground_parameter(parameter)) continue;
@@ -69,7 +69,7 @@ std::set<std::string> taken_tables(const DeclaredTable& table, const PosteriorDr
     return there;
   }
   const TomlNode& node = *table.find("take");
-  const std::vector<std::string>& known = table.form("take").leaf().words;
+  const std::vector<std::string>& known = table.value_format("take").innermost_format().words;
   for (const std::string& name : *take) {
     if (name == "blocks") {
       table.refuse("take", node, same_blocks + "\"blocks\" out");
@@ -104,14 +104,14 @@ void check_values(const TomlTable& table, const PosteriorDraws& posterior) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     const std::string& parameter = posterior.parameters[i];
     const auto check = [&] {
-      const NumberRange allowed = parameter_range(parameter);
+      const NumberRange allowed = calibratable_range(parameter);
       for (const std::vector<double>& draw : posterior.draws) {
         if (allowed.contains(draw[i])) continue;
         throw InputError("has a draw of " + format_significant(draw[i], 6) + ", which must be " +
                          allowed.describe());
       }
     };
-    table.checked("posterior", check, parameter + " ");
+    table.run_check("posterior", check, parameter + " ");
   }
 }
 
@@ -142,16 +142,17 @@ Ensemble::Design design_named(const std::string& word) {
 }  // namespace
 
 const MemberTable<Ensemble>& ensemble_keys() {
-  static const ValueFormat taken = words({"ground", "contact", "release"});
+  static const ValueFormat taken = word_format({"ground", "contact", "release"});
   static const MemberTable<Ensemble> keys(
       {.name = "ensemble", .meaning = "Number of draws of uncertain parameters"},
-      {{"members", "", "number of draws", required("a whole number of draws", count(1, kMaxPerSet)),
+      {{"members", "", "number of draws",
+        required_format("a whole number of draws", count_format(1, kMaxItemsPerSet)),
         &Ensemble::members},
-       {"seed", "", "seed of the draws", seed(), &Ensemble::seed},
+       {"seed", "", "seed of the draws", seed_format(), &Ensemble::seed},
        {"design", "", "random draws, or an even distribution over the parameter space",
-        words({"random", "sobol"}), &design_named, &Ensemble::design},
-       {"posterior", "", "posterior file from which the members take their draws", text()},
-       {"take", "", "tables whose parameters come from the posterior", one_or_more(taken)}});
+        word_format({"random", "sobol"}), &design_named, &Ensemble::design},
+       {"posterior", "", "posterior file from which the members take their draws", text_format()},
+       {"take", "", "tables whose parameters come from the posterior", one_or_more_format(taken)}});
   return keys;
 }
 
@@ -191,8 +192,8 @@ void check_posterior_parameters(const TomlTable& top, const Campaign& campaign) 
   if (!campaign.ensemble.posterior) return;
   const DeclaredTable table = find_required_table(top, ensemble_keys());
   for (const std::string& parameter : campaign.ensemble.posterior->parameters) {
-    if (!is_of_release(parameter)) continue;
-    if (campaign.stay && !campaign.stay->masses.empty()) {
+    if (!is_release_parameter(parameter)) continue;
+    if (campaign.persistent_blocks && !campaign.persistent_blocks->masses.empty()) {
       table.refuse("take", "the blocks of a mass start at rest, but the posterior has " +
                                parameter + "; leave \"release\" out");
     }

@@ -27,19 +27,19 @@ void refuse_repeated(const std::vector<DeclaredTable>& tables) {
 
 void check_polygon(const DeclaredTable& table, const MultiBlockRelease& mass) {
   const TomlNode& node = *table.find("polygon");
-  table.checked("polygon", [&] { check_has_area(mass.polygon); });
+  table.run_check("polygon", [&] { check_has_area(mass.polygon); });
   std::vector<Vec2> ring;
   for (const Vec2& corner : mass.polygon) {
     if (ring.empty() || corner != ring.back()) ring.push_back(corner);
   }
   if (ring.front() != ring.back()) ring.push_back(ring.front());
-  if (const std::optional<SelfTouch> found = find_self_touch(ring)) {
+  if (const std::optional<LineSelfIntersection> found = find_line_self_intersection(ring)) {
     table.refuse("polygon", node,
                  "must not cross, touch or retrace itself, and its sides " +
                      std::to_string(found->first + 1) + " and " +
                      std::to_string(found->second + 1) + " meet at [" +
-                     format_significant(found->place.x(), 9) + ", " +
-                     format_significant(found->place.y(), 9) +
+                     format_significant(found->position.x(), 9) + ", " +
+                     format_significant(found->position.y(), 9) +
                      "]; give the corners in their order around it");
   }
 }
@@ -51,7 +51,7 @@ void check_places(const DeclaredTable& table, const Campaign& campaign,
        {"thickness_m", "share", "count", "settle", "settle_time_s", "faces", "face_interval_s"}) {
     table.refuse_if_present(key, "applies to a heap; blocks in place already have their position");
   }
-  if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScale::Kind::kNone) {
+  if (campaign.blocks.draw || campaign.blocks.scale.kind != BlockScaling::Kind::kNone) {
     table.refuse("in_place",
                  "blocks in place are neither drawn nor scaled; leave [blocks] draw and scale out");
   }
@@ -123,7 +123,7 @@ void check_mass_shares(const std::vector<DeclaredTable>& tables,
 
 MultiBlockRelease read_mass(const DeclaredTable& table, const Campaign& campaign) {
   MultiBlockRelease mass;
-  mass_keys().read(table, mass);
+  multi_block_release_keys().read(table, mass);
   if (mass.in_place) {
     check_places(table, campaign, mass);
   } else {
@@ -134,36 +134,40 @@ MultiBlockRelease read_mass(const DeclaredTable& table, const Campaign& campaign
 
 }  // namespace
 
-const MemberTable<MultiBlockRelease>& mass_keys() {
+const MemberTable<MultiBlockRelease>& multi_block_release_keys() {
   using Mass = MultiBlockRelease;
   static const MemberTable<Mass> keys(
       {"mass", "A rock mass, whose blocks are released together", KeyTable::Repeat::kEither},
-      {{"name", "", "name of the mass, required if there are several", text()},
-       {"in_place", "", "blocks start at their position in the library", flag(), &Mass::in_place},
-       {"height_m", "m", "height by which a mass in place is raised", number(kDropHeight),
-        &Mass::raised},
+      {{"name", "", "name of the mass, required if there are several", text_format()},
+       {"in_place", "", "blocks start at their position in the library", flag_format(),
+        &Mass::in_place},
+       {"height_m", "m", "height by which a mass in place is raised",
+        number_format(kDropHeightRange), &Mass::height_offset},
        {"polygon", "m", "outline in plan of a heap, or of one of several masses in place",
-        list(point(), 3), &Mass::polygon},
-       {"thickness_m", "m", "largest height of a heap above the ground", number({1e-3, 1e3}),
+        list_format(point_format(), 3), &Mass::polygon},
+       {"thickness_m", "m", "largest height of a heap above the ground", number_format({1e-3, 1e3}),
         &Mass::thickness},
-       {"share", "", "fraction of the blocks in this heap", number({1e-6, 1.0}), &Mass::share},
-       {"count", "", "number of blocks in this heap", count(1, kMaxPerSet), &Mass::count},
+       {"share", "", "fraction of the blocks in this heap", number_format({1e-6, 1.0}),
+        &Mass::share},
+       {"count", "", "number of blocks in this heap", count_format(1, kMaxItemsPerSet),
+        &Mass::count},
        {"release_time_s", "s", "time at which the blocks are released, since the first release",
-        number({1e-6, 1e5, "s", "at the first release"}), &Mass::release_time},
-       {"settle", "", "the blocks of a heap settle before it is released", flag(), &Mass::settle},
+        number_format({1e-6, 1e5, "s", "at the first release"}), &Mass::release_time},
+       {"settle", "", "the blocks of a heap settle before it is released", flag_format(),
+        &Mass::settle},
        {"settle_time_s", "s", "time after which the settled blocks must be at rest",
-        number({1e-2, 1e4}), &Mass::settle_time},
+        number_format({1e-2, 1e4}), &Mass::settle_time},
        {"faces", "", "removal of the confining walls of a heap that settles",
-        words({"together", "one by one"})},
-       {"face_interval_s", "s", "time between the removal of two faces", number({1e-3, 1e4}),
+        word_format({"together", "one by one"})},
+       {"face_interval_s", "s", "time between the removal of two faces", number_format({1e-3, 1e4}),
         &Mass::face_interval},
-       {"realisations", "", "number of releases of the masses", count(1, kMaxPerSet)},
-       {"seed", "", "seed of all random draws", seed()}});
+       {"realisations", "", "number of releases of the masses", count_format(1, kMaxItemsPerSet)},
+       {"seed", "", "seed of all random draws", seed_format()}});
   return keys;
 }
 
 std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
-  const std::vector<DeclaredTable> tables = find_tables(top, mass_keys());
+  const std::vector<DeclaredTable> tables = find_tables(top, multi_block_release_keys());
   std::vector<ReleaseSet> releases;
   if (tables.empty()) return releases;
   if (top.find("release")) {
@@ -180,12 +184,12 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
   release.fresh_orientations = true;
   for (const DeclaredTable& table : tables) {
     if (tables.size() > 1) table.require_key("name", "a text in quotes, since there are several");
-    release.name = table.text("name").value_or("");
+    release.name = table.read_text("name").value_or("");
     if (const TomlNode* name = table.find("name");
         name && release.name.find_first_not_of(" \t") == std::string::npos) {
       table.refuse("name", *name, "must not be blank");
     }
-    check_new_name(table, release.name, releases, "mass");
+    check_unique_name(table, release.name, releases, "mass");
     releases.push_back(release);
   }
   return releases;
@@ -193,7 +197,7 @@ std::vector<ReleaseSet> read_mass_releases(const TomlTable& top) {
 
 std::optional<PersistentBlocksPlan> read_multi_block_releases(const TomlTable& top,
                                                               const Campaign& campaign) {
-  const std::vector<DeclaredTable> tables = find_tables(top, mass_keys());
+  const std::vector<DeclaredTable> tables = find_tables(top, multi_block_release_keys());
   if (tables.empty()) return std::nullopt;
   const DeclaredTable& first = tables.front();
   if (!campaign.groups.empty()) {

@@ -20,7 +20,7 @@ std::vector<std::string> read_cleared_zones(const DeclaredTable& table, const Ca
   }
   const DeclaredTable rule = table.inner_table("remove");
   const TomlNode& zone = rule.require_key("zone");
-  const std::vector<std::string> names = *rule.text_list("zone");
+  const std::vector<std::string> names = *rule.read_text_list("zone");
   for (const std::string& name : names) {
     if (std::count(names.begin(), names.end(), name) > 1) {
       rule.refuse("zone", zone, "names \"" + name + "\" more than once");
@@ -49,10 +49,10 @@ std::uint32_t read_realisations(const DeclaredTable& table) {
 const MemberTable<GroundParameters>& between_blocks_keys() {
   static const MemberTable<GroundParameters> keys = [] {
     std::vector<MemberKey<GroundParameters>> all;
-    for (const GroundParameterField& field : ground_fields()) {
-      if (field.of_soil) continue;
-      ValueFormat form = number(field.range);
-      if (field.required) form = required(field.range.describe(), std::move(form));
+    for (const GroundParameterField& field : ground_parameter_fields()) {
+      if (field.is_soil_parameter) continue;
+      ValueFormat form = number_format(field.range);
+      if (field.required) form = required_format(field.range.describe(), std::move(form));
       all.push_back({field.name, field.unit, field.explanation(), std::move(form), field.value});
     }
     return MemberTable<GroundParameters>(

@@ -27,7 +27,7 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
     const Vec2 origin = results[file].frame.origin.head<2>();
     std::vector<std::size_t> line_of;
     for (const Barrier& barrier : results[file].barriers) {
-      std::vector<Vec2> through = barrier.through;
+      std::vector<Vec2> through = barrier.vertices;
       for (Vec2& point : through) point += origin;
       const Counts counts =
           barrier.counted == CountedDirection::kForward ? Counts::kForward : Counts::kEither;
@@ -35,7 +35,7 @@ Lines collect_lines(const std::vector<CampaignResults>& results) {
       bool name_taken = false;
       for (; line < found.lines.size(); ++line) {
         if (plain_names[line] != barrier.name) continue;
-        if (found.lines[line].through == through &&
+        if (found.lines[line].vertices == through &&
             (is_ring(through) || found.lines[line].counts == counts)) {
           break;
         }
@@ -94,7 +94,8 @@ std::vector<BarrierCrossing> collect_crossings(const std::vector<CampaignResults
                          "campaign again");
       }
       std::size_t line = lines.line_of[file][crossing.barrier];
-      if (lines.lines[line].of_ring() && !lines.lines[line].counted(crossing)) ++line;  // an exit
+      if (lines.lines[line].belongs_to_ring() && !lines.lines[line].counted(crossing))
+        ++line;  // an exit
       crossings.push_back(
           {&crossing, row->second, line, results[file].frame.to_map(crossing.position), false});
     }
@@ -137,11 +138,11 @@ BarrierGroupStatistics measure_crossings(const std::vector<const Crossing*>& cro
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     tops.push_back(crossings[i]->height + farthest[i]);
   }
-  group.top = summarise(tops);
+  group.top = summarise_sample(tops);
   const auto over = [&](auto value) {
     std::vector<double> values;
     for (const Crossing* crossing : crossings) values.push_back(value(*crossing));
-    return summarise(values);
+    return summarise_sample(values);
   };
   group.height = over([](const Crossing& c) { return c.height; });
   group.clearance = over([](const Crossing& c) { return c.clearance; });
@@ -198,7 +199,8 @@ std::optional<BarrierGroupStatistics> group_at_line(const std::vector<CampaignRe
       crossings.push_back(first);
       of_crossings.push_back(farthest[row]);
     }
-    backward += !line.of_ring() && of_line.any[row] != nullptr && !of_line.any[row]->forward;
+    backward +=
+        !line.belongs_to_ring() && of_line.any[row] != nullptr && !of_line.any[row]->forward;
   }
   if (started == 0) return std::nullopt;
   BarrierGroupStatistics group = measure_crossings(crossings, of_crossings);
@@ -218,7 +220,7 @@ std::optional<BarrierGroupStatistics> group_at_line(const std::vector<CampaignRe
 
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
-                                   const std::vector<Group>& groups) {
+                                   const std::vector<RunGroup>& groups) {
   Lines lines = collect_lines(results);
   BarrierComparison compared;
   compared.crossings = collect_crossings(results, rows, lines);

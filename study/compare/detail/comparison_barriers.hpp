@@ -17,9 +17,10 @@ struct BarrierComparison {
 /// @throws InputError  if a crossing refers to a run or barrier that its file does not contain
 BarrierComparison compare_barriers(const std::vector<CampaignResults>& results,
                                    const std::vector<RunRow>& rows,
-                                   const std::vector<Group>& groups);
+                                   const std::vector<RunGroup>& groups);
 
-/// Computes the barrier statistics of each ground draw; draws without a crossing are omitted.
+/// Computes the statistics of a barrier for each draw of the ground parameters. Draws without a
+/// crossing are omitted.
 std::vector<BarrierGroupStatistics> barrier_groups_by_draw(
     const Comparison& comparison, std::size_t line, const std::vector<GroundDrawRows>& draws);
 

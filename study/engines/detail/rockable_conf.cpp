@@ -96,7 +96,7 @@ void take_line(WordLines& lines, const Words& words, RockableConf& conf) {
   if (key == "t") conf.time = lines.number(words, 1);
   if (key == "tmax") conf.max_time = lines.number(words, 1);
   if (key == "dt") conf.time_step = lines.number(words, 1);
-  if (key == "nDriven") conf.driven = lines.count(words, 1);
+  if (key == "nDriven") conf.fixed_body_count = lines.count(words, 1);
   if (key.ends_with("Contact") && words.size() == 4) {
     const double value = lines.number(words, 3);
     conf.pair[key + " " + words[1] + " " + words[2]] = value;

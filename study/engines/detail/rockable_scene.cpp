@@ -25,22 +25,22 @@ std::string contact_lines(const SceneContact& contact) {
 
 std::string bodies_text(const SceneContents& set, const Scene& scene) {
   std::string lines;
-  std::size_t driven = 0;
+  std::size_t fixed_body_count = 0;
   for (std::size_t zone = 0; zone < set.zones.size(); ++zone) {
     if (set.zones[zone].surface.triangles.empty()) continue;
     lines += format_conf_line(set.zones[zone].shape.name, set.zone_group(zone), 1.0, {});
-    ++driven;
+    ++fixed_body_count;
   }
   for (const SceneBody& body : scene.bodies) {
     lines +=
         format_conf_line(set.shapes[body.shape].shape.name, body.shape, body.scale, body.start);
   }
-  return "nDriven " + std::to_string(driven) + "\nshapeFile ../shapes.shp\nParticles " +
-         std::to_string(driven + scene.bodies.size()) + "\n" + lines;
+  return "nDriven " + std::to_string(fixed_body_count) + "\nshapeFile ../shapes.shp\nParticles " +
+         std::to_string(fixed_body_count + scene.bodies.size()) + "\n" + lines;
 }
 
-std::string weights_of(ContactWeighting weights) {
-  switch (weights) {
+std::string weights_of(ContactWeighting weighting) {
+  switch (weighting) {
     case ContactWeighting::kPatch:
     case ContactWeighting::kOverlap:
       return "OverlapWeight";
@@ -70,7 +70,7 @@ std::string rockable_input(const CampaignPlan& prepared, const SceneContents& se
     text += "density " + std::to_string(set.zone_group(zone)) + " 2650\n";
   }
   text += "\ngravity 0 0 " + format_exact(-campaign.gravity) +
-          "\n\nforceLaw Avalanche\nContactPartnership " + weights_of(campaign.weights) +
+          "\n\nforceLaw Avalanche\nContactPartnership " + weights_of(campaign.weighting) +
           "\nAddOrRemoveInteractions OBBtree\nUpdateNL bruteForce\nIntegrator velocityVerlet\n\n";
   for (const SceneContact& contact : scene.contacts) text += contact_lines(contact);
   return text + "precision 17\niconf 0\n" + bodies_text(set, scene);
@@ -88,7 +88,7 @@ void write_rockable_scene(const CampaignPlan& prepared, const SceneContents& set
   write_output(folder / scene.name / "dataExtractors.txt",
                "TrackRockfall " + std::to_string(block) + " " +
                    format_exact(std::sqrt(2.0 * prepared.campaign.rest_energy)) + " " +
-                   format_exact(kTrackedSpin) + " track.txt " + std::to_string(kTrackedSteps) +
+                   format_exact(kTrackedSpin) + " track.txt " + std::to_string(kStepsPerTrackLine) +
                    "\n",
                {});
 }
@@ -127,7 +127,7 @@ std::vector<std::string> check_rockable_limits(const CampaignPlan& prepared) {
       "A block that leaves the box around the ground, or comes to rest, ends its run (track.txt); "
       "barriers are not counted.",
       "dt is a fixed step of 1/350 of half a contact's period, for the loading with k_n."};
-  if (campaign.weights == ContactWeighting::kPatch) {
+  if (campaign.weighting == ContactWeighting::kPatch) {
     notes.push_back(
         "Rockable has no weights by contact patch: OverlapWeight is used, the weights by overlap "
         "of clast.");

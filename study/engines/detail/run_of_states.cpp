@@ -57,7 +57,7 @@ double path_length(const RigidBody& body, const MotionStep& step, double gravity
 }  // namespace
 
 StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& planned,
-                               const StateSeries& series, const RunEnd& end) {
+                               const StateSeries& series, const RunEnding& end) {
   const RigidBody body = prepared.bodies[planned.block];
   const double gravity = prepared.campaign.gravity;
   StoredRun run;
@@ -69,7 +69,7 @@ StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& pl
   result.duration = series.time.back();
   result.final_state = series.states.back();
   result.max_penetration = result.settled_penetration = kNotKnown;
-  contacts.contact_time = contacts.mean_points = contacts.longest_flight = kNotKnown;
+  contacts.contact_time = contacts.mean_contact_points = contacts.longest_flight = kNotKnown;
   for (const RigidState& state : series.states) {
     result.max_speed = std::max(result.max_speed, state.velocity.norm());
     contacts.max_energy = std::max(contacts.max_energy, kinetic_energy(body, state));
@@ -102,7 +102,7 @@ StoredRun make_run_from_states(const CampaignPlan& prepared, const RunRecord& pl
   return run;
 }
 
-std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeries& series) {
+std::size_t find_first_state_off_terrain(const CampaignPlan& prepared, const StateSeries& series) {
   const auto found =
       std::find_if(series.states.begin(), series.states.end(), [&](const RigidState& state) {
         return !prepared.surface->covers(state.position.x(), state.position.y());
@@ -110,8 +110,8 @@ std::size_t find_first_off_terrain(const CampaignPlan& prepared, const StateSeri
   return static_cast<std::size_t>(found - series.states.begin());
 }
 
-bool rests_at_end(const CampaignPlan& prepared, const RunRecord& planned,
-                  const StateSeries& series) {
+bool is_at_rest_at_end(const CampaignPlan& prepared, const RunRecord& planned,
+                       const StateSeries& series) {
   const RigidBody body = prepared.bodies[planned.block];
   std::size_t first = series.states.size();
   while (first > 0 && kinetic_energy(body, series.states[first - 1]) <

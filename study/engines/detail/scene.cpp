@@ -87,8 +87,8 @@ void add_contacts(const CampaignPlan& prepared, const SceneContents& set, std::u
                                 zones[zone].rolling_stiffness(k.normal, k.rolling), zones[zone]});
     }
   }
-  if (!prepared.header.stay) return;
-  const GroundParameters& between = prepared.header.stay->between_blocks;
+  if (!prepared.header.persistent_blocks) return;
+  const GroundParameters& between = prepared.header.persistent_blocks->between_blocks;
   const ContactStiffness& k = prepared.runs[first].stiffness;
   for (auto a = shapes.begin(); a != shapes.end(); ++a) {
     for (auto b = a; b != shapes.end(); ++b) {
@@ -101,12 +101,12 @@ void add_contacts(const CampaignPlan& prepared, const SceneContents& set, std::u
 }  // namespace
 
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first) {
-  return prepared.header.stay
+  return prepared.header.persistent_blocks
              ? "realisation" + padded(first / prepared.header.runs_per_realisation(), 4)
              : "run" + padded(first, 5);
 }
 
-SceneContents scene_set(const CampaignPlan& prepared) {
+SceneContents collect_scene_contents(const CampaignPlan& prepared) {
   SceneContents set;
   const Terrain& terrain = prepared.header.terrain;
   std::set<std::string> used;

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes for other discrete element codes: groups of bodies, contact parameters of group pairs.
+/// Scenes for other discrete element codes: shapes, bodies and contact parameters.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ struct SceneShape {
 };
 
 struct SceneZone {
-  ShpShape shape;  ///< local frame of the terrain
+  ShpShape shape;  ///< shape of the zone in the local frame of the terrain
   TriangleMesh surface;
   std::string zone;  ///< name of the zone in the campaign
 };
@@ -34,7 +34,7 @@ struct SceneContents {
 };
 
 /// Number of time steps between two lines of a track written by Rockable.
-inline constexpr std::size_t kTrackedSteps = 200;
+inline constexpr std::size_t kStepsPerTrackLine = 200;
 
 struct SceneBody {
   std::uint32_t shape = 0;  ///< index of shape and group
@@ -58,15 +58,14 @@ struct Scene {
   std::vector<SceneContact> contacts;
   double time_step = 0.0;        ///< constant step that resolves impacts, s
   double search_margin = 0.0;    ///< maximum distance of pairs in the neighbour list, m
-  double search_interval = 0.0;  ///< interval between neighbour searches, s; no block moves by more
-                                 ///< than half of `search_margin` in it
+  double search_interval = 0.0;  ///< interval between neighbour searches, s
 };
 
-/// Returns the name of the scene that starts with a run.
+/// Returns the name of the scene whose first run is `first`.
 std::string scene_name(const CampaignPlan& prepared, std::uint32_t first);
 
-/// Collects the shapes and zones of a campaign.
-SceneContents scene_set(const CampaignPlan& prepared);
+/// Collects the shapes and zones that all scenes of a campaign share.
+SceneContents collect_scene_contents(const CampaignPlan& prepared);
 
 /// Builds the scene of one run or realisation.
 /// @param first  index of the first run

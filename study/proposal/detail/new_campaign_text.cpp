@@ -123,25 +123,26 @@ std::string zone_text(const ProposedGround& zone, double rolling_length) {
     return commented(number.value, symbol + ", usual " + format_significant(number.low, 3) +
                                        " to " + format_significant(number.high, 3));
   };
-  return filled(kZone, {{"why", zone.by_name ? "By its name:"
-                                             : "Its name gives no ground type; assumed to be"},
-                        {"type", zone.type.name},
-                        {"description", zone.type.description},
-                        {"source", zone.type.source},
-                        {"zone", format_toml_key(zone.zone)},
-                        {"e_n^2", usual(zone.type.energy_restitution, "e_n^2")},
-                        {"mu", usual(zone.type.friction, "mu")},
-                        {"mu_R", usual(zone.type.rolling_friction, "mu_R")},
-                        {"a", commented(rolling_length, "a; calibrate it too")}});
+  return filled(kZone,
+                {{"why", zone.identified_by_name ? "By its name:"
+                                                 : "Its name gives no ground type; assumed to be"},
+                 {"type", zone.type.name},
+                 {"description", zone.type.description},
+                 {"source", zone.type.source},
+                 {"zone", format_toml_key(zone.zone)},
+                 {"e_n^2", usual(zone.type.energy_restitution, "e_n^2")},
+                 {"mu", usual(zone.type.friction, "mu")},
+                 {"mu_R", usual(zone.type.rolling_friction, "mu_R")},
+                 {"a", commented(rolling_length, "a; calibrate it too")}});
 }
 
 }  // namespace
 
 std::string format_campaign_text(const CampaignProposal& proposal, const std::string& library,
                                  const std::vector<std::string>& surface) {
-  const ProposedLines& places = proposal.places;
+  const ProposedReleaseAndBarrier& places = proposal.places;
   std::string notes, ground;
-  for (const std::string& doubt : proposal.doubts) notes += "#\n# NOTE: " + doubt + "\n";
+  for (const std::string& doubt : proposal.proposal_warnings) notes += "#\n# NOTE: " + doubt + "\n";
   for (const ProposedGround& zone : proposal.ground) {
     ground += zone_text(zone, 0.5 * proposal.blocks.shortest_side);
   }

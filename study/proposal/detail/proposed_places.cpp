@@ -23,7 +23,7 @@ constexpr double kLineFraction = 0.6;  ///< of the slope at the start, that its 
 constexpr std::size_t kMaxReleasePoints = 5;
 /// Apparent, of the whole path: an energy line of 33 degrees. On gentle terrain it is this share of
 /// the steepest slope, so that the point moves at all.
-constexpr double kFriction = 0.65, kGentleFraction = 0.75;
+constexpr double kFrictionRange = 0.65, kGentleFraction = 0.75;
 constexpr double kStartHead = 1.0;            ///< m of fall that the point has at its start
 constexpr double kLargestHead = 20.0;         ///< m: blocks are seldom faster than 20 m/s
 constexpr std::size_t kMaxPathLength = 2000;  ///< steps
@@ -107,7 +107,7 @@ double descent_of(const std::vector<Vec3>& path) { return path.front().z() - pat
 
 /// A place where blocks could start.
 struct Start {
-  Vec2 place = Vec2::Zero();
+  Vec2 position = Vec2::Zero();
   Vec2 uphill = Vec2::Zero();  ///< gradient of the ground
   std::vector<Vec3> path = {};
 };
@@ -142,22 +142,24 @@ Start best_start(const UpperGround& ground, std::vector<Start> starts) {
     return descent_of(start.path) * std::min(start.uphill.norm(), tangent(kSteepStart));
   };
   for (Start& start : starts) {
-    start.path = fall_path(ground, start.place, std::min(kFriction, kGentleFraction * steepest));
+    start.path =
+        fall_path(ground, start.position, std::min(kFrictionRange, kGentleFraction * steepest));
     best = std::max(best, merit(start));
   }
   std::erase_if(starts, [&](const Start& start) { return merit(start) < kNearlyBest * best; });
   Vec2 middle = Vec2::Zero();
-  for (const Start& start : starts) middle += start.place / static_cast<double>(starts.size());
+  for (const Start& start : starts) middle += start.position / static_cast<double>(starts.size());
   return *std::min_element(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
-    return (a.place - middle).squaredNorm() < (b.place - middle).squaredNorm();
+    return (a.position - middle).squaredNorm() < (b.position - middle).squaredNorm();
   });
 }
 
 /// Largest distance from a position, both ways, at which `good` holds; at most `most`.
 template <typename Good>
-double reach(const Vec2& place, const Vec2& direction, double step, double most, const Good& good) {
+double reach(const Vec2& place, const Vec2& direction, double step, double maximum,
+             const Good& good) {
   double way = 0.0;
-  while (way + step <= most && good(place + (way + step) * direction) &&
+  while (way + step <= maximum && good(place + (way + step) * direction) &&
          good(place - (way + step) * direction)) {
     way += step;
   }
@@ -191,10 +193,11 @@ ProposedLine line_through(const UpperGround& ground, const MapFrame& frame, cons
 
 }  // namespace
 
-ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainSurface& surface,
-                                          double block_length) {
+ProposedReleaseAndBarrier propose_release_and_barrier(const Terrain& terrain,
+                                                      const TerrainSurface& surface,
+                                                      double block_length) {
   const UpperGround ground(surface, block_length);
-  ProposedLines places;
+  ProposedReleaseAndBarrier places;
   places.block_length = block_length;
   places.margin = std::max(
       2.0 * block_length,
@@ -210,7 +213,8 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   places.path = start.path;
   if (places.path.size() < 3) {
     throw InputError(
-        "at the steepest ground of the terrain there is no way down; check that it is not a pit");
+        "no path leads downslope from the steepest ground of the terrain; check that it is not a "
+        "pit");
   }
   const double steep = start.uphill.norm();
   places.release_slope = std::atan(steep);
@@ -222,18 +226,18 @@ ProposedLines propose_release_and_barrier(const Terrain& terrain, const TerrainS
   };
   const double apart = 2.0 * block_length;
   const double way = (places.path.back() - places.path.front()).head<2>().norm();
-  const double half = reach(start.place, across, std::min(apart, ground.step),
+  const double half = reach(start.position, across, std::min(apart, ground.step),
                             std::max(2.0 * apart, 0.1 * way), good);
   places.release_points =
       std::min(kMaxReleasePoints, 1 + static_cast<std::size_t>(2.0 * half / apart));
-  places.releases = line_through(ground, terrain.frame, start.place,
+  places.releases = line_through(ground, terrain.frame, start.position,
                                  (places.release_points > 1 ? half : 0.0) * across);
   place_barrier(terrain, surface, distance_to_foot(places.path), places);
   return places;
 }
 
 void place_barrier(const Terrain& terrain, const TerrainSurface& surface, double distance,
-                   ProposedLines& places) {
+                   ProposedReleaseAndBarrier& places) {
   const UpperGround ground(surface, places.block_length);
   const std::vector<Vec3>& path = places.path;
   const double clear = std::max(places.block_length, ground.step);

@@ -1,6 +1,6 @@
 #pragma once
-/// Layout of the datasets of a results file. It is declared once for the file, its journal, the
-/// tables and docs/formats.md.
+/// Layout of the datasets of a results file, declared once for the file, its journal, tables and
+/// docs/formats.md.
 ///
 /// `visit_columns` calls visit(name, unit, meaning, field) for each column, in the order of file
 /// and journal. `std::invoke(field, row)` returns an assignable reference to the value in a row.
@@ -17,21 +17,23 @@ inline constexpr const char* kResultsFormat = "clast results";
 inline constexpr int kResultsSchema = 4;
 inline constexpr int kOldestResultsSchema = 2;  ///< oldest schema that can be read
 
-/// Converts a value to the type of its dataset.
-inline std::uint32_t stored(std::uint32_t value) { return value; }
-inline double stored(double value) { return value; }
-inline std::string stored(const std::string& value) { return value; }
-inline std::int64_t stored(std::uint64_t value) { return static_cast<std::int64_t>(value); }
-inline std::uint8_t stored(bool value) { return value ? 1 : 0; }
-inline std::uint8_t stored(StopReason value) { return static_cast<std::uint8_t>(value); }
+/// Converts a value to the type that its dataset stores.
+inline std::uint32_t to_stored_value(std::uint32_t value) { return value; }
+inline double to_stored_value(double value) { return value; }
+inline std::string to_stored_value(const std::string& value) { return value; }
+inline std::int64_t to_stored_value(std::uint64_t value) {
+  return static_cast<std::int64_t>(value);
+}
+inline std::uint8_t to_stored_value(bool value) { return value ? 1 : 0; }
+inline std::uint8_t to_stored_value(StopReason value) { return static_cast<std::uint8_t>(value); }
 template <class Row, class Field>
-using Stored = decltype(stored(std::invoke(std::declval<Field>(), std::declval<const Row&>())));
+using StoredType =
+    decltype(to_stored_value(std::invoke(std::declval<Field>(), std::declval<const Row&>())));
 
 template <class Row>
-inline constexpr std::type_identity<Row> kRowsOf{};
+inline constexpr std::type_identity<Row> kRowType{};
 
-/// Visits the columns of a rigid-body state. Their names are suffixes of the start and stop columns
-/// of /runs, and they are rows 1 to 13 of a trajectory.
+/// Visits the columns of a rigid-body state: position, orientation, velocity and angular velocity.
 template <class Visit>
 void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
   const char* place = "position of the centre of mass";
@@ -56,8 +58,7 @@ void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
         [](auto& s) -> decltype(auto) { return (s.angular_velocity.z()); });
 }
 
-/// Visits the stiffness columns of a run. Before schema 4, the first four were attributes of
-/// /contact that all runs shared.
+/// Visits the columns of contact stiffness, time step and depths of a run.
 template <class Visit>
 void visit_stiffness(const Visit& visit) {
   const char* used = "k_n and k_t as used, determined for the run or given";
@@ -74,21 +75,21 @@ void visit_stiffness(const Visit& visit) {
   visit("rest_depth_m", "m",
         "settled depth of the block under its k_n, on the ground zone with the least "
         "support; since schema 4",
-        &RunRecord::rest_depth);
+        &RunRecord::settled_depth);
   visit("impact_depth_m", "m",
         "penetration depth of an impact at the highest speed that its start allows; since schema 4",
         &RunRecord::impact_depth);
 }
 
-/// Visits the columns of one state of a run.
+/// Visits the columns of the start or final state of a run.
 /// @param prefix  prefix of the column names
 /// @param when  prefix of the column descriptions, such as "at the start: "
-/// @param state  returns the state of a run
+/// @param state  function that returns the state of a run
 template <class Visit, class State>
 void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
                  const State& state) {
-  visit_columns(kRowsOf<RigidState>, [&](const std::string& name, const char* unit,
-                                         const std::string& meaning, const auto& field) {
+  visit_columns(kRowType<RigidState>, [&](const std::string& name, const char* unit,
+                                          const std::string& meaning, const auto& field) {
     visit(prefix + name, unit, meaning + when,
           [state, field](auto& run) -> decltype(auto) { return (field(state(run))); });
   });
@@ -140,7 +141,7 @@ void visit_columns(std::type_identity<RunRecord>, const Visit& visit) {
         [](auto& r) -> decltype(auto) { return (r.contacts.contact_time); });
   visit("mean_contact_points", "",
         "number of contact points, averaged over the time with a contact",
-        [](auto& r) -> decltype(auto) { return (r.contacts.mean_points); });
+        [](auto& r) -> decltype(auto) { return (r.contacts.mean_contact_points); });
   visit("longest_flight_m", "m", "length of the longest flight, in plan",
         [](auto& r) -> decltype(auto) { return (r.contacts.longest_flight); });
   visit("max_energy_j", "J", "largest translational plus rotational kinetic energy",
@@ -153,7 +154,7 @@ void visit_columns(std::type_identity<RunRecord>, const Visit& visit) {
   visit("impacts", "", "number of flights that end with a contact, of any length",
         [](auto& r) -> decltype(auto) { return (r.result.impacts); });
   visit("most_contact_points", "", "largest number of simultaneous contact points",
-        [](auto& r) -> decltype(auto) { return (r.contacts.most_points); });
+        [](auto& r) -> decltype(auto) { return (r.contacts.max_contact_points); });
   visit("stop_reason", "", "0 `rest`, 1 `left_terrain`, 2 `max_time`, 3 `error`",
         [](auto& r) -> decltype(auto) { return (r.result.stop_reason); });
   visit("below_ground", "", "1 if the run ended below ground, else 0",
@@ -206,9 +207,9 @@ void visit_columns(std::type_identity<Impact>, const Visit& visit) {
         "to the end of the run; shorter flights do not end an impact",
         &Impact::contact_duration);
   const char* place = "position at the first contact";
-  visit("x_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.x()); });
-  visit("y_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.y()); });
-  visit("z_m", "m", place, [](auto& i) -> decltype(auto) { return (i.place.z()); });
+  visit("x_m", "m", place, [](auto& i) -> decltype(auto) { return (i.position.x()); });
+  visit("y_m", "m", place, [](auto& i) -> decltype(auto) { return (i.position.y()); });
+  visit("z_m", "m", place, [](auto& i) -> decltype(auto) { return (i.position.z()); });
   const char* speed = "speed of the centre of mass at the first and at the last contact";
   visit("speed_before_m_s", "m/s", speed, &Impact::speed_before);
   visit("speed_after_m_s", "m/s", speed, &Impact::speed_after);
@@ -242,14 +243,14 @@ void visit_columns(std::type_identity<PersistentBlockRecord>, const Visit& visit
 template <class Visit>
 void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
   const auto dissipated = [&](const std::string& prefix, const std::string& where,
-                              Dissipation EnergySample::*part) {
-    const auto add = [&](const char* name, const char* by, double Dissipation::*value) {
+                              DissipatedEnergy EnergySample::*part) {
+    const auto add = [&](const char* name, const char* by, double DissipatedEnergy::*value) {
       visit(prefix + name, "J", "energy dissipated " + where + by + ", since the first release",
             [part, value](auto& e) -> decltype(auto) { return (e.energy.*part.*value); });
     };
-    add("normal_j", " by normal forces", &Dissipation::normal);
-    add("friction_j", " by friction", &Dissipation::friction);
-    add("rolling_j", " by rolling resistance", &Dissipation::rolling);
+    add("normal_j", " by normal forces", &DissipatedEnergy::normal);
+    add("friction_j", " by friction", &DissipatedEnergy::friction);
+    add("rolling_j", " by rolling resistance", &DissipatedEnergy::rolling);
   };
   visit("run", "", "number of the first run of the realisation", &EnergyRecord::run);
   visit("time_s", "s", "time since the first release",
@@ -281,7 +282,7 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
 /// Returns the number of rows of a trajectory dataset: time and state.
 inline std::size_t trajectory_row_count() {
   std::size_t rows = 1;
-  visit_columns(kRowsOf<RigidState>, [&](const auto&...) { ++rows; });
+  visit_columns(kRowType<RigidState>, [&](const auto&...) { ++rows; });
   return rows;
 }
 

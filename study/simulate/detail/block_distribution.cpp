@@ -17,7 +17,7 @@ constexpr double kMemberShareSlack = 1e-6;
 /// The mass in place that a block belongs to.
 /// @param centre  of the block, on the map
 std::size_t mass_around(const Campaign& campaign, const std::string& block, const Vec3& centre) {
-  const std::vector<MultiBlockRelease>& masses = campaign.stay->masses;
+  const std::vector<MultiBlockRelease>& masses = campaign.persistent_blocks->masses;
   if (masses.size() == 1) return 0;
   std::optional<std::size_t> found;
   const std::string where = campaign.file.string() + ": block " + block + " in place at x " +
@@ -43,7 +43,7 @@ std::string multi_block_release_name(const Campaign& campaign, std::size_t mass)
 }
 
 std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_t blocks) {
-  const std::vector<MultiBlockRelease>& masses = campaign.stay->masses;
+  const std::vector<MultiBlockRelease>& masses = campaign.persistent_blocks->masses;
   const auto all = static_cast<double>(blocks);
   double area = 0.0, counted_blocks = 0.0, shared = 0.0;
   std::string by_area;  // a mass with neither count nor share
@@ -93,8 +93,8 @@ std::vector<std::size_t> blocks_per_release(const Campaign& campaign, std::size_
 std::vector<std::vector<std::uint32_t>> distribute_blocks(const CampaignPlan& prepared,
                                                           std::span<const std::uint32_t> order) {
   const Campaign& campaign = prepared.campaign;
-  std::vector<std::vector<std::uint32_t>> blocks(campaign.stay->masses.size());
-  if (!campaign.stay->masses.front().in_place) {
+  std::vector<std::vector<std::uint32_t>> blocks(campaign.persistent_blocks->masses.size());
+  if (!campaign.persistent_blocks->masses.front().in_place) {
     const std::vector<std::size_t> counts = blocks_per_release(campaign, order.size());
     auto next = order.begin();
     for (std::size_t i = 0; i < counts.size(); ++i) {

@@ -140,8 +140,8 @@ double BlockPacking::overlapping_area(const BlockPacking& other) const {
   return static_cast<double>(common) * width_ * width_;
 }
 
-FilledArea BlockPacking::filling() const {
-  FilledArea filling;
+HeapExtent BlockPacking::heap_extent() const {
+  HeapExtent filling;
   double sum = 0.0;
   for (const std::size_t at : inside_) {
     const double thickness = cells_[at]->top - cells_[at]->ground;

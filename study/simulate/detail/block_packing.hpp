@@ -10,15 +10,14 @@
 
 namespace clast::study_detail {
 
-struct FilledArea {
+struct HeapExtent {
   double area = 0.0;               ///< area of the outline, m^2
   double mean_thickness = 0.0;     ///< mean height above the ground over the outline, m
   double largest_thickness = 0.0;  ///< largest height above the ground, m
 };
 
-/// Builds a heap without dynamics. Blocks are placed one by one on the ground or the heap, each at
-/// the lowest of several random positions in the outline. Heights are stored as upper bounds in the
-/// cells of a grid, so gaps of about one cell remain between blocks.
+/// Builds a heap of blocks without dynamics. Blocks are placed one by one, each at the lowest of
+/// several random positions. Gaps of about one grid cell remain between blocks.
 class BlockPacking {
  public:
   /// Makes an empty heap.
@@ -38,7 +37,7 @@ class BlockPacking {
                                   const Quat& orientation, std::optional<double> thickness,
                                   Random& random);
 
-  FilledArea filling() const;
+  HeapExtent heap_extent() const;
 
   /// Returns the area of the cells that are in both outlines, m^2.
   /// @param other  packing with equal cell width

@@ -24,7 +24,7 @@ const std::string kInTheWay = "has the name of a checkpoint but is not one; move
 
 /// Common beginning of the names of all checkpoints, before the number.
 std::string name_begin(const fs::path& target) {
-  return journal_path(target).filename().string() + ".";
+  return results_journal_path(target).filename().string() + ".";
 }
 
 /// While it is written.

@@ -11,23 +11,22 @@
 
 namespace clast::study_detail {
 
-/// Checkpoint of one realisation. Only the program version that wrote it can read it. The target of
-/// the results must be locked while it is used.
+/// Checkpoint of one unfinished realisation. Only the program version that wrote it can read it.
 class CheckpointFile {
  public:
   /// Sets the path of the checkpoint; no file is accessed.
-  /// @param target  results file; the checkpoint is `journal_path` with the realisation number
+  /// @param target  results file, beside which the checkpoint is stored
   /// @param header  must outlive this object
-  /// @param realisation  index from 0; the file name has a number from 1
+  /// @param realisation  index of the realisation, from 0
   CheckpointFile(const std::filesystem::path& target, const CampaignHeader& header,
                  std::uint32_t realisation);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Reads the stored state; empty if there is no file.
+  /// Reads the stored state of the realisation; empty if there is no file.
   /// @throws InputError  if the file is damaged, is not a checkpoint, or belongs to another
   ///                     campaign, realisation, inputs or program version
   std::optional<std::string> read() const;
-  /// Writes a state. It replaces the previous one atomically.
+  /// Writes the state of the realisation, in place of the previous one.
   /// @param save  function that writes the bytes of the state
   /// @throws InputError  if the file cannot be written
   void write(const std::function<void(ByteWriter& to)>& save) const;

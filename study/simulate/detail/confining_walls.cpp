@@ -57,7 +57,8 @@ double lowest_ground(const Heap& heap, const TerrainSurface& ground) {
 
 Heap heap_of(const CampaignPlan& prepared, std::span<const RunRecord> runs, std::uint32_t mass) {
   Heap heap;
-  heap.outline = local_outline(prepared.campaign.stay->masses[mass], prepared.header.frame.origin);
+  heap.outline = local_outline(prepared.campaign.persistent_blocks->masses[mass],
+                               prepared.header.frame.origin);
   heap.sense = signed_area(heap.outline) < 0.0 ? -1.0 : 1.0;
   const auto is_of_mass = [&](const RunRecord& run) { return run.point == mass; };
   const auto first = std::find_if(runs.begin(), runs.end(), is_of_mass);
@@ -107,7 +108,7 @@ double beyond_corner(const Heap& heap, std::size_t corner, double reach) {
 void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, std::uint32_t mass,
                ConfiningWalls& faces) {
   const Heap heap = heap_of(prepared, runs, mass);
-  const MultiBlockRelease& plan = prepared.campaign.stay->masses[mass];
+  const MultiBlockRelease& plan = prepared.campaign.persistent_blocks->masses[mass];
   std::vector<double> reaches;
   for (std::size_t side = 0; side < heap.outline.size(); ++side) {
     reaches.push_back(reach_over(prepared, runs, heap, side));
@@ -138,7 +139,7 @@ void add_faces(const CampaignPlan& prepared, std::span<const RunRecord> runs, st
 ConfiningWalls build_confining_walls(const CampaignPlan& prepared,
                                      std::span<const RunRecord> runs) {
   ConfiningWalls faces;
-  const std::vector<MultiBlockRelease>& masses = prepared.campaign.stay->masses;
+  const std::vector<MultiBlockRelease>& masses = prepared.campaign.persistent_blocks->masses;
   for (std::uint32_t mass = 0; mass < masses.size(); ++mass) {
     if (masses[mass].settle) add_faces(prepared, runs, mass, faces);
   }

@@ -9,13 +9,12 @@
 namespace clast::study_detail {
 
 struct ConfiningWalls {
-  std::vector<RigidBody> shapes;               ///< one per wall
-  std::vector<ConfiningWall> confining_walls;  ///< `shape` is an index into `shapes`
+  std::vector<RigidBody> shapes;               ///< shape of each wall
+  std::vector<ConfiningWall> confining_walls;  ///< walls, whose `shape` is an index into `shapes`
 };
 
-/// Builds vertical boxes on the sides of the polygons, from below the ground to above the heap.
-/// They are joined at the corners. They are moved outwards by a fraction of a packing cell, so that
-/// no block overlaps them at the start.
+/// Builds confining walls: vertical boxes on the sides of the outlines, from below the ground to
+/// above the heap.
 /// @param runs  runs of one realisation, ordered by release
 ConfiningWalls build_confining_walls(const CampaignPlan& prepared, std::span<const RunRecord> runs);
 

@@ -65,7 +65,8 @@ class Cells {
     for (std::int64_t k = cell_of(low - radius_); k <= cell_of(high + radius_); ++k) {
       const double from = static_cast<double>(k) * width_ - radius_;
       const double to = static_cast<double>(k + 1) * width_ + radius_;
-      visit(k, clip_below(clip_below(polygon, {-Vec3::Unit(axis), -from}), {Vec3::Unit(axis), to}));
+      visit(k, clip_polygon_below(clip_polygon_below(polygon, {-Vec3::Unit(axis), -from}),
+                                  {Vec3::Unit(axis), to}));
     }
   }
 

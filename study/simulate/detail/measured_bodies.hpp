@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies with precomputed data for computing their overlap with the ground.
+/// Rigid body with precomputed data for computing its overlap with the ground.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -10,31 +10,31 @@
 
 namespace clast::study_detail {
 
-struct MeasuredBody {
-  MeasuredBody(const TerrainSurface& ground, RigidBody of_block)
+struct GroundOverlapBody {
+  GroundOverlapBody(const TerrainSurface& ground, RigidBody of_block)
       : body(std::move(of_block)), overlap(ground, body) {}
-  MeasuredBody(const MeasuredBody&) = delete;
-  MeasuredBody& operator=(const MeasuredBody&) = delete;
+  GroundOverlapBody(const GroundOverlapBody&) = delete;
+  GroundOverlapBody& operator=(const GroundOverlapBody&) = delete;
 
   RigidBody body;
   GroundOverlap overlap;
 };
 
-/// Cache of up to 500 bodies, which is cleared when full. Consecutive runs often use equal blocks,
-/// but sampled blocks may be too many to store.
-class MeasuredBodies {
+/// Cache of bodies with precomputed data for their overlap with the ground. It stores up to 500
+/// bodies and is cleared when full.
+class GroundOverlapBodyCache {
  public:
   /// Makes an empty cache. Both arguments must outlive it.
-  MeasuredBodies(const TerrainSurface& ground, const BlockBodies& bodies)
+  GroundOverlapBodyCache(const TerrainSurface& ground, const BlockBodies& bodies)
       : ground_(ground), bodies_(bodies) {}
 
   /// Returns the body of a block. The reference is valid until the next call.
-  const MeasuredBody& of(std::size_t block) {
+  const GroundOverlapBody& of(std::size_t block) {
     const std::uint32_t first = bodies_.first_equal_body(block);
     const auto found = kept_.find(first);
     if (found != kept_.end()) return *found->second;
     if (kept_.size() == kMaxRetained) kept_.clear();
-    return *kept_.emplace(first, std::make_unique<MeasuredBody>(ground_, bodies_[block]))
+    return *kept_.emplace(first, std::make_unique<GroundOverlapBody>(ground_, bodies_[block]))
                 .first->second;
   }
 
@@ -42,7 +42,7 @@ class MeasuredBodies {
   static constexpr std::size_t kMaxRetained = 500;
   const TerrainSurface& ground_;
   const BlockBodies& bodies_;
-  std::map<std::uint32_t, std::unique_ptr<MeasuredBody>> kept_;  ///< key: `first_equal_body`
+  std::map<std::uint32_t, std::unique_ptr<GroundOverlapBody>> kept_;  ///< key: `first_equal_body`
 };
 
 }  // namespace clast::study_detail

@@ -25,8 +25,8 @@ Campaign without_points(const Campaign& campaign) {
   return bare;
 }
 
-MemberSettings settings_of(const Campaign& bare) {
-  MemberSettings settings{{}, bare.stiffness};
+EnsembleMemberSettings settings_of(const Campaign& bare) {
+  EnsembleMemberSettings settings{{}, bare.stiffness};
   for (const ReleaseSet& release : bare.releases) {
     settings.starts.push_back({release.drop_height, release.velocity, release.angular_velocity});
   }
@@ -38,7 +38,8 @@ bool has_settings(const PosteriorDraws& posterior) {
                       is_ground_parameter);
 }
 
-MemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior, std::size_t draw) {
+EnsembleMemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior,
+                                   std::size_t draw) {
   for (std::size_t i = 0; i < posterior.parameters.size(); ++i) {
     if (is_ground_parameter(posterior.parameters[i])) continue;
     set_parameter(bare, posterior.parameters[i], posterior.draws[draw][i]);
@@ -48,7 +49,7 @@ MemberSettings settings_of(Campaign bare, const PosteriorDraws& posterior, std::
 
 }  // namespace
 
-std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble) {
+std::vector<std::size_t> choose_posterior_draw_indices(const Ensemble& ensemble) {
   if (!ensemble.posterior) return {};
   std::vector<std::size_t> order(ensemble.posterior->draws.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -71,18 +72,18 @@ PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior) {
   return middle;
 }
 
-std::vector<MemberSettings> sample_member_settings(const Campaign& campaign) {
+std::vector<EnsembleMemberSettings> sample_member_settings(const Campaign& campaign) {
   const Campaign bare = without_points(campaign);
   const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
   if (!posterior || !has_settings(*posterior)) return {settings_of(bare)};
-  std::vector<MemberSettings> settings;
-  for (const std::size_t draw : choose_posterior_draws(campaign.ensemble)) {
+  std::vector<EnsembleMemberSettings> settings;
+  for (const std::size_t draw : choose_posterior_draw_indices(campaign.ensemble)) {
     settings.push_back(settings_of(bare, *posterior, draw));
   }
   return settings;
 }
 
-MemberSettings central_settings(const Campaign& campaign) {
+EnsembleMemberSettings central_member_settings(const Campaign& campaign) {
   const Campaign bare = without_points(campaign);
   const std::optional<PosteriorDraws>& posterior = campaign.ensemble.posterior;
   return posterior ? settings_of(bare, compute_posterior_medians(*posterior), 0)

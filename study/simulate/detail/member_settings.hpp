@@ -7,28 +7,29 @@
 
 namespace clast::study_detail {
 
-/// Chooses a different random draw of the posterior for each member. Empty without a posterior.
-std::vector<std::size_t> choose_posterior_draws(const Ensemble& ensemble);
+/// Chooses a random posterior draw for each ensemble member, all different. Empty without a
+/// posterior.
+std::vector<std::size_t> choose_posterior_draw_indices(const Ensemble& ensemble);
 
-/// Computes the medians of all parameters. They are returned as a single draw.
+/// Computes the posterior medians of all parameters, returned as a single draw.
 PosteriorDraws compute_posterior_medians(const PosteriorDraws& posterior);
 
-struct ReleaseStart {
-  std::optional<double> drop_height;     ///< m
-  Vec3 velocity = Vec3::Zero();          ///< m/s
-  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
+struct ReleaseStartSettings {
+  std::optional<double> drop_height;     ///< height of the release points above the ground, m
+  Vec3 velocity = Vec3::Zero();          ///< initial velocity, m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< initial angular velocity, rad/s
 };
 
 /// Settings of an ensemble member, without ground parameters.
-struct MemberSettings {
-  std::vector<ReleaseStart> starts;  ///< one per release set
+struct EnsembleMemberSettings {
+  std::vector<ReleaseStartSettings> starts;  ///< start settings of each release set
   StiffnessOptions stiffness;
 };
 
-/// Returns the settings of all members. There is a single entry if they are equal.
-std::vector<MemberSettings> sample_member_settings(const Campaign& campaign);
+/// Returns the settings of all ensemble members; a single entry if they are equal.
+std::vector<EnsembleMemberSettings> sample_member_settings(const Campaign& campaign);
 
-/// Returns the settings of the campaign, or the medians of the posterior if there is one.
-MemberSettings central_settings(const Campaign& campaign);
+/// Returns the settings of the campaign, with posterior medians of calibrated parameters.
+EnsembleMemberSettings central_member_settings(const Campaign& campaign);
 
 }  // namespace clast::study_detail

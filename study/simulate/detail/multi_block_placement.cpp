@@ -19,7 +19,7 @@ constexpr double kMaxStartCells = 1e6;
 /// Outline of each mass, local frame.
 std::vector<std::vector<Vec2>> outlines(const CampaignPlan& prepared) {
   std::vector<std::vector<Vec2>> outlines;
-  for (const MultiBlockRelease& mass : prepared.campaign.stay->masses) {
+  for (const MultiBlockRelease& mass : prepared.campaign.persistent_blocks->masses) {
     std::vector<Vec2>& outline = outlines.emplace_back(mass.polygon);
     for (Vec2& corner : outline) corner -= prepared.header.frame.origin.head<2>();
   }
@@ -47,7 +47,7 @@ double width_of_cells(const CampaignPlan& prepared,
 }  // namespace
 
 MultiBlockPlacement::MultiBlockPlacement(const CampaignPlan& prepared)
-    : prepared_(prepared), plans_(prepared.campaign.stay->masses) {
+    : prepared_(prepared), plans_(prepared.campaign.persistent_blocks->masses) {
   if (plans_.front().in_place) return;
   const std::vector<std::vector<Vec2>> all = outlines(prepared);
   const double width = width_of_cells(prepared, all);
@@ -60,10 +60,10 @@ MultiBlockPlacement::MultiBlockPlacement(const CampaignPlan& prepared)
                        "; check its corners and the map frame");
     }
   }
-  check_no_common_space();
+  check_no_overlapping_heaps();
 }
 
-void MultiBlockPlacement::check_no_common_space() const {
+void MultiBlockPlacement::check_no_overlapping_heaps() const {
   for (std::size_t i = 0; i < packings_.size(); ++i) {
     for (std::size_t other = 0; other < i; ++other) {
       const double area = packings_[i].overlapping_area(packings_[other]);
@@ -86,7 +86,7 @@ void MultiBlockPlacement::begin(const std::string& name, const std::vector<std::
 }
 
 RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block,
-                                      const MeasuredBody& body, Random& random) {
+                                      const GroundOverlapBody& body, Random& random) {
   const RigidState state = plans_[mass].in_place ? in_place_state(mass, block, body)
                                                  : sample_heap_start(mass, block, body, random);
   MultiBlockStart& placed = placed_[mass];
@@ -99,7 +99,7 @@ RigidState MultiBlockPlacement::place(std::size_t mass, std::uint32_t block,
 std::vector<MultiBlockStart> MultiBlockPlacement::placed() const {
   std::vector<MultiBlockStart> placed = placed_;
   for (std::size_t i = 0; i < packings_.size(); ++i) {
-    const FilledArea filling = packings_[i].filling();
+    const HeapExtent filling = packings_[i].heap_extent();
     placed[i].area = filling.area;
     placed[i].mean_thickness = filling.mean_thickness;
     placed[i].largest_thickness = filling.largest_thickness;
@@ -108,12 +108,12 @@ std::vector<MultiBlockStart> MultiBlockPlacement::placed() const {
 }
 
 RigidState MultiBlockPlacement::in_place_state(std::size_t mass, std::uint32_t block,
-                                               const MeasuredBody& body) const {
+                                               const GroundOverlapBody& body) const {
   const CampaignBlocks& choice = prepared_.choice;
   const Pose place = choice.library[choice.blocks[block].library].source_from_body();
   RigidState state;
-  state.position =
-      prepared_.header.frame.to_local(place.translation) + Vec3(0.0, 0.0, plans_[mass].raised);
+  state.position = prepared_.header.frame.to_local(place.translation) +
+                   Vec3(0.0, 0.0, plans_[mass].height_offset);
   state.orientation = place.rotation.normalized();
   const std::string where = prepared_.campaign.file.string() + ": [mass] in_place: block " +
                             prepared_.header.blocks[block].id + " with its centre at " +
@@ -131,17 +131,17 @@ RigidState MultiBlockPlacement::in_place_state(std::size_t mass, std::uint32_t b
 }
 
 RigidState MultiBlockPlacement::sample_heap_start(std::size_t mass, std::uint32_t block,
-                                                  const MeasuredBody& body, Random& random) {
+                                                  const GroundOverlapBody& body, Random& random) {
   const Quat turn = sample_run_orientations(prepared_.campaign.releases.front(),
                                             prepared_.choice.blocks[block].id, name_, 1)
                         .front();
   const std::optional<RigidState> start =
       packings_[mass].place(body.body, body.overlap, turn, plans_[mass].thickness, random);
-  if (!start) refuse_block(mass, block);
+  if (!start) throw_no_place_for_block(mass, block);
   return *start;
 }
 
-void MultiBlockPlacement::refuse_block(std::size_t mass, std::uint32_t block) const {
+void MultiBlockPlacement::throw_no_place_for_block(std::size_t mass, std::uint32_t block) const {
   const BlockSummary& summary = prepared_.header.blocks[block];
   const std::size_t realisation = prepared_.masses.size() / plans_.size() + 1;
   const std::string text =

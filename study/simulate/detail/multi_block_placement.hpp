@@ -1,5 +1,5 @@
 #pragma once
-/// Start positions of the blocks of multi-block releases.
+/// Start positions of the blocks of simultaneous releases.
 #include <string>
 #include <vector>
 
@@ -10,10 +10,10 @@
 
 namespace clast::study_detail {
 
-/// Places the blocks of a realisation one by one, at positions in the library frame or on a heap.
+/// Places the blocks of a realisation one by one, at their library positions or on a heap.
 class MultiBlockPlacement {
  public:
-  /// Makes the packings of all heaps.
+  /// Makes empty heaps for all simultaneous releases.
   /// @param prepared  plan with campaign, blocks, terrain and header; must outlive this object
   /// @throws InputError  if a polygon has no area, leaves the terrain, or overlaps another
   explicit MultiBlockPlacement(const CampaignPlan& prepared);
@@ -26,23 +26,25 @@ class MultiBlockPlacement {
   /// @param body  body of the block
   /// @throws InputError  if there is no place for the block, or if it is outside the terrain
   /// @throws SimulationError  if its position is inside the ground
-  RigidState place(std::size_t mass, std::uint32_t block, const MeasuredBody& body, Random& random);
-  /// Returns the placed blocks of each release since `begin`.
+  RigidState place(std::size_t mass, std::uint32_t block, const GroundOverlapBody& body,
+                   Random& random);
+  /// Returns the initial state of each release, with all blocks placed since `begin`.
   std::vector<MultiBlockStart> placed() const;
 
  private:
-  void check_no_common_space() const;
-  RigidState in_place_state(std::size_t mass, std::uint32_t block, const MeasuredBody& body) const;
-  RigidState sample_heap_start(std::size_t mass, std::uint32_t block, const MeasuredBody& body,
+  void check_no_overlapping_heaps() const;
+  RigidState in_place_state(std::size_t mass, std::uint32_t block,
+                            const GroundOverlapBody& body) const;
+  RigidState sample_heap_start(std::size_t mass, std::uint32_t block, const GroundOverlapBody& body,
                                Random& random);
-  [[noreturn]] void refuse_block(std::size_t mass, std::uint32_t block) const;
+  [[noreturn]] void throw_no_place_for_block(std::size_t mass, std::uint32_t block) const;
 
   const CampaignPlan& prepared_;
   const std::vector<MultiBlockRelease>& plans_;
-  std::vector<BlockPacking> packings_;  ///< one entry per heap
+  std::vector<BlockPacking> packings_;  ///< packing of each heap
   std::string name_;
   std::vector<std::size_t> expected_;    ///< number of blocks of each release
-  std::vector<MultiBlockStart> placed_;  ///< one entry per release
+  std::vector<MultiBlockStart> placed_;  ///< initial state of each release
 };
 
 }  // namespace clast::study_detail

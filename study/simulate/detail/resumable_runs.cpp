@@ -27,10 +27,10 @@ std::string progress_text(const SequenceProgress& progress, const PersistentBloc
   std::string text = ": " + format_decimals(progress.time, 1) + " s simulated";
   if (!stay.at_once) {
     return text + ", block " + std::to_string(progress.released) + " of " +
-           std::to_string(stay.blocks_each);
+           std::to_string(stay.blocks_per_realisation);
   }
   if (progress.settling) text += ", settling";
-  return text + ", " + std::to_string(progress.resting()) + " of " +
+  return text + ", " + std::to_string(progress.count_resting()) + " of " +
          format_count(progress.released, "block") + " at rest";
 }
 
@@ -56,13 +56,14 @@ CheckpointFile checkpoint_of(const CampaignPlan& prepared, const std::filesystem
 }  // namespace
 
 void ResumableRuns::check_checkpoints(const std::vector<std::uint32_t>& firsts) const {
-  if (!prepared_.header.stay || !options_.resume) return;
+  if (!prepared_.header.persistent_blocks || !options_.resume) return;
   for (const std::uint32_t first : firsts) checkpoint_of(prepared_, target_, first).read();
 }
 
 std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned threads,
                                               const Report& report) const {
-  if (!prepared_.header.stay) return simulate_realisation(prepared_, first, {}, threads);
+  if (!prepared_.header.persistent_blocks)
+    return simulate_realisation(prepared_, first, {}, threads);
   const CheckpointFile file = checkpoint_of(prepared_, target_, first);
   const std::string name =
       "realisation " + std::to_string(first / prepared_.header.runs_per_realisation() + 1);
@@ -73,7 +74,7 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
     const Timer writing;
     problem.clear();
     try {
-      file.write(progress.save);
+      file.write(progress.save_state);
     } catch (const InputError& error) {
       problem = std::string("; ") + error.what();
     }
@@ -82,7 +83,7 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
   };
   const auto send_report = [&](const SequenceProgress& progress) {
     try {
-      report(name + progress_text(progress, *prepared_.header.stay) + problem);
+      report(name + progress_text(progress, *prepared_.header.persistent_blocks) + problem);
     } catch (const std::exception& why) {
       write(progress);
       if (!problem.empty()) throw SimulationError(why.what() + problem);
@@ -117,7 +118,7 @@ std::vector<StoredRun> ResumableRuns::compute(std::uint32_t first, unsigned thre
 }
 
 void ResumableRuns::remove_checkpoint(std::uint32_t first) const {
-  if (prepared_.header.stay) checkpoint_of(prepared_, target_, first).remove();
+  if (prepared_.header.persistent_blocks) checkpoint_of(prepared_, target_, first).remove();
 }
 
 }  // namespace clast::study_detail

@@ -16,19 +16,18 @@ class ResumableRuns {
   /// written and the realisation ends.
   using Report = std::function<void(const std::string& what)>;
 
-  /// Stores references. All arguments must outlive this object.
+  /// Stores references to the arguments, which must outlive this object.
   /// @param target  results file; checkpoints are stored beside it
   ResumableRuns(const CampaignPlan& prepared, const std::filesystem::path& target,
-                const RunOptions& options)
+                const CampaignRunOptions& options)
       : prepared_(prepared), target_(target), options_(options) {}
 
-  /// Checks all checkpoints. Called before the first run.
+  /// Checks all checkpoints of a campaign before the first run.
   /// @param firsts  first run of each group of runs that are computed together
   /// @throws InputError  if a checkpoint is damaged or of another campaign
   void check_checkpoints(const std::vector<std::uint32_t>& firsts) const;
-  /// Computes the runs of the group that starts at `first`. If there is a checkpoint, the
-  /// computation continues from it. If a checkpoint cannot be written, this is reported, and
-  /// writing is tried again later.
+  /// Simulates the run or realisation that starts with run `first`. If there is a checkpoint, the
+  /// simulation continues from it.
   /// @param threads  number of threads for a realisation
   /// @throws InputError  if the checkpoint is damaged or of another campaign
   std::vector<StoredRun> compute(std::uint32_t first, unsigned threads,
@@ -39,7 +38,7 @@ class ResumableRuns {
  private:
   const CampaignPlan& prepared_;
   const std::filesystem::path& target_;
-  const RunOptions& options_;
+  const CampaignRunOptions& options_;
 };
 
 }  // namespace clast::study_detail

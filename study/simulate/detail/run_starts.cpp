@@ -28,13 +28,13 @@ std::optional<double> find_depth_in_ground(const GroundOverlap& ground_overlap,
   const Vec3& centre = state.position;
   const double abyss = surface.extent().low.z() - 1.0;
   const std::optional<double> ground = surface.height_at(centre.x(), centre.y(), abyss);
-  if (ground && centre.z() < *ground) return *ground - lowest_point(body, state);
+  if (ground && centre.z() < *ground) return *ground - lowest_height(body, state);
   return std::nullopt;
 }
 
-bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
-                   const RigidBody& body, RigidState& state) {
-  const double size = body.smallest_side, most = kMaxLift * body.bounding_radius();
+bool lift_to_touch_ground(const GroundOverlap& ground_overlap, const TerrainSurface& surface,
+                          const RigidBody& body, RigidState& state) {
+  const double size = body.smallest_side, maximum = kMaxLift * body.bounding_radius();
   const auto lifted_by = [&](double lift) {
     RigidState lifted = state;
     lifted.position.z() += lift;
@@ -47,9 +47,9 @@ bool lift_to_touch(const GroundOverlap& ground_overlap, const TerrainSurface& su
   };
   double below = 0.0, above = kFirstLift * size;
   while (in_ground(above)) {
-    if (above >= most) return false;
+    if (above >= maximum) return false;
     below = above;
-    above = std::min(2.0 * above, most);
+    above = std::min(2.0 * above, maximum);
   }
   while (above - below > kStartTouch * size) {
     const double middle = 0.5 * (below + above);

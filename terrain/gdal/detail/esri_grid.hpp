@@ -11,7 +11,7 @@ namespace clast::terrain_detail {
 /// and .aux.xml files.
 class EsriGrid {
  public:
-  /// Prepares a raster.
+  /// Prepares a raster file for GDAL.
   /// @param path  raster file; files that are not Esri grids are passed on unchanged
   /// @throws InputError  if a word among the heights is not a number
   explicit EsriGrid(const std::filesystem::path& path);

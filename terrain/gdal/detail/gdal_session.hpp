@@ -44,6 +44,6 @@ void check_written(bool done, const std::filesystem::path& target, const std::st
 OGRSpatialReference make_spatial_reference(const std::string& crs);
 
 /// Returns "EPSG:25832" if the system has a code, otherwise its WKT; empty if there is none.
-std::string crs_name(const OGRSpatialReference* system);
+std::string crs_code_or_wkt(const OGRSpatialReference* system);
 
 }  // namespace clast::terrain_detail

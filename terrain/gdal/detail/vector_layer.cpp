@@ -43,8 +43,8 @@ OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path&
   return *layers.front();
 }
 
-Transformation make_transformation(OGRLayer& layer, const std::string& crs,
-                                   const std::filesystem::path& path) {
+TransformationPointer make_transformation(OGRLayer& layer, const std::string& crs,
+                                          const std::filesystem::path& path) {
   const OGRSpatialReference* from = layer.GetSpatialRef();
   OGREnvelope extent;
   if (!from || crs.empty() || layer.GetExtent(&extent) != OGRERR_NONE) return nullptr;
@@ -56,7 +56,7 @@ Transformation make_transformation(OGRLayer& layer, const std::string& crs,
   to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   OGRSpatialReference source(*from);
   source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  Transformation result(OGRCreateCoordinateTransformation(&source, &to));
+  TransformationPointer result(OGRCreateCoordinateTransformation(&source, &to));
   if (!result) {
     throw InputError(path.string() + ": can't be brought into the terrain's coordinate system (" +
                      GdalSession::last_message() + "); save it in " + reference_system_name(crs));

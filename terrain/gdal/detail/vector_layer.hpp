@@ -20,7 +20,7 @@ struct TransformationDeleter {
     OGRCoordinateTransformation::DestroyCT(t);
   }
 };
-using Transformation = std::unique_ptr<OGRCoordinateTransformation, TransformationDeleter>;
+using TransformationPointer = std::unique_ptr<OGRCoordinateTransformation, TransformationDeleter>;
 
 /// Opens a vector file.
 /// @param what  kind of features for messages: "polygons" or "lines"
@@ -36,8 +36,8 @@ OGRLayer& find_geometry_layer(GDALDataset& dataset, const std::filesystem::path&
 /// are equal or one is unknown. GeoJSON without a system is in WGS 84 degrees. If its coordinates
 /// are too large for degrees, they are taken as metres in the terrain's system.
 /// @throws InputError  if GDAL cannot transform between the systems
-Transformation make_transformation(OGRLayer& layer, const std::string& crs,
-                                   const std::filesystem::path& path);
+TransformationPointer make_transformation(OGRLayer& layer, const std::string& crs,
+                                          const std::filesystem::path& path);
 
 /// Returns the geometry of a feature in the terrain's coordinate system; null if it has none. Arcs
 /// are replaced by lines that deviate by at most a thousandth of the radius.

@@ -52,8 +52,8 @@ struct Cells {
   HeightGrid grid() const {
     return {.columns = columns,
             .rows = rows,
-            .first = (first + Vec2(0.5, 0.5)) * size,
-            .step = {size, size},
+            .first_centre = (first + Vec2(0.5, 0.5)) * size,
+            .cell_size = {size, size},
             .heights = std::vector<double>(count(), 0.0)};
   }
 };
@@ -92,7 +92,7 @@ struct Survey {
 struct ClassSurvey {
   std::size_t points = 0;
   Bounds box;
-  PointHeightCheck heights = {};
+  PointFillValueCheck heights = {};
 
   void include(const Vec3& point) {
     ++points;
@@ -155,10 +155,11 @@ std::optional<Classes> ground_classes(const std::vector<ClassSurvey>& by_class,
 /// Refuses a cloud that is not in metres on the map of those before it.
 void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Vec2& centre,
                      CloudGrid& result) {
-  const LengthUnitUse metres{
+  const LengthUnitRequirements metres{
       .conversion_command = "pdal translate, filters.reprojection, EPSG:CODE",
       .correction_command = "pdal translate, writers.las.a_srs=EPSG:CODE"};
-  for (const std::string& note : check_length_units(path.string(), summary.lengths, metres)) {
+  for (const std::string& note :
+       check_length_units(path.string(), summary.unit_declarations, metres)) {
     result.notes.push_back(path.string() + ": " + note);
   }
   check_map_scale(path.string(), summary.crs, centre, metres.conversion_command);
@@ -192,8 +193,8 @@ Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
     const auto note = [&](std::size_t count, const std::string& what) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
     };
-    note(summary.withheld, " points flagged as noise or withheld were left out");
-    note(summary.non_finite, " points without finite coordinates were left out");
+    note(summary.withheld_points, " points flagged as noise or withheld were left out");
+    note(summary.non_finite_points, " points without finite coordinates were left out");
     cloud.kept = ground_classes(by_class, path, result.notes);
     ClassSurvey kept = all;
     if (cloud.kept) {
@@ -311,8 +312,8 @@ void drop_outliers(CellHeights& stored, const Cells& cells, double distance, con
   if (low + high == 0) return;
   notes.push_back(path.string() + ": " + std::to_string(low) + " points more than " +
                   format_significant(distance, 6) + " m below and " + std::to_string(high) +
-                  " above the ground around were left out, the farthest, by " +
-                  format_significant(farthest, 4) + " m, near " + format_map_point(farthest_at));
+                  " points above the surrounding ground were left out; the farthest, by " +
+                  format_significant(farthest, 4) + " m, is near " + format_map_point(farthest_at));
 }
 
 std::string cell_value(const TerrainOptions& options) {
@@ -346,7 +347,7 @@ HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
   return grid;
 }
 
-HeightGrid bin_points(std::span<const Vec3> points, double cell, const fs::path& path) {
+HeightGrid grid_mean_heights(std::span<const Vec3> points, double cell, const fs::path& path) {
   Bounds box;
   for (const Vec3& point : points) box.include(point);
   const Cells cells(box.low.head<2>(), box.high.head<2>(), cell, path);
@@ -409,7 +410,7 @@ CloudGrid read_cloud_grid(const TerrainOptions& options) {
     }
   }
   const double widest = options.fill.value_or(kPinholes * size);
-  note_fill(fill_holes(grid, widest), widest, result, path);
+  note_fill(fill_grid_holes(grid, widest), widest, result, path);
   return result;
 }
 

@@ -30,6 +30,7 @@ HeightGrid make_covering_grid(const Vec2& low, const Vec2& high, double cell,
                               const std::filesystem::path& path);
 
 /// Computes the mean height of the points in each square cell. Cells lie on multiples of `cell`.
-HeightGrid bin_points(std::span<const Vec3> points, double cell, const std::filesystem::path& path);
+HeightGrid grid_mean_heights(std::span<const Vec3> points, double cell,
+                             const std::filesystem::path& path);
 
 }  // namespace clast::terrain_detail

@@ -126,7 +126,7 @@ std::string cell_place(const HeightGrid& grid, std::size_t cell) {
 
 /// Numbers that are heights nowhere, however few or many there are.
 void refuse_impossible(const HeightGrid& grid, const std::filesystem::path& path,
-                       const NoDataRules& rules) {
+                       const DeclaredFillValue& rules) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     const double height = grid.heights[i];
     if (!std::isfinite(height) || (std::abs(height) <= kHighest && height != kUsualNoData)) {
@@ -147,7 +147,7 @@ bool is_far(double value, double gap, double span) {
 
 }  // namespace
 
-void PointHeightCheck::include(double height) {
+void PointFillValueCheck::include(double height) {
   if (is_usual_fill(height)) {
     ++fills_[height == 0.0 ? 0.0 : height];
     return;
@@ -156,13 +156,13 @@ void PointHeightCheck::include(double height) {
   high_ = std::max(high_, height);
 }
 
-void PointHeightCheck::include(const PointHeightCheck& other) {
+void PointFillValueCheck::include(const PointFillValueCheck& other) {
   for (const auto& [value, count] : other.fills_) fills_[value] += count;
   low_ = std::min(low_, other.low_);
   high_ = std::max(high_, other.high_);
 }
 
-void PointHeightCheck::check(const std::filesystem::path& path) const {
+void PointFillValueCheck::check(const std::filesystem::path& path) const {
   if (!(low_ <= high_)) return;
   for (const auto& [value, count] : fills_) {
     const double gap = std::max({low_ - value, value - high_, 0.0});
@@ -177,7 +177,7 @@ void PointHeightCheck::check(const std::filesystem::path& path) const {
 
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
-                                           const NoDataRules& rules) {
+                                           const DeclaredFillValue& rules) {
   refuse_impossible(grid, path, rules);
   std::vector<std::string> notes;
   Candidates candidates = fill_candidates(grid);

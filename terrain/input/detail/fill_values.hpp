@@ -13,9 +13,9 @@
 namespace clast::terrain_detail {
 
 /// Declared fill value of a grid, and advice for undeclared ones.
-struct NoDataRules {
+struct DeclaredFillValue {
   std::optional<double> declared = {};  ///< fill value declared by the file
-  /// End of messages "If -9999 stands for no data, ..."; NUMBER is replaced by the value.
+  /// Advice that ends error messages. "NUMBER" in it is replaced by the suspicious value.
   std::string advice;
 };
 
@@ -28,13 +28,13 @@ struct NoDataRules {
 /// @throws InputError  if a height is impossible or suspicious; names value and position
 std::vector<std::string> check_fill_values(const HeightGrid& grid,
                                            const std::filesystem::path& path,
-                                           const NoDataRules& rules);
+                                           const DeclaredFillValue& rules);
 
-/// Check of the heights of a point cloud for fill values.
-class PointHeightCheck {
+/// Check of the heights of a point cloud for undeclared fill values.
+class PointFillValueCheck {
  public:
   void include(double height);
-  void include(const PointHeightCheck& other);
+  void include(const PointFillValueCheck& other);
   /// Checks for suspicious common fill values, as `check_fill_values`.
   /// @throws InputError  if there is one; the message gives value and count
   void check(const std::filesystem::path& path) const;

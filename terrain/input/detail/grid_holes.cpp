@@ -49,8 +49,8 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
   for (std::size_t k = 0; k < hole.cells.size(); ++k) {
     number[hole.cells[k]] = static_cast<std::uint32_t>(k);
   }
-  const double along_x = 1.0 / (grid.step.x() * grid.step.x());
-  const double along_y = 1.0 / (grid.step.y() * grid.step.y());
+  const double along_x = 1.0 / (grid.cell_size.x() * grid.cell_size.x());
+  const double along_y = 1.0 / (grid.cell_size.y() * grid.cell_size.y());
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(5 * hole.cells.size());
   Eigen::VectorXd rim = Eigen::VectorXd::Zero(count);
@@ -85,7 +85,7 @@ void fill(HeightGrid& grid, const Hole& hole, std::vector<std::uint32_t>& number
 
 }  // namespace
 
-HoleFillReport fill_holes(HeightGrid& grid, double widest) {
+HoleFillReport fill_grid_holes(HeightGrid& grid, double widest) {
   HoleFillReport result;
   std::vector<bool> seen(grid.heights.size(), false);
   std::vector<std::uint32_t> number(grid.heights.size(), kNoIndex);
@@ -95,7 +95,7 @@ HoleFillReport fill_holes(HeightGrid& grid, double widest) {
     if (hole.at_border) continue;
     const Vec2 low = grid.centre(hole.low_column, hole.low_row);
     const Vec2 high = grid.centre(hole.high_column, hole.high_row);
-    const double width = (high - low + grid.step).maxCoeff();
+    const double width = (high - low + grid.cell_size).maxCoeff();
     if (width <= widest * (1.0 + 1e-9)) {
       fill(grid, hole, number);
       ++result.holes;

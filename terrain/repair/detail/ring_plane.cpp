@@ -2,15 +2,16 @@
 
 namespace clast::terrain_detail {
 
-std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh,
-                                        std::span<const std::uint32_t> ring, std::uint32_t vertex) {
+std::optional<NeighbourPlane> fit_neighbour_plane(const TriangleMesh& mesh,
+                                                  std::span<const std::uint32_t> ring,
+                                                  std::uint32_t vertex) {
   if (ring.size() < 3) return std::nullopt;
   const Vec3& centre = mesh.vertices[vertex];
   // Not the vertex's own height: that of a spike may be so large that nothing is left beside it.
   const double level = mesh.vertices[ring.front()].z();
   Mat3 normal = Mat3::Zero();
   Vec3 right = Vec3::Zero();
-  RingPlane plane;
+  NeighbourPlane plane;
   for (const std::uint32_t v : ring) {
     const Vec3 d = mesh.vertices[v] - centre;
     const Vec3 row(1.0, d.x(), d.y());

@@ -9,7 +9,7 @@ namespace clast::terrain_detail {
 
 /// Least-squares plane through the neighbours of a vertex: z = height + slope . (x, y), with x and
 /// y relative to the vertex.
-struct RingPlane {
+struct NeighbourPlane {
   double height = 0.0;  ///< at the vertex, m
   Vec2 slope = Vec2::Zero();
   double distance = 0.0;  ///< mean horizontal distance of the neighbours, m
@@ -17,9 +17,11 @@ struct RingPlane {
   double height_at(const Vec2& from_vertex) const { return height + slope.dot(from_vertex); }
 };
 
-/// Fits the plane; empty if there are fewer than three neighbours or if they are collinear.
+/// Fits a plane to the neighbours of a vertex; empty if there are fewer than three or if they are
+/// collinear.
 /// @param ring  neighbours, without the vertex itself
-std::optional<RingPlane> fit_ring_plane(const TriangleMesh& mesh,
-                                        std::span<const std::uint32_t> ring, std::uint32_t vertex);
+std::optional<NeighbourPlane> fit_neighbour_plane(const TriangleMesh& mesh,
+                                                  std::span<const std::uint32_t> ring,
+                                                  std::uint32_t vertex);
 
 }  // namespace clast::terrain_detail

@@ -27,7 +27,7 @@ std::string journal() {
   const ScratchFolder folder;
   ResultsWriter writer = ResultsWriter::create(folder / "r.h5", sample_header());
   for (std::uint32_t run = 0; run < 4; ++run) add_run(writer, run);
-  return read_text_file(journal_path(folder / "r.h5"));
+  return read_text_file(results_journal_path(folder / "r.h5"));
 }
 
 std::string terrain() {

@@ -98,18 +98,19 @@ std::vector<NamedReader> table_and_campaign_readers() {
           },
           [](const auto& path) {
             for (const MeasuredStop& stop : read_measured_stops(path).stops) {
-              ASSERT_TRUE(stop.place.allFinite());
+              ASSERT_TRUE(stop.position.allFinite());
             }
           }),
       campaign_reader("campaign.toml", kCampaign),
       campaign_reader("mass.toml", of_a_mass(kCampaign)),
       reader_of("release.xyz", many_points,
                 [](const auto& path) {
-                  for (const Vec3& p : read_points(path)) ASSERT_TRUE(p.allFinite());
+                  for (const Vec3& p : read_point_table(path)) ASSERT_TRUE(p.allFinite());
                 }),
       reader_of("turns.txt", many_turns,
                 [](const auto& path) {
-                  for (const Quat& q : read_orientations(path)) ASSERT_NEAR(q.norm(), 1.0, 1e-12);
+                  for (const Quat& q : read_orientation_table(path))
+                    ASSERT_NEAR(q.norm(), 1.0, 1e-12);
                 }),
       reader_of(
           "board.toml", [] { return std::string(kBoard); },

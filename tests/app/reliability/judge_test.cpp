@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// A block of 1 x 0.7 x 0.5 m: class CB of Sneed & Folk, far from its limits.
-const Expected kRock = {{0.2, {1.0, 0.7, 0.5}}, {}};
+const Expected kBlockColour = {{0.2, {1.0, 0.7, 0.5}}, {}};
 
 Json block(double volume, const Axes& axes) {
   return {{"volume_m3", volume},
@@ -42,7 +42,7 @@ Given given(const Json& block) {
   return given_by({0, Json{{"blocks", {block}}, {"failed", Json::array()}}.dump(), ""});
 }
 
-Outcome outcome_of(const Json& block) { return judge(given(block), {kRock}).outcome; }
+Outcome outcome_of(const Json& block) { return judge(given(block), {kBlockColour}).outcome; }
 
 TEST(ReliabilityJudge, ValuesWithinTheToleranceAreRight) {
   EXPECT_EQ(outcome_of(block(0.2, {1.0, 0.7, 0.5})), Outcome::kRight);
@@ -74,7 +74,7 @@ TEST(ReliabilityJudge, AnotherClassIsRightWhereALimitIsWithinTheTolerance) {
 TEST(ReliabilityJudge, ARangeThatHoldsTheTruthIsHonest) {
   const Json off = block(0.21, {1.0, 0.7, 0.52});
   const Json honest = bracketed(off, 0.19, 0.23, {1.0, 0.7, 0.49}, {1.0, 0.7, 0.55});
-  const Verdict verdict = judge(given(honest), {kRock});
+  const Verdict verdict = judge(given(honest), {kBlockColour});
   EXPECT_EQ(verdict.outcome, Outcome::kBracketed) << verdict.why;
   EXPECT_EQ(verdict.missed, "");
   EXPECT_NEAR(verdict.width.value(), 0.2, 1e-12);
@@ -89,16 +89,16 @@ TEST(ReliabilityJudge, ARangeThatMissesTheTruthIsWrong) {
   Json other_class =
       bracketed(block(0.21, {1.0, 0.7, 0.31}), 0.19, 0.23, {1.0, 0.7, 0.3}, {1.0, 0.7, 0.55});
   EXPECT_EQ(outcome_of(other_class), Outcome::kWrong);
-  other_class["unseen"]["sneed_folk"].push_back(sneed_folk_class(kRock.truth.axes));
-  other_class["unseen"]["zingg"].push_back(zingg_class(kRock.truth.axes));
-  other_class["unseen"]["shape"].push_back(garcia_class(kRock.truth.axes));
+  other_class["unseen"]["sneed_folk"].push_back(sneed_folk_class(kBlockColour.truth.axes));
+  other_class["unseen"]["zingg"].push_back(zingg_class(kBlockColour.truth.axes));
+  other_class["unseen"]["shape"].push_back(garcia_class(kBlockColour.truth.axes));
   EXPECT_EQ(outcome_of(other_class), Outcome::kBracketed);
 }
 
 TEST(ReliabilityJudge, ARangeThatMissesIsCountedBesideAValueThatIsRight) {
   const Json right =
       bracketed(block(0.2015, {1.0, 0.7, 0.5}), 0.201, 0.23, {1.0, 0.7, 0.5}, {1.0, 0.7, 0.5});
-  const Verdict verdict = judge(given(right), {kRock});
+  const Verdict verdict = judge(given(right), {kBlockColour});
   EXPECT_EQ(verdict.outcome, Outcome::kRight);
   EXPECT_NE(verdict.missed, "");
 }
@@ -107,11 +107,11 @@ TEST(ReliabilityJudge, AnUpperBoundThatIsSaidToBeUnknownHoldsAnything) {
   Json open = bracketed(block(0.1, {0.7, 0.6, 0.5}), 0.09, 0.0, {0.7, 0.6, 0.5}, {1, 1, 1});
   for (const auto& [scheme, key] : std::map<std::string, std::string>{
            {"sneed-folk", "sneed_folk"}, {"zingg", "zingg"}, {"garcia", "shape"}}) {
-    open["unseen"][key].push_back(shape_class(scheme, kRock.truth.axes));
+    open["unseen"][key].push_back(shape_class(scheme, kBlockColour.truth.axes));
   }
   open["unseen"]["volume_upper_m3"] = nullptr;
   open["unseen"]["axes_upper_m"] = nullptr;
-  const Verdict verdict = judge(given(open), {kRock});
+  const Verdict verdict = judge(given(open), {kBlockColour});
   EXPECT_EQ(verdict.outcome, Outcome::kBracketed) << verdict.why;
   EXPECT_FALSE(verdict.width);
 }
@@ -119,14 +119,14 @@ TEST(ReliabilityJudge, AnUpperBoundThatIsSaidToBeUnknownHoldsAnything) {
 TEST(ReliabilityJudge, OneOfSeveralAnswersIsEnoughWhereItIsSaid) {
   Expected copy = {{0.21, {1.02, 0.71, 0.51}}, {}, {"copy"}};
   Json larger = block(0.21, {1.02, 0.71, 0.51});
-  EXPECT_EQ(judge(given(larger), {kRock, copy}).outcome, Outcome::kWrong);
+  EXPECT_EQ(judge(given(larger), {kBlockColour, copy}).outcome, Outcome::kWrong);
   larger["warnings"] = {"a copy of the surface was dropped"};
-  EXPECT_EQ(judge(given(larger), {kRock, copy}).outcome, Outcome::kRight);
+  EXPECT_EQ(judge(given(larger), {kBlockColour, copy}).outcome, Outcome::kRight);
 }
 
 TEST(ReliabilityJudge, OnlyAPlainRefusalIsOne) {
   const auto outcome = [](int code, const std::string& message) {
-    return judge(given_by({code, "", message}), {kRock}).outcome;
+    return judge(given_by({code, "", message}), {kBlockColour}).outcome;
   };
   EXPECT_EQ(outcome(1, "clast: scan.ply: no block"), Outcome::kRefused);
   EXPECT_EQ(outcome(1, "clast: unexpected failure, please report it: vector"), Outcome::kWrong);

@@ -47,7 +47,7 @@ TEST(ColumnHeadings, NameWordsAndUnitAreTakenApart) {
     const ColumnHeading heading = parse_heading(each.text);
     EXPECT_EQ(heading.name, each.name) << each.text;
     EXPECT_EQ(heading.words, each.words) << each.text;
-    EXPECT_EQ(heading.length ? heading.length->factor : 0.0, each.metres) << each.text;
+    EXPECT_EQ(heading.length_unit ? heading.length_unit->factor : 0.0, each.metres) << each.text;
   }
   EXPECT_EQ(parse_heading("mass [t]").unit, "t");
   EXPECT_EQ(parse_heading("slope (deg)").unit, "deg");
@@ -101,18 +101,18 @@ TEST(SummaryLabels, AreKnownInFiveLanguages) {
                            "Grand total",
                            "Median =",
                            "Variance"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kCertain) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kCertain) << text;
   }
   for (const char* text : {"\xE2\x88\x85", "\xC3\x98", "\xCF\x83", "25%", "75 %", "Overall mean",
                            "Coef. var.", "STDEV.S"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kCertain) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kCertain) << text;
   }
   for (const char* text : {"SD", "n", "N", "CV", "s.d.", "SE", "s"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kAmbiguous) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kAmbiguous) << text;
   }
   for (const char* text : {"", "B1", "Max 3", "Meander", "Total station", "rock", "12", "-",
                            "Mean 2", "Minette", "Sum of all fears", "@SUM(A1)", "=SUM(A1)", "A"}) {
-    EXPECT_EQ(detect_summary_label(text), SummaryLabel::kNone) << text;
+    EXPECT_EQ(detect_summary_row_label(text), SummaryRowLabel::kNone) << text;
   }
 }
 

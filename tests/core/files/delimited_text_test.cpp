@@ -16,7 +16,7 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 
 Rows read_rows(const std::string& content, const TableDialect& rules = {}) {
-  const DecodedText table = decode_text(content, "t.csv");
+  const DecodedText table = decode_table_text(content, "t.csv");
   DelimitedTextReader text(table.text, "t.csv", rules);
   Rows rows;
   Record record;

@@ -154,9 +154,9 @@ TEST(OutputFile, RoomIsForeseen) {
   const rlimit small = {3 * kMega, old.rlim_max};
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   EXPECT_EQ(refused({2 * kMega, 2 * kMega}), "");
-  EXPECT_TRUE(contains(refused({kMega, 4 * kMega}),
-                       "at least 4 MB will be written, and no file "
-                       "here may be larger (ulimit -f) than 3 MB"));
+  EXPECT_TRUE(contains(
+      refused({kMega, 4 * kMega}),
+      "at least 4 MB will be written, and files must not be larger (ulimit -f) than 3 MB"));
   ::setrlimit(RLIMIT_FSIZE, &old);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-FolderKind report() {
+OutputFolderKind report() {
   return {"report", "mark.txt", "a report", [](const fs::path& file) {
             return file == "mark.txt" || file == "runs.csv" || file == "old.csv" ||
                    file.parent_path() == "maps";

@@ -116,7 +116,7 @@ TEST(StagingPath, OtherFilesAreNotTouched) {
   EXPECT_EQ(names_in(folder.path()), others);
 }
 
-FolderKind kind() {
+OutputFolderKind kind() {
   return {"comparison", "mark.json", "clast",
           [](const fs::path& file) { return file.extension() == ".csv" || file == "mark.json"; }};
 }

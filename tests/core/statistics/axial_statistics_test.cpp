@@ -32,19 +32,19 @@ TEST(AxialMean, OfOppositeEndsIsTheirLine) {
   // As vectors the first two cancel.
   const AxialMean mean = axial_mean(in_rad({20.0, 200.0, -160.0}));
   EXPECT_NEAR(mean.direction, 20.0 * kDegree, 1e-12);
-  EXPECT_NEAR(mean.resultant, 1.0, 1e-12);
+  EXPECT_NEAR(mean.resultant_length, 1.0, 1e-12);
 }
 
 TEST(AxialMean, IsTheBisectorAndTheCosineOfTheSpread) {
   // Doubled angles of +-15 degrees about 80: R = cos 30.
   const AxialMean mean = axial_mean(in_rad({65.0, 95.0}));
   EXPECT_NEAR(mean.direction, 80.0 * kDegree, 1e-12);
-  EXPECT_NEAR(mean.resultant, std::sqrt(3.0) / 2.0, 1e-12);
+  EXPECT_NEAR(mean.resultant_length, std::sqrt(3.0) / 2.0, 1e-12);
 }
 
 TEST(AxialMean, OfEvenDirectionsHasNone) {
   const AxialMean mean = axial_mean(in_rad({0.0, 60.0, 120.0}));
-  EXPECT_NEAR(mean.resultant, 0.0, 1e-12);
+  EXPECT_NEAR(mean.resultant_length, 0.0, 1e-12);
   EXPECT_TRUE(std::isnan(mean.direction));
   EXPECT_EQ(axial_mean({}).count, 0u);
 }

@@ -55,7 +55,7 @@ TEST(Bootstrap, OfOneClusterHasTheWidthOfTheStandardError) {
     a.clusters.push_back(0);
     b.clusters.push_back(0);
   }
-  const Interval interval = *bootstrap_difference(a, b, 1, 5);
+  const Interval interval = *bootstrap_difference_interval(a, b, 1, 5);
   const double width = 2 * 1.96 * std::sqrt((1.0 + 4.0) / 400);
   EXPECT_NEAR(interval.high - interval.low, width, 0.12 * width);
   EXPECT_LT(interval.low, 2.0);
@@ -75,7 +75,7 @@ TEST(Bootstrap, WhatAClusterShiftsInBothGroupsIsNoDifference) {
       b.clusters.push_back(cluster);
     }
   }
-  const Interval interval = *bootstrap_difference(a, b, 20, 5);
+  const Interval interval = *bootstrap_difference_interval(a, b, 20, 5);
   EXPECT_NEAR(interval.low, -1.0, 0.05);
   EXPECT_NEAR(interval.high, -1.0, 0.05);
 }
@@ -95,8 +95,8 @@ TEST(Bootstrap, ClustersThatDifferWidenTheInterval) {
       many.clusters.push_back(cluster);
     }
   }
-  const Interval few = *bootstrap_difference(few_a, few_b, 40, 7);
-  const Interval many = *bootstrap_difference(many_a, many_b, 40, 7);
+  const Interval few = *bootstrap_difference_interval(few_a, few_b, 40, 7);
+  const Interval many = *bootstrap_difference_interval(many_a, many_b, 40, 7);
   EXPECT_NEAR(many.low, few.low, 1e-12);
   EXPECT_NEAR(many.high, few.high, 1e-12);
 }
@@ -108,10 +108,10 @@ TEST(Bootstrap, MeanOfOneClusterHasTheIntervalOfTheNormal) {
     values.values.push_back(7.0 + 2.0 * random.normal());
     values.clusters.push_back(0);
   }
-  const Interval interval = *bootstrap_mean(values, 1, 5);
+  const Interval interval = *bootstrap_mean_interval(values, 1, 5);
   const double width = 2 * 1.96 * 2.0 / std::sqrt(400.0);
   EXPECT_NEAR(interval.high - interval.low, width, 0.12 * width);
-  EXPECT_FALSE(bootstrap_mean({}, 1, 5));
+  EXPECT_FALSE(bootstrap_mean_interval({}, 1, 5));
 }
 
 TEST(Bootstrap, MeanOfRepeatedValuesIsNoSurerThanThatOfEachOnce) {
@@ -126,7 +126,8 @@ TEST(Bootstrap, MeanOfRepeatedValuesIsNoSurerThanThatOfEachOnce) {
       repeated.clusters.push_back(cluster);
     }
   }
-  const Interval a = *bootstrap_mean(once, 25, 3), b = *bootstrap_mean(repeated, 25, 3);
+  const Interval a = *bootstrap_mean_interval(once, 25, 3),
+                 b = *bootstrap_mean_interval(repeated, 25, 3);
   EXPECT_NEAR(a.low, b.low, 1e-12);
   EXPECT_NEAR(a.high, b.high, 1e-12);
 }
@@ -189,7 +190,7 @@ TEST(ClusteredShare, CoversTheTruthNineteenTimesInTwenty) {
 
 TEST(Bootstrap, GroupsThatAreEmptyHaveNoInterval) {
   const ClusteredValues one{{1.0}, {0}};
-  EXPECT_FALSE(bootstrap_difference(one, {}, 1, 1));
+  EXPECT_FALSE(bootstrap_difference_interval(one, {}, 1, 1));
 }
 
 }  // namespace

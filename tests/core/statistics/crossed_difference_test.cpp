@@ -45,7 +45,7 @@ CrossedSample crossed_sample(const CrossedStudy& study, Random& random) {
             of_unit + of_point[p] + (high ? of_half[p] : 0.0) + study.of_run * random.normal();
         if (study.unbalanced && random.uniform_index(3) == 0) continue;
         sample.values.push_back(value);
-        sample.high.push_back(high);
+        sample.in_second_group.push_back(high);
         sample.units.push_back(u);
         sample.points.push_back(p);
         sample.strata.push_back(p);

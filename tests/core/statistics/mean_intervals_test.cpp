@@ -12,7 +12,7 @@
 namespace clast {
 namespace {
 
-Summary of(const std::vector<double>& values) { return summarise(values); }
+SampleSummary of(const std::vector<double>& values) { return summarise_sample(values); }
 
 /// With two degrees of freedom P(|T| > t) = 1 - t/sqrt(2 + t^2), so 95 % lie within this.
 const double kWithTwo = 0.95 * std::sqrt(2.0 / (1.0 - 0.95 * 0.95));

@@ -102,7 +102,9 @@ TEST(TwoSampleKs, KnowsNothingOfAnEmptySampleAndSeesNoneInEqualOnes) {
   EXPECT_EQ(two_sample_ks_test(Values{1, 2, 3}, Values{3, 2, 1})->p_value, 1.0);
 }
 
-TEST(Ranks, TiesShareTheMean) { EXPECT_EQ(ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4})); }
+TEST(Ranks, TiesShareTheMean) {
+  EXPECT_EQ(fractional_ranks(Values{3, 1, 3, 2, 3}), (Values{4, 1, 4, 2, 4}));
+}
 
 // Without ties rho = 1 - 6 sum d^2/(n (n^2 - 1)); for n = 4 the 24 orders give P(rho = 1) = 1/24.
 TEST(Spearman, OfFourPairsCountsAllOrders) {
@@ -124,7 +126,7 @@ TEST(Spearman, BeyondNinePairsFollowsStudent) {
   }
   const auto test = spearman_test(x, y);
   EXPECT_FALSE(test->exact);
-  const Values rank_x = ranks(x), rank_y = ranks(y);
+  const Values rank_x = fractional_ranks(x), rank_y = fractional_ranks(y);
   double squares = 0.0;
   for (int i = 0; i < 200; ++i) squares += (rank_x[i] - rank_y[i]) * (rank_x[i] - rank_y[i]);
   const double rho = 1.0 - 6.0 * squares / (200.0 * (200.0 * 200.0 - 1.0));

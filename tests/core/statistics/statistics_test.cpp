@@ -12,7 +12,7 @@ namespace clast {
 namespace {
 
 TEST(Summary, OfFourNumbersIsAsComputedByHand) {
-  const Summary summary = summarise(std::vector<double>{4.0, 1.0, 3.0, 2.0});
+  const SampleSummary summary = summarise_sample(std::vector<double>{4.0, 1.0, 3.0, 2.0});
   EXPECT_EQ(summary.count, 4u);
   EXPECT_DOUBLE_EQ(summary.mean, 2.5);
   EXPECT_DOUBLE_EQ(summary.std, std::sqrt(5.0 / 3.0));  // (2.25 + 0.25 + 0.25 + 2.25) / 3
@@ -22,14 +22,14 @@ TEST(Summary, OfFourNumbersIsAsComputedByHand) {
 }
 
 TEST(Summary, OfNothingIsZero) {
-  const Summary summary = summarise({});
+  const SampleSummary summary = summarise_sample({});
   EXPECT_EQ(summary.count, 0u);
   EXPECT_EQ(summary.mean, 0.0);
   EXPECT_EQ(summary.max, 0.0);
 }
 
 TEST(Summary, OfOneValueHasNoSpread) {
-  const Summary summary = summarise(std::vector<double>{-7.0});
+  const SampleSummary summary = summarise_sample(std::vector<double>{-7.0});
   EXPECT_EQ(summary.mean, -7.0);
   EXPECT_EQ(summary.std, 0.0);
   EXPECT_EQ(summary.median, -7.0);
@@ -38,7 +38,8 @@ TEST(Summary, OfOneValueHasNoSpread) {
 }
 
 TEST(Summary, SpreadKeepsItsDigitsAtMapCoordinates) {
-  const Summary summary = summarise(std::vector<double>{5e6 + 1, 5e6 + 2, 5e6 + 3, 5e6 + 4});
+  const SampleSummary summary =
+      summarise_sample(std::vector<double>{5e6 + 1, 5e6 + 2, 5e6 + 3, 5e6 + 4});
   EXPECT_NEAR(summary.std, std::sqrt(5.0 / 3.0), 1e-9);
 }
 
@@ -52,7 +53,7 @@ TEST_P(RandomSample, ShiftsAndScalesWithItsValues) {
     values.push_back(random.normal());
     changed.push_back(3.0 * values.back() + 5.0);
   }
-  const Summary before = summarise(values), after = summarise(changed);
+  const SampleSummary before = summarise_sample(values), after = summarise_sample(changed);
   EXPECT_NEAR(after.mean, 3.0 * before.mean + 5.0, 1e-12);
   EXPECT_NEAR(after.std, 3.0 * before.std, 1e-12);
   EXPECT_NEAR(after.median, 3.0 * before.median + 5.0, 1e-12);
@@ -77,11 +78,11 @@ TEST_P(RandomSample, QuantileAtAnOrderStatisticIsThatValueAndNeverFalls) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSample, testing::Range(0u, 20u));
 
 TEST(Decimals, AreThoseThatTheIntervalLeaves) {
-  EXPECT_EQ(justified_decimals({10.0, 17.0}, 4), 0);
-  EXPECT_EQ(justified_decimals({0.208, 0.983}, 4), 1);
-  EXPECT_EQ(justified_decimals({0.135, 0.2}, 4), 2);
-  EXPECT_EQ(justified_decimals({5.0, 5.0}, 4), 4) << "no wider than nothing";
-  EXPECT_EQ(justified_decimals({-INFINITY, INFINITY}, 4), 0);
+  EXPECT_EQ(significant_decimals({10.0, 17.0}, 4), 0);
+  EXPECT_EQ(significant_decimals({0.208, 0.983}, 4), 1);
+  EXPECT_EQ(significant_decimals({0.135, 0.2}, 4), 2);
+  EXPECT_EQ(significant_decimals({5.0, 5.0}, 4), 4) << "no wider than nothing";
+  EXPECT_EQ(significant_decimals({-INFINITY, INFINITY}, 4), 0);
 }
 
 TEST(WilsonInterval, EndsSolveTheScoreEquation) {

@@ -28,7 +28,7 @@ VectorXd ridge(const MatrixXd& places) {
 }
 
 TEST(TemperedSampling, FindsARidgeAndLeavesTheRestUniform) {
-  const TemperedSample sample = sample_tempered(3, ridge, {.draws = 4000, .seed = 2});
+  const TemperedSample sample = draw_tempered_sample(3, ridge, {.draws = 4000, .seed = 2});
   const VectorXd mean = sample.points.rowwise().mean();
   const MatrixXd about = sample.points.colwise() - mean;
   const MatrixXd covariance = about * about.transpose() / 4000.0;
@@ -45,13 +45,14 @@ TEST(TemperedSampling, FindsARidgeAndLeavesTheRestUniform) {
 TEST(TemperedSampling, KnowsTheMeanLikelihood) {
   const double expected =
       std::log(2.0 * kPi * kSpread * kSpread * std::sqrt(1.0 - kTogether * kTogether));
-  EXPECT_NEAR(sample_tempered(3, ridge, {.draws = 4000, .seed = 5}).log_evidence, expected, 0.1);
+  EXPECT_NEAR(draw_tempered_sample(3, ridge, {.draws = 4000, .seed = 5}).log_evidence, expected,
+              0.1);
 }
 
 // exp(-20 x) on [0, 1]: the mean is 1/20 but for e^-20, and draws at the side are not lost.
 TEST(TemperedSampling, KeepsToTheCubeAtItsSides) {
   const auto likelihood = [](const MatrixXd& places) -> VectorXd { return -20.0 * places.row(0); };
-  const TemperedSample sample = sample_tempered(1, likelihood, {.draws = 4000});
+  const TemperedSample sample = draw_tempered_sample(1, likelihood, {.draws = 4000});
   EXPECT_GE(sample.points.minCoeff(), 0.0);
   EXPECT_LE(sample.points.maxCoeff(), 1.0);
   EXPECT_NEAR(sample.points.mean(), 0.05, 0.003);
@@ -61,28 +62,29 @@ TEST(TemperedSampling, ALevelLikelihoodLeavesTheCubeUniform) {
   const auto level = [](const MatrixXd& places) -> VectorXd {
     return VectorXd::Zero(places.cols());
   };
-  const TemperedSample sample = sample_tempered(2, level, {.draws = 3000});
+  const TemperedSample sample = draw_tempered_sample(2, level, {.draws = 3000});
   EXPECT_NEAR(sample.points.row(1).mean(), 0.5, 0.02);
-  EXPECT_EQ(sample.temperatures, 1u);
+  EXPECT_EQ(sample.tempering_steps, 1u);
   EXPECT_NEAR(sample.log_evidence, 0.0, 1e-12);
 }
 
 TEST(TemperedSampling, SeedsDecideEveryBit) {
-  const TemperedSample a = sample_tempered(3, ridge, {.draws = 200, .seed = 4});
-  EXPECT_EQ(a.points, sample_tempered(3, ridge, {.draws = 200, .seed = 4}).points);
-  EXPECT_NE(a.points, sample_tempered(3, ridge, {.draws = 200, .seed = 5}).points);
+  const TemperedSample a = draw_tempered_sample(3, ridge, {.draws = 200, .seed = 4});
+  EXPECT_EQ(a.points, draw_tempered_sample(3, ridge, {.draws = 200, .seed = 4}).points);
+  EXPECT_NE(a.points, draw_tempered_sample(3, ridge, {.draws = 200, .seed = 5}).points);
 }
 
 TEST(TemperedSampling, RefusesSenselessOptionsAndALikelihoodThatIsNowhere) {
-  EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.draws = 2}); }),
+  EXPECT_EQ(refusal<InputError>([] { draw_tempered_sample(1, ridge, {.draws = 2}); }),
             "tempered sampling: draws 2 is out of range");
-  EXPECT_EQ(refusal<InputError>([] { sample_tempered(1, ridge, {.effective_fraction = 1.0}); }),
-            "tempered sampling: kept 1 is out of range");
+  EXPECT_EQ(
+      refusal<InputError>([] { draw_tempered_sample(1, ridge, {.effective_fraction = 1.0}); }),
+      "tempered sampling: kept 1 is out of range");
   const auto nowhere = [](const MatrixXd& places) -> VectorXd {
     return VectorXd::Constant(places.cols(), -std::numeric_limits<double>::infinity());
   };
-  EXPECT_EQ(refusal<InputError>([&] { sample_tempered(1, nowhere, {.draws = 20}); }),
-            "the likelihood is zero or not a number at all 20 first draws");
+  EXPECT_EQ(refusal<InputError>([&] { draw_tempered_sample(1, nowhere, {.draws = 20}); }),
+            "the likelihood is zero or not a number for all 20 initial draws");
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(ColmapRun, ASideThatIsMissingIsToldAgainAndFromTheCacheToo) {
   const FakeColmap enough(FakeColmap::group(0, 0, 5));
   EXPECT_EQ(enough.cameras().photos.size(), 6u);
   ColmapOptions strict = enough.options();
-  strict.least_share = 0.9;
+  strict.min_posed_fraction = 0.9;
   EXPECT_TRUE(contains(refusal([&] { run_colmap(enough.photos(), strict); }),
                        "6 of 10 photos could be placed"));
 }

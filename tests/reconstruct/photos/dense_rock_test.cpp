@@ -105,7 +105,7 @@ TEST(DenseRock, MasksLeaveTheBlockAlone) {
   const ToTruth to_truth(model);
   const auto masks = test_data("photos/synthetic_rock/masks");
   const DenseCloud cloud =
-      compute_dense_cloud(model, {.most_pixels = 500, .masks = masks, .threads = 2});
+      compute_dense_cloud(model, {.max_image_side = 500, .masks = masks, .threads = 2});
   const TriangleMesh rock = read_mesh(test_data("photos/synthetic_rock/gt_rock.ply"));
   const TriangleTree tree(rock);
   std::size_t off = 0;

@@ -15,7 +15,7 @@ CameraIntrinsics odd_lens() {
   CameraIntrinsics lens{
       .width = 4000, .height = 3000, .fx = 3100.0, .fy = 3080.0, .cx = 2011.3, .cy = 1480.7};
   lens.radial = {-0.11, 0.06, -0.012, 0.0};
-  lens.divisor = {0.02, -0.01, 0.003};
+  lens.radial_divisor = {0.02, -0.01, 0.003};
   lens.p1 = 0.0007;
   lens.p2 = -0.0011;
   return lens;
@@ -28,9 +28,14 @@ Vec3 before_camera(Random& random) {
 TEST(CameraIntrinsics, ProjectsAsOpenCvDoes) {
   const CameraIntrinsics lens = odd_lens();
   const cv::Matx33d k(lens.fx, 0.0, lens.cx, 0.0, lens.fy, lens.cy, 0.0, 0.0, 1.0);
-  const std::vector<double> distortion = {lens.radial[0],  lens.radial[1], lens.p1,
-                                          lens.p2,         lens.radial[2], lens.divisor[0],
-                                          lens.divisor[1], lens.divisor[2]};
+  const std::vector<double> distortion = {lens.radial[0],
+                                          lens.radial[1],
+                                          lens.p1,
+                                          lens.p2,
+                                          lens.radial[2],
+                                          lens.radial_divisor[0],
+                                          lens.radial_divisor[1],
+                                          lens.radial_divisor[2]};
   Random random(7);
   for (int i = 0; i < 200; ++i) {
     const Vec3 p = before_camera(random);
@@ -96,7 +101,7 @@ TEST(CameraIntrinsics, WhatIsBehindOrBeyondTheDistortionIsNotSeen) {
 }
 
 TEST(CameraIntrinsics, ASmallerPhotoSeesTheSamePlacesOfItsFrame) {
-  const CameraIntrinsics lens = odd_lens(), half = resize_image(lens, 2000, 1500);
+  const CameraIntrinsics lens = odd_lens(), half = resized_intrinsics(lens, 2000, 1500);
   Random random(5);
   for (int i = 0; i < 50; ++i) {
     const Vec3 p = before_camera(random);
@@ -104,8 +109,9 @@ TEST(CameraIntrinsics, ASmallerPhotoSeesTheSamePlacesOfItsFrame) {
     const Vec2 expected = 0.5 * (*project(lens, p) + Vec2(0.5, 0.5)) - Vec2(0.5, 0.5);
     EXPECT_NEAR((*project(half, p) - expected).norm(), 0.0, 1e-9);
   }
-  EXPECT_TRUE(contains(refusal([&] { resize_image(lens, 1500, 2000); }), "1500 x 2000"));
-  EXPECT_TRUE(contains(refusal([&] { resize_image(lens, 2000, 1200); }), "not cropped or rotated"));
+  EXPECT_TRUE(contains(refusal([&] { resized_intrinsics(lens, 1500, 2000); }), "1500 x 2000"));
+  EXPECT_TRUE(
+      contains(refusal([&] { resized_intrinsics(lens, 2000, 1200); }), "not cropped or rotated"));
 }
 
 TEST(CameraIntrinsics, ValuesOfNoLensAreRefused) {

@@ -74,7 +74,7 @@ PhotoModel changed(const ScratchFolder& folder,
 TEST(DegradedPhotos, EverySecondPhotoStillGivesGoodPoints) {
   const PhotoModel all = colmap_model();
   const DenseCloud cloud = compute_dense_cloud(with_photos(all, every(2, all.photos.size())),
-                                               {.most_pixels = 800, .min_agreeing_pairs = 2});
+                                               {.max_image_side = 800, .min_agreeing_pairs = 2});
   const double error = mean_error(cloud, ToTruth(all));
   std::cout << cloud.pairs.size() << " pairs, " << cloud.points.size() << " points, mean "
             << 100.0 * error << " %\n";
@@ -103,7 +103,7 @@ TEST(DegradedPhotos, StrongCompressionCostsLittle) {
   const ScratchFolder folder;
   const PhotoModel model = changed(
       folder, [](cv::Mat&, std::size_t) {}, 30);
-  const DenseCloud cloud = compute_dense_cloud(model, {.most_pixels = 800});
+  const DenseCloud cloud = compute_dense_cloud(model, {.max_image_side = 800});
   const double error = mean_error(cloud, ToTruth(model));
   std::cout << cloud.points.size() << " points, mean " << 100.0 * error << " %\n";
   EXPECT_TRUE(cloud.blurred.empty());

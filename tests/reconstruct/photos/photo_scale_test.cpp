@@ -63,12 +63,12 @@ TEST(PhotoScale, ABarThatIsWrongIsNamedAndLeftOut) {
 TEST(PhotoScale, SidesCheckBars) {
   const PhotoScale good =
       estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.2});
-  ASSERT_TRUE(good.side_check.has_value());
-  EXPECT_NEAR(*good.side_check, 0.0, 1e-12);
+  ASSERT_TRUE(good.marker_side_ratio.has_value());
+  EXPECT_NEAR(*good.marker_side_ratio, 0.0, 1e-12);
   const PhotoScale bad =
       estimate_scale_from_markers(four(), {.bars = {{1, 7, 1.5}}, .marker_side = 0.19});
-  EXPECT_NEAR(*bad.side_check, 0.2 / 0.19 - 1.0, 1e-12);
-  EXPECT_TRUE(contains(bad.notes.back(), "sides are 5.3 % longer than given"));
+  EXPECT_NEAR(*bad.marker_side_ratio, 0.2 / 0.19 - 1.0, 1e-12);
+  EXPECT_TRUE(contains(bad.notes.back(), "sides of the markers are 5.3 % longer than given"));
 }
 
 TEST(PhotoScale, SizesThatContradictAreRefused) {

@@ -1,4 +1,4 @@
-/// What is told of photos: which see what, which were left out, what the scale rests on.
+/// What is told of photos: which see what, which were left out, what the scale is based on.
 #include "reconstruct/photos/photo_summary.hpp"
 
 #include <gtest/gtest.h>

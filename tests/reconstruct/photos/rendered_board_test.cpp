@@ -76,7 +76,7 @@ TEST_P(Tags, OnAPlateGiveTheScaleByTheirCentresAndTheirSides) {
       photographed(drawn_markers(GetParam(), side, centres, 0.40, 0.30), kUnit, folder);
   const MarkerSearchResult search = search_markers(model, {.dictionary = GetParam(), .threads = 2});
   ASSERT_EQ(search.markers.size(), 4u);
-  EXPECT_TRUE(search.missed.empty());
+  EXPECT_TRUE(search.unlocated.empty());
   EXPECT_EQ(search.dictionary, GetParam());
   ScaleBoard board{.dictionary = GetParam()};
   for (int id = 0; id < 4; ++id) {

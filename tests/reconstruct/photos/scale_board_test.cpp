@@ -89,8 +89,8 @@ TEST(ScaleBoard, SidesCheckTheBoardAndStandInForIt) {
   ScaleBoard board = plate();
   board.marker_side = 0.102;
   const PhotoScale both = estimate_scale_from_markers(seen(plate()), {.board = board});
-  ASSERT_TRUE(both.side_check.has_value());
-  EXPECT_NEAR(*both.side_check, 0.1 / 0.102 - 1.0, 1e-12);
+  ASSERT_TRUE(both.marker_side_ratio.has_value());
+  EXPECT_NEAR(*both.marker_side_ratio, 0.1 / 0.102 - 1.0, 1e-12);
   EXPECT_TRUE(contains(both.notes.at(0), "shorter than given"));
   std::vector<LocatedMarker> one = seen(plate());
   one.resize(1);

@@ -37,7 +37,7 @@ PhotoModel with_lens() {
 TEST(StereoPairs, EveryPhotoOfARingIsPairedWithItsNeighboursOnBothSides) {
   PhotoModel model = with_lens();
   add_ring(model, 24, 0.0);
-  const std::vector<StereoPair> pairs = stereo_pairs(model, {Vec3::Zero(), 0.5, true});
+  const std::vector<StereoPair> pairs = choose_stereo_pairs(model, {Vec3::Zero(), 0.5, true});
   ASSERT_EQ(pairs.size(), 24u);
   std::vector<int> partners(24);
   for (const StereoPair& pair : pairs) {
@@ -52,7 +52,8 @@ TEST(StereoPairs, BlurredPhotosAndThoseThatLookAwayAreLeftOut) {
   PhotoModel model = with_lens();
   add_ring(model, 24, 0.0);
   model.photos[5].camera_from_world = {Vec3::Zero(), Random(1).rotation()};
-  const std::vector<StereoPair> pairs = stereo_pairs(model, {Vec3::Zero(), 0.5, true}, {7, 9});
+  const std::vector<StereoPair> pairs =
+      choose_stereo_pairs(model, {Vec3::Zero(), 0.5, true}, {7, 9});
   for (const StereoPair& pair : pairs) {
     for (const std::size_t out : {5u, 7u, 9u}) {
       EXPECT_NE(pair.first, out);
@@ -64,7 +65,7 @@ TEST(StereoPairs, BlurredPhotosAndThoseThatLookAwayAreLeftOut) {
 TEST(StereoPairs, PhotosTooFarApartAreToldWithTheirAngle) {
   PhotoModel model = with_lens();
   add_ring(model, 7, 0.0);  // 51.4 degrees
-  const std::string text = refusal([&] { stereo_pairs(model, {Vec3::Zero(), 0.5, true}); });
+  const std::string text = refusal([&] { choose_stereo_pairs(model, {Vec3::Zero(), 0.5, true}); });
   EXPECT_TRUE(contains(text, "only 0 pairs among 7 photos"));
   EXPECT_TRUE(contains(text, "neighbours are 51 degrees apart"));
   EXPECT_TRUE(contains(text, "every 10-15 degrees"));

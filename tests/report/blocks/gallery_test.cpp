@@ -38,14 +38,14 @@ TEST(Gallery, HasACardWithItsNumbersForEveryBlock) {
 }
 
 TEST(Gallery, ItsFolderIsKnown) {
-  const FolderKind kind = gallery_folder_kind();
+  const OutputFolderKind kind = gallery_folder_kind();
   EXPECT_TRUE(kind.is_own_file("gallery.html"));
   EXPECT_FALSE(kind.is_own_file("report.html"));
   const ScratchFolder folder;
   const Block block = filled_block("one");
   const Block* const one = &block;
   const auto file = write_gallery({&one, 1}, "Blocks", folder.path());
-  EXPECT_TRUE(contains(read_text_file(file), kind.mark));
+  EXPECT_TRUE(contains(read_text_file(file), kind.marker_text));
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ TEST(PhotoSection, HoldsRingCoverageMarkersAndScale) {
   EXPECT_TRUE(contains(html, "1 photo without a camera: img_90.jpg"));
   EXPECT_TRUE(contains(html, "1 photo blurred and skipped: blur"));
   EXPECT_TRUE(contains(html, "away: &lt;lone&gt;"));
-  EXPECT_TRUE(contains(html, "35 photos with a camera, by COLMAP text; 33 compared, in 32 pairs"));
+  EXPECT_TRUE(
+      contains(html, "35 photos with a camera position from COLMAP text; 33 matched, in 32 pairs"));
   EXPECT_TRUE(contains(html, "markers 0 and 2"));
   EXPECT_TRUE(contains(html, "left out: its position differs from that on the board"));
   EXPECT_TRUE(contains(html, "One unit of the cameras&#39; model is"));

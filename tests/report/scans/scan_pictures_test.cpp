@@ -58,7 +58,7 @@ TEST(MeshPicture, AFramedSceneIsInsideEveryPictureAtOneScale) {
     EXPECT_EQ(camera.pixel, cameras[0].pixel);
     Vec2 low(1e9, 1e9), high(-1e9, -1e9);
     for (const Vec3& v : rock.vertices) {
-      const Vec2 at = camera.seen(v).head<2>();
+      const Vec2 at = camera.projected(v).head<2>();
       low = low.cwiseMin(at), high = high.cwiseMax(at);
     }
     EXPECT_GT(low.minCoeff(), 0.0);
@@ -182,7 +182,7 @@ TEST(ScanPage, TablesNameEveryDefectAndHoleWithItsPlace) {
   hole.centre = Vec3(4.0, 5.0, 6.0);
   report.holes = {hole};
   const std::string html = format_repair_section(report);
-  for (const char* text : {"spikes, put back", ">3<", "(1, 2, 3)", "loose scraps", "1.0 %",
+  for (const char* text : {"spikes, moved back", ">3<", "(1, 2, 3)", "loose scraps", "1.0 %",
                            "holes, filled", ">H1<", ">17<", ">0.625<", "4.0 %", "(4, 5, 6)"}) {
     EXPECT_NE(html.find(text), std::string::npos) << text << " is missing in " << html;
   }
@@ -192,10 +192,10 @@ TEST(ScanPage, TablesNameEveryDefectAndHoleWithItsPlace) {
   EXPECT_EQ(marks[0].label, "1");
   EXPECT_EQ(marks[1].label, "H1");
   RepairReport sound;
-  EXPECT_EQ(count_of(format_repair_section(sound), "None beside the open side"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound), "None except the open side"), 1u);
   sound.as_read.triangles = 4;
   EXPECT_EQ(count_of(format_repair_section(sound), "None: the surface was closed"), 1u);
-  EXPECT_EQ(count_of(format_repair_section(sound, true, true), "None beside the open side"), 1u);
+  EXPECT_EQ(count_of(format_repair_section(sound, true, true), "None except the open side"), 1u);
 }
 
 TEST(ScanPage, EveryKindOfDefectHasAName) {

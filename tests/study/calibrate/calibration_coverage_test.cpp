@@ -24,8 +24,8 @@ Fifty fifty_studies(double bend) {
     second.reach = 1.3;
     const std::size_t fit = made.add_site("first", first), keep = made.add_site("second", second);
     std::vector<double> truth;
-    for (const Unknown& unknown : made.study.unknowns)
-      truth.push_back(unknown.value(truths.uniform()));
+    for (const UnknownParameter& unknown : made.study.unknowns)
+      truth.push_back(unknown.prior_quantile(truths.uniform()));
     first.bend = second.bend = bend;  // of the field alone
     made.observe(fit, first, truth, 24, true, 7 * study);
     made.observe(keep, second, truth, 24, false, 11 * study);
@@ -35,9 +35,9 @@ Fifty fifty_studies(double bend) {
       if (covers(posterior.marginals[i], truth[i])) ++fifty.covering;
     }
     if (posterior.fitted.failed()) ++fifty.failed_fits;
-    if (posterior.kept.failed()) ++fifty.failed_kept;
-    fifty.kept_figures += posterior.kept.figures;
-    fifty.kept_covered += posterior.kept.covered;
+    if (posterior.held_out.failed()) ++fifty.failed_kept;
+    fifty.kept_figures += posterior.held_out.statistics;
+    fifty.kept_covered += posterior.held_out.covered;
   }
   return fifty;
 }
@@ -63,8 +63,8 @@ TEST(CalibrationCoverage, IntervalsFromImpactsAloneHaveTheTruth) {
     MadeUpStudy made(32, 60, study);
     const std::size_t throws = made.add_throws();
     std::vector<double> truth;
-    for (const Unknown& unknown : made.study.unknowns) {
-      truth.push_back(unknown.value(truths.uniform()));
+    for (const UnknownParameter& unknown : made.study.unknowns) {
+      truth.push_back(unknown.prior_quantile(truths.uniform()));
     }
     made.observe_throws(throws, {}, truth, 5 * study);
     const CalibrationPosterior posterior = made.posterior();

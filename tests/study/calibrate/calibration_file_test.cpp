@@ -17,25 +17,25 @@ namespace {
 class CalibrationFile : public testing::Test {
  protected:
   CalibrationFile() : made(study_of({1.0, 1.3})) {
-    made.study.design.members = 16;
-    made.study.design.draws = 200;
+    made.study.design.member_count = 16;
+    made.study.design.draw_count = 200;
     made.study.text = "# made up\n";
     simulator.sites = made.runs.sites;
     simulator.inputs = {"made-up.toml 00"};
     simulator.simulate = [this](std::size_t site, std::uint32_t member,
                                 const std::vector<double>&) {
-      if (++simulated > most) throw Cancelled();
+      if (++simulated > maximum) throw Cancelled();
       return made.runs.outcomes[site][member];
     };
   }
-  Calibration run(const CalibrateOptions& options = {}) {
-    return calibrate_with(simulator, made.study, target(), options);
+  Calibration run(const CalibrationOptions& options = {}) {
+    return run_calibration_with(simulator, made.study, target(), options);
   }
   std::filesystem::path target() const { return folder / "posterior.h5"; }
 
   MadeUpStudy made;
   CalibrationBackend simulator;
-  std::size_t simulated = 0, most = 1000;
+  std::size_t simulated = 0, maximum = 1000;
   ScratchFolder folder;
 };
 
@@ -60,7 +60,7 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
   const Calibration whole = run();
   std::filesystem::remove(target());
   simulated = 0;
-  most = 11;
+  maximum = 11;
   EXPECT_THROW(run(), Cancelled);
   EXPECT_FALSE(std::filesystem::exists(target()));
   EXPECT_EQ(refusal<InputError>([&] { run(); }),
@@ -72,9 +72,9 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
                 ": is a calibration without draws, because it was interrupted or is one of several "
                 "shards; continue it, or join the shards first");
   simulated = 0;
-  most = 1000;
+  maximum = 1000;
   std::size_t before = 0;
-  CalibrateOptions options;
+  CalibrationOptions options;
   options.resume = true;
   options.progress = [&](const ProgressUpdate& step) { before = step.done_before; };
   EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
@@ -85,42 +85,44 @@ TEST_F(CalibrationFile, InterruptedGoesOnToTheSameBits) {
 
 TEST_F(CalibrationFile, ShardsJoinedAreTheWhole) {
   const Calibration whole = run();
-  CalibrateOptions join;
+  CalibrationOptions join;
   for (std::uint32_t i = 1; i <= 3; ++i) {
     simulated = 0;
-    CalibrateOptions options;
+    CalibrationOptions options;
     options.shard = {i, 3};
     const auto part = folder / ("part" + std::to_string(i) + ".h5");
     std::size_t total = 0;
     options.progress = [&](const ProgressUpdate& step) { total = step.total; };
-    calibrate_with(simulator, made.study, part, options);
+    run_calibration_with(simulator, made.study, part, options);
     EXPECT_EQ(simulated, i == 1 ? 12u : 10u);  // 16 members at two sites
     EXPECT_EQ(total, simulated);
     EXPECT_NE(refusal<InputError>([&] { read_posterior_draws(part); }), "");
     join.parts.push_back(part);
   }
   simulated = 0;
-  const Calibration joined = calibrate_with(simulator, made.study, folder / "joined.h5", join);
+  const Calibration joined =
+      run_calibration_with(simulator, made.study, folder / "joined.h5", join);
   EXPECT_EQ(simulated, 0u);
   EXPECT_EQ(joined.posterior.draws, whole.posterior.draws);
   join.parts.erase(join.parts.begin() + 1);
   join.replace = true;
   const auto refused = [&] {
     return refusal<InputError>(
-        [&] { calibrate_with(simulator, made.study, folder / "joined.h5", join); });
+        [&] { run_calibration_with(simulator, made.study, folder / "joined.h5", join); });
   };
-  EXPECT_EQ(
-      refused(),
-      "member 2 of 16 is in none of the parts; give the files of all shards, all of them finished");
+  EXPECT_EQ(refused(),
+            "member 2 of 16 is in none of the parts; give the finished files of all shards");
   EXPECT_EQ(read_posterior_draws(folder / "joined.h5").draws.size(), 200u);  // it is still there
   made.study.design.seed = 99;
-  EXPECT_EQ(refused(), join.parts[0].string() +
-                           ": was begun with other sites, unknowns, members, inputs or program; "
-                           "simulate that shard of this study");
+  EXPECT_EQ(refused(),
+            join.parts[0].string() +
+                ": was started with different sites, unknowns, members, inputs or program; "
+                "simulate that shard of this study");
 }
 
 TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
-  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 2.0}, {Moment::Kind::kTime, 0.5}};
+  const std::vector<ObservedMoment> moments = {{ObservedMoment::Kind::kImpact, 2.0},
+                                               {ObservedMoment::Kind::kTime, 0.5}};
   for (std::size_t site = 0; site < 2; ++site) {
     simulator.sites[site].moments = moments;
     simulator.sites[site].releases = {"low", "high"};
@@ -130,7 +132,7 @@ TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
         outcome.moments.resize(2);
         outcome.moments[0].depth = 0.1 * outcome.stop.x();
         outcome.moments[1].speed = outcome.stop.y();
-        outcome.moments[1].place = outcome.stop;
+        outcome.moments[1].position = outcome.stop;
       }
     }
   }
@@ -144,14 +146,14 @@ TEST_F(CalibrationFile, KeepsImpactsAndTimes) {
   EXPECT_EQ(kept.moments[0].depth, had.moments[0].depth);
   EXPECT_FALSE(kept.moments[0].passed());
   EXPECT_EQ(kept.moments[1].speed, had.moments[1].speed);
-  EXPECT_EQ(kept.moments[1].place, had.moments[1].place);
-  CalibrateOptions options;
+  EXPECT_EQ(kept.moments[1].position, had.moments[1].position);
+  CalibrationOptions options;
   options.resume = true;
   simulated = 0;
   simulator.sites[0].moments.pop_back();  // fewer are there too
   run(options);
   EXPECT_EQ(simulated, 0u);
-  simulator.sites[1].moments.push_back({Moment::Kind::kTime, 0.75});
+  simulator.sites[1].moments.push_back({ObservedMoment::Kind::kTime, 0.75});
   EXPECT_EQ(refusal<InputError>([&] { run(options); }),
             target().string() +
                 ": the members of site site 2 were simulated for observations at other impacts or "
@@ -162,15 +164,16 @@ TEST_F(CalibrationFile, OtherObservationsUseTheSameRuns) {
   run();
   simulated = 0;
   made.study.observations.pop_back();
-  CalibrateOptions options;
+  CalibrationOptions options;
   options.resume = true;
   run(options);
   EXPECT_EQ(simulated, 0u);
   made.study.unknowns[0].high = 0.95;
-  EXPECT_EQ(refusal<InputError>([&] { run(options); }),
-            target().string() +
-                ": was begun with other sites, unknowns, members, inputs or program; delete it, or "
-                "give another output");
+  EXPECT_EQ(
+      refusal<InputError>([&] { run(options); }),
+      target().string() +
+          ": was started with different sites, unknowns, members, inputs or program; delete it, or "
+          "give another output");
 }
 
 TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
@@ -178,19 +181,21 @@ TEST_F(CalibrationFile, MembersOfOtherPhysicsAreNotTakenOver) {
   simulator.physics_digest = ours;
   EXPECT_EQ(run().stored.physics_digest, ours);
   EXPECT_EQ(read_calibration_runs(target()).physics_digest, ours);
-  CalibrateOptions resume, join;
+  CalibrationOptions resume, join;
   resume.resume = true;
   run(resume);
   join.parts = {target()};
   const auto joined = [&] {
-    return calibrate_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest;
+    return run_calibration_with(simulator, made.study, folder / "joined.h5", join)
+        .stored.physics_digest;
   };
   EXPECT_EQ(joined(), ours);
   simulator.physics_digest = other;
-  const std::string differ = target().string() +
-                             ": blocks move differently in this clast (physics digest aaaaaaaaaa, "
-                             "here bbbbbbbbbb) than in the one that simulated its members, which "
-                             "has the same version number; ";
+  const std::string differ =
+      target().string() +
+      ": this version of clast computes different motions (physics digest aaaaaaaaaa, "
+      "here bbbbbbbbbb) than in the one that simulated its members, which "
+      "has the same version number; ";
   EXPECT_EQ(refusal<InputError>([&] { run(resume); }),
             differ + "delete it, or give another output");
   join.replace = true;
@@ -207,7 +212,7 @@ TEST_F(CalibrationFile, SitesWithoutBarriersGoOnToo) {
   std::erase_if(made.study.observations,
                 [](const Observation& one) { return !one.barrier.empty(); });
   const Calibration whole = run();
-  CalibrateOptions options;
+  CalibrationOptions options;
   options.resume = true;
   simulated = 0;
   EXPECT_EQ(run(options).posterior.draws, whole.posterior.draws);
@@ -218,26 +223,28 @@ TEST_F(CalibrationFile, SitesWithoutBarriersGoOnToo) {
 TEST_F(CalibrationFile, FilesOfOlderProgramsGoOnWithoutADigest) {
   run();
   simulator.physics_digest = std::string(64, 'b');
-  CalibrateOptions options;
+  CalibrationOptions options;
   options.resume = true;
   simulated = 0;
   EXPECT_EQ(run(options).stored.physics_digest, "");
   EXPECT_EQ(simulated, 0u);
-  CalibrateOptions join;
+  CalibrationOptions join;
   join.parts = {target()};
-  EXPECT_EQ(calibrate_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest,
-            "");
+  EXPECT_EQ(
+      run_calibration_with(simulator, made.study, folder / "joined.h5", join).stored.physics_digest,
+      "");
 }
 
 TEST_F(CalibrationFile, APosteriorIsNotReplacedUnasked) {
   run();
   EXPECT_NE(refusal<InputError>([&] { run(); }), "");
-  CalibrateOptions options;
+  CalibrationOptions options;
   options.replace = true;
   run(options);
   write_text_file(folder / "notes.txt", "mine");
-  EXPECT_NE(refusal<InputError>(
-                [&] { calibrate_with(simulator, made.study, folder / "notes.txt", options); }),
+  EXPECT_NE(refusal<InputError>([&] {
+              run_calibration_with(simulator, made.study, folder / "notes.txt", options);
+            }),
             "");
   EXPECT_EQ(read_text_file(folder / "notes.txt"), "mine");
 }

@@ -71,11 +71,11 @@ class StudyFile : public CampaignFile {
 
 TEST_F(StudyFile, HoldsSitesUnknownsAndFigures) {
   const CalibrationStudy study = read_study();
-  EXPECT_EQ(study.design.members, 16u);
+  EXPECT_EQ(study.design.member_count, 16u);
   EXPECT_EQ(study.sites[0].name, "north");
   ASSERT_EQ(study.unknowns.size(), 2u);
-  EXPECT_DOUBLE_EQ(study.unknowns[0].value(0.5), 0.65);
-  EXPECT_NEAR(study.unknowns[1].value(0.5), 1e6, 1.0);
+  EXPECT_DOUBLE_EQ(study.unknowns[0].prior_quantile(0.5), 0.65);
+  EXPECT_NEAR(study.unknowns[1].prior_quantile(0.5), 1e6, 1.0);
   EXPECT_DOUBLE_EQ(study.unknowns[1].probability_below(1e6), 0.5);
   ASSERT_EQ(study.observations.size(), 2u);
   // Release points (1, 2, 3) and (4, 5, 6) with y up lie at (1, -3) and (4, -6); downslope is
@@ -84,18 +84,18 @@ TEST_F(StudyFile, HoldsSitesUnknownsAndFigures) {
   EXPECT_TRUE(stops.fitted);
   EXPECT_EQ(stops.releases, 3u);
   const double mean = ((7.5 + 17.5 + 37.5) / 3.0 + 0.1 * 4.5) / std::sqrt(1.01);
-  EXPECT_NEAR(stops.figures[0].observed, mean, 1e-9);
+  EXPECT_NEAR(stops.statistics[0].observed, mean, 1e-9);
   EXPECT_NEAR(
-      stops.figures[1].observed,
+      stops.statistics[1].observed,
       std::sqrt((13.3333333 * 13.3333333 + 3.3333333 * 3.3333333 + 16.6666667 * 16.6666667) / 2.0) /
           std::sqrt(1.01),
       1e-6);
   const Observation& passages = study.observations[1];
   EXPECT_FALSE(passages.fitted);
-  EXPECT_DOUBLE_EQ(passages.figures[0].observed, 19.0 / 23.0);
-  EXPECT_FALSE(passages.figures[0].error);
-  EXPECT_EQ(passages.figures[1].name, "mean_speed_m_s");
-  EXPECT_EQ(*passages.figures[1].error, 0.5);
+  EXPECT_DOUBLE_EQ(passages.statistics[0].observed, 19.0 / 23.0);
+  EXPECT_FALSE(passages.statistics[0].error);
+  EXPECT_EQ(passages.statistics[1].name, "mean_speed_m_s");
+  EXPECT_EQ(*passages.statistics[1].error, 0.5);
 }
 
 TEST_F(StudyFile, EveryKindOfUnknownIsSet) {
@@ -110,9 +110,9 @@ TEST_F(StudyFile, EveryKindOfUnknownIsSet) {
   EXPECT_EQ(campaign.releases[0].angular_velocity.x(), 3.0);
   EXPECT_FALSE(has_parameter(campaign, "release.height_m"));
   EXPECT_FALSE(has_parameter(campaign, "ground.green.friction"));
-  EXPECT_TRUE(is_of_release("release.spin_x_rad_s"));
-  EXPECT_FALSE(is_of_release("contact.stiffness_n_m"));
-  EXPECT_STREQ(parameter_range("contact.stiffness_n_m").unit, "N/m");
+  EXPECT_TRUE(is_release_parameter("release.spin_x_rad_s"));
+  EXPECT_FALSE(is_release_parameter("contact.stiffness_n_m"));
+  EXPECT_STREQ(calibratable_range("contact.stiffness_n_m").unit, "N/m");
 }
 
 TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
@@ -164,7 +164,7 @@ TEST_F(StudyFile, LawsAndSharesOfDrawnBlocksAreUnknowns) {
   EXPECT_EQ(campaign.blocks.draw->mass->second, 40.0);
   EXPECT_EQ(campaign.blocks.draw->set_shares.at("disc"), 0.3);
   EXPECT_TRUE(is_block_parameter("blocks.share.disc"));
-  EXPECT_FALSE(is_of_release("blocks.mass_kg"));
+  EXPECT_FALSE(is_release_parameter("blocks.mass_kg"));
   EXPECT_FALSE(is_block_parameter("ground.blocks.friction"));
 }
 
@@ -228,8 +228,8 @@ TEST_F(StudyFile, WhatIsFittedCantBeKept) {
       "[[observation]]\nname = \"again\"\nuse = \"keep\"\nstops = \"stops.csv\"\n";
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     again + "[[observation]]\nname = \"passages\""),
-            "study.toml:26: [[observation]] use = \"keep\": observation stops is of the same "
-            "blocks; observations of fitted blocks can't be kept for validation");
+            "study.toml:26: [[observation]] use = \"keep\": observation stops uses the same "
+            "blocks; observations of fitted blocks cannot be kept for validation");
   // Other blocks of the same table may be kept.
   write_text_file(folder_ / "stops.csv",
                   "x,y,shape\n1,0,compact\n2,0,compact\n4,0,compact\n5,0,elongated\n"
@@ -251,23 +251,23 @@ depth_m = [0.12, 0.02]
 TEST_F(StudyFile, ImpactsAndScarsAreSamplesOfOne) {
   const CalibrationStudy study = read_study(kStudy + kImpact);
   const Observation& hit = study.observations.back();
-  EXPECT_EQ(hit.moment, (Moment{Moment::Kind::kImpact, 2.0}));
+  EXPECT_EQ(hit.moment, (ObservedMoment{ObservedMoment::Kind::kImpact, 2.0}));
   EXPECT_EQ(hit.releases, 1u);
-  ASSERT_EQ(hit.figures.size(), 2u);
-  EXPECT_EQ(hit.figures[1].kind, SummaryStatistic::Kind::kMeanDepth);
-  EXPECT_EQ(hit.figures[1].observed, 0.12);
-  EXPECT_EQ(hit.figures[1].measuring_error, 0.02);
-  EXPECT_FALSE(hit.figures[1].error);
+  ASSERT_EQ(hit.statistics.size(), 2u);
+  EXPECT_EQ(hit.statistics[1].kind, SummaryStatistic::Kind::kMeanScarDepth);
+  EXPECT_EQ(hit.statistics[1].observed, 0.12);
+  EXPECT_EQ(hit.statistics[1].measurement_error, 0.02);
+  EXPECT_FALSE(hit.statistics[1].error);
   EXPECT_EQ(observed_moments(study.observations, 0),
-            (std::vector<Moment>{{Moment::Kind::kImpact, 2.0}}));
+            (std::vector<ObservedMoment>{{ObservedMoment::Kind::kImpact, 2.0}}));
   // Its depth kept, while its speed is fitted.
   std::string kept = kImpact;
   kept.replace(kept.find("hit"), 3, "scar");
   kept.replace(kept.find("\"fit\""), 5, "\"keep\"");
   EXPECT_EQ(refused("[[observation]]\nname = \"passages\"",
                     kImpact + kept + "[[observation]]\nname = \"passages\""),
-            "study.toml:33: [[observation]] use = \"keep\": observation hit is of the same blocks; "
-            "observations of fitted blocks can't be kept for validation");
+            "study.toml:33: [[observation]] use = \"keep\": observation hit uses the same blocks; "
+            "observations of fitted blocks cannot be kept for validation");
 }
 
 TEST_F(StudyFile, TrajectoriesAreObservedAtTimes) {
@@ -280,16 +280,16 @@ TEST_F(StudyFile, TrajectoriesAreObservedAtTimes) {
   ASSERT_EQ(study.observations.size(), 4u);
   const Observation& early = study.observations[2];
   EXPECT_EQ(early.name, "paths at 0.5 s");
-  EXPECT_EQ(early.moment, (Moment{Moment::Kind::kTime, 0.5}));
+  EXPECT_EQ(early.moment, (ObservedMoment{ObservedMoment::Kind::kTime, 0.5}));
   EXPECT_EQ(early.releases, 3u);
   EXPECT_EQ(early.clusters, (std::vector<std::size_t>{2, 1}));
-  ASSERT_EQ(early.figures.size(), 3u);
-  EXPECT_NEAR(early.figures[0].observed, (2.0 + 1.0 + 3.0) / 3.0 / std::sqrt(1.01), 1e-12);
-  EXPECT_NEAR(early.figures[1].observed, (4.0 + 2.0 + 7.0) / 3.0, 1e-12);
-  EXPECT_NEAR(early.figures[2].observed, (1.0 + 1.0 + 1.0) / 3.0, 1e-12);
+  ASSERT_EQ(early.statistics.size(), 3u);
+  EXPECT_NEAR(early.statistics[0].observed, (2.0 + 1.0 + 3.0) / 3.0 / std::sqrt(1.01), 1e-12);
+  EXPECT_NEAR(early.statistics[1].observed, (4.0 + 2.0 + 7.0) / 3.0, 1e-12);
+  EXPECT_NEAR(early.statistics[2].observed, (1.0 + 1.0 + 1.0) / 3.0, 1e-12);
   // The third is over by then.
-  EXPECT_NEAR(study.observations[3].figures[0].observed, (12.0 + 4.0 + 3.0) / 3.0 / std::sqrt(1.01),
-              1e-12);
+  EXPECT_NEAR(study.observations[3].statistics[0].observed,
+              (12.0 + 4.0 + 3.0) / 3.0 / std::sqrt(1.01), 1e-12);
   const auto refused_with = [&](const std::string& rest) {
     return refused("[[observation]]\nname = \"passages\"",
                    followed + rest + "[[observation]]\nname = \"passages\"");
@@ -332,9 +332,9 @@ TEST_F(StudyFile, StartsOfTheirOwnMakeClusters) {
                   "x,y,start_x,start_y,shape\n10,0,0,0,compact\n20,0,0,0,compact\n"
                   "40,0,1,0,compact\n");
   const Observation stops = read_study().observations[0];
-  EXPECT_TRUE(stops.from_own_start);
+  EXPECT_TRUE(stops.measured_from_own_start);
   EXPECT_EQ(stops.clusters, (std::vector<std::size_t>{2, 1}));
-  EXPECT_NEAR(stops.figures[0].observed, 69.0 / 3.0 / std::sqrt(1.01), 1e-9);
+  EXPECT_NEAR(stops.statistics[0].observed, 69.0 / 3.0 / std::sqrt(1.01), 1e-9);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(Calibration, FindsWhatHasAnInfluenceAndLeavesTheRestAsItWas) {
   EXPECT_GT(found.sensitivities[0][0].total, 0.1);
   EXPECT_GT(found.sensitivities[0][1].total, 0.1);
   EXPECT_LT(found.sensitivities[0][2].total, 0.05);
-  EXPECT_GT(found.surrogates[0]->explained, 0.9);
+  EXPECT_GT(found.surrogates[0]->explained_variance, 0.9);
 }
 
 TEST(Calibration, SingleImpactsTellTheGround) {
@@ -55,7 +55,7 @@ TEST(Calibration, ASingleImpactScattersWithHowTheBlockHit) {
   const double of_many = made.posterior().marginals[0].width;
   EXPECT_LT(of_many, 0.8 * measured_well);
   for (Observation& observation : made.study.observations) {
-    for (SummaryStatistic& figure : observation.figures) figure.measuring_error = 1e6;
+    for (SummaryStatistic& statistic : observation.statistics) statistic.measurement_error = 1e6;
   }
   EXPECT_TRUE(made.posterior().marginals[0].is_undetermined());
 }
@@ -84,10 +84,10 @@ TEST(Calibration, IsTheSameToTheBitOnAnyThreads) {
 TEST(Calibration, StatedErrorsWeigh) {
   MadeUpStudy made = study_of({1.0});
   for (Observation& observation : made.study.observations) {
-    for (SummaryStatistic& figure : observation.figures) figure.error = 1e6;
+    for (SummaryStatistic& statistic : observation.statistics) statistic.error = 1e6;
   }
   // Errors that large determine nothing.
-  for (const Marginal& marginal : made.posterior().marginals)
+  for (const MarginalPosterior& marginal : made.posterior().marginals)
     EXPECT_TRUE(marginal.is_undetermined());
 }
 
@@ -95,9 +95,9 @@ TEST(Calibration, StatedErrorsWeigh) {
 TEST(Calibration, AFitOfOneFigureCannotBeContradicted) {
   MadeUpStudy made = study_of({1.0});
   made.study.observations.resize(1);
-  made.study.observations[0].figures.resize(1);
+  made.study.observations[0].statistics.resize(1);
   const CalibrationPosterior found = made.posterior();
-  EXPECT_EQ(found.fitted.figures, 1u);
+  EXPECT_EQ(found.fitted.statistics, 1u);
   EXPECT_FALSE(found.fitted.failed());
 }
 
@@ -106,10 +106,11 @@ TEST(Calibration, AFigureThatNoMemberHasIsRefusedWhereItIsFitted) {
   for (auto& member : made.runs.outcomes[0]) {
     for (ReleaseOutcome& outcome : member) outcome.barriers = {OutcomeAtMoment()};
   }
-  EXPECT_EQ(refusal<InputError>([&] { made.posterior(); }),
-            "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
-            "32 have it, but 8 are needed; widen the ranges, simulate more releases, or set use = "
-            "\"keep\"");
+  EXPECT_EQ(
+      refusal<InputError>([&] { made.posterior(); }),
+      "study.toml: observation site 1 compact passages, mean_speed_m_s: only 0 members of "
+      "32 have a value, but 8 are needed; widen the ranges, simulate more releases, or set use = "
+      "\"keep\"");
 }
 
 TEST(Calibration, AFewReleasesOfABlockAreRefused) {
@@ -122,9 +123,10 @@ TEST(Calibration, AFewReleasesOfABlockAreRefused) {
 
 TEST(Calibration, PredictionsEndWhereFiguresDo) {
   MadeUpStudy made = study_of({1.0});
-  for (const PredictedStatistic& one : made.posterior().predicted) {
-    const SummaryStatistic& figure = made.study.observations[one.observation].figures[one.figure];
-    if (figure.kind != SummaryStatistic::Kind::kPassed) continue;
+  for (const PredictedStatistic& one : made.posterior().predictions) {
+    const SummaryStatistic& statistic =
+        made.study.observations[one.observation].statistics[one.statistic];
+    if (statistic.kind != SummaryStatistic::Kind::kPassedFraction) continue;
     EXPECT_GE(one.low, 0.0);
     EXPECT_LE(one.high, 1.0);
   }
@@ -134,8 +136,9 @@ TEST(Calibration, PredictionsEndWhereFiguresDo) {
 // ln mu_R from ln 0.05 to ln 0.5.
 TEST(Calibration, PriorPredictionsAreOfTheWholeRanges) {
   const MadeUpStudy made = study_of({1.0});
-  const PredictedStatistic mean = made.posterior().predicted.front();
-  ASSERT_EQ(made.study.observations[mean.observation].figures[mean.figure].name, "mean_place_m");
+  const PredictedStatistic mean = made.posterior().predictions.front();
+  ASSERT_EQ(made.study.observations[mean.observation].statistics[mean.statistic].name,
+            "mean_place_m");
   std::vector<double> means;
   Random random(11);
   for (int i = 0; i < 20'000; ++i) {
@@ -162,7 +165,7 @@ TEST(MemberRuns, GoFromProcessToProcessBitByBit) {
   std::vector<ReleaseOutcome> outcomes(2);
   outcomes[0] = {3, 4294967295u, {0.1, -1e300}, {1.0 / 3.0, 5e-324}, {{}, {1.0, 2.0}}, 7, {}};
   outcomes[1].moments.resize(3);
-  outcomes[1].moments[2].place = {652013.25, 5203000.125};
+  outcomes[1].moments[2].position = {652013.25, 5203000.125};
   const std::string bytes = study_detail::serialize_outcomes(outcomes);
   const std::vector<ReleaseOutcome> back = study_detail::deserialize_outcomes(bytes);
   ASSERT_EQ(back.size(), 2u);
@@ -174,7 +177,7 @@ TEST(MemberRuns, GoFromProcessToProcessBitByBit) {
   ASSERT_EQ(back[0].barriers.size(), 2u);
   EXPECT_FALSE(back[0].barriers[0].passed());
   EXPECT_EQ(back[0].barriers[1].spin, 2.0);
-  EXPECT_EQ(back[1].moments[2].place, outcomes[1].moments[2].place);
+  EXPECT_EQ(back[1].moments[2].position, outcomes[1].moments[2].position);
   EXPECT_EQ(study_detail::serialize_outcomes(back), bytes);
   EXPECT_TRUE(study_detail::deserialize_outcomes("").empty());
 }

@@ -82,10 +82,10 @@ class ChantSuraStudy : public testing::Test {
     }
     write_text_file(folder_ / "study.toml", "[design]\nmembers = 48\nreleases = 48\n" + sites_ +
                                                 unknowns + impacts_ + scars);
-    CalibrateOptions options;
+    CalibrationOptions options;
     options.resume = true;
-    const Calibration found =
-        calibrate(read_calibration_study(folder_ / "study.toml"), folder_ / (law + ".h5"), options);
+    const Calibration found = run_calibration(read_calibration_study(folder_ / "study.toml"),
+                                              folder_ / (law + ".h5"), options);
     std::printf("\n%s, scars %s\n%s\n%s\n", law.c_str(), fit_scars ? "fitted" : "kept",
                 describe_calibration_result(found).c_str(), format_unknowns_table(found).c_str());
     for (const std::string& finding : describe_calibration_findings(found)) {
@@ -152,15 +152,15 @@ TEST_F(ChantSuraStudy, ImpactsDetermineFrictionAndScarsStiffness) {
   const CalibrationPosterior with_scars =
       calibrated("elastoplastic", ground + stiffness, true).posterior;
   for (const CalibrationPosterior* found : {&bouncing, &yielding}) {
-    EXPECT_EQ(found->fitted.figures, 18u);
-    EXPECT_EQ(found->kept.figures, 6u);
+    EXPECT_EQ(found->fitted.statistics, 18u);
+    EXPECT_EQ(found->held_out.statistics, 6u);
   }
-  EXPECT_EQ(with_scars.fitted.figures, 24u);
+  EXPECT_EQ(with_scars.fitted.statistics, 24u);
   for (const CalibrationPosterior* found : {&bouncing, &yielding, &with_scars}) {
     EXPECT_FALSE(found->marginals[1].is_undetermined()) << "friction";
   }
   EXPECT_TRUE(bouncing.fitted.failed());
-  EXPECT_FALSE(yielding.fitted.failed() || yielding.kept.failed());
+  EXPECT_FALSE(yielding.fitted.failed() || yielding.held_out.failed());
   EXPECT_FALSE(with_scars.fitted.failed());
   // How deep a block goes is what the stiffness is about.
   EXPECT_TRUE(yielding.marginals[4].is_undetermined());

@@ -34,11 +34,12 @@ TEST(DrawnShares, MoreThanAllOrTooLittleIsRefused) {
   EXPECT_EQ(class_fractions(draw)[1].second, 0.0);
   draw.set_shares["elongated"] = 0.25;
   EXPECT_EQ(clast::refusal<InputError>([&] { class_fractions(draw); }),
-            "the shares of classes that are set add up to 1.25, more than 1");
+            "the fractions of the classes that are set add up to 1.25, more than 1");
   draw.set_shares["compact"] = 0.5;
-  EXPECT_EQ(clast::refusal<InputError>([&] { class_fractions(draw); }),
-            "the shares of classes that are set add up to 0.75, and no other class makes up the "
-            "rest");
+  EXPECT_EQ(
+      clast::refusal<InputError>([&] { class_fractions(draw); }),
+      "the fractions of the classes that are set add up to 0.75, and no other class makes up the "
+      "rest");
 }
 
 class DrawnBlocks : public CampaignRun {
@@ -55,34 +56,34 @@ class DrawnBlocks : public CampaignRun {
   }
   /// A study of one site whose members and field are simulated, and what is found.
   static CalibrationPosterior found_again(const std::string& text,
-                                          const std::vector<Unknown>& unknowns,
+                                          const std::vector<UnknownParameter>& unknowns,
                                           const std::vector<double>& truth,
                                           Observation observation) {
     CalibrationStudy study;
-    study.design.members = 16;
-    study.design.releases = 64;
-    study.design.draws = 500;
+    study.design.member_count = 16;
+    study.design.releases_per_member = 64;
+    study.design.draw_count = 500;
     study.unknowns = unknowns;
     study.sites = {site(text)};
-    std::vector<Moment> moments;
+    std::vector<ObservedMoment> moments;
     if (observation.moment) moments = {*observation.moment};
     SiteMemberSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
     CalibrationRuns runs{{simulator.description()}, {{}}};
     std::uint32_t number = 0;
-    for (const std::vector<double>& place : study.design.places(unknowns.size())) {
+    for (const std::vector<double>& place : study.design.sobol_points(unknowns.size())) {
       runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));
     }
     const std::vector<ReleaseOutcome> field = simulator.simulate(1000, truth, 2);
     const std::vector<SelectedOutcome> seen = select_outcomes(observation, runs.sites[0], field);
     std::vector<std::size_t> all(seen.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    for (SummaryStatistic& figure : observation.figures)
-      figure.observed = compute_statistic(figure, seen, all);
+    for (SummaryStatistic& statistic : observation.statistics)
+      statistic.observed = compute_statistic(statistic, seen, all);
     observation.releases = seen.size();
     study.observations = {observation};
     return infer_posterior(study, runs, 2);
   }
-  static void expect_found(const Marginal& marginal, double truth) {
+  static void expect_found(const MarginalPosterior& marginal, double truth) {
     EXPECT_LE(marginal.low, truth);
     EXPECT_GE(marginal.high, truth);
     EXPECT_LT(marginal.width, 0.7);
@@ -101,7 +102,7 @@ TEST_F(DrawnBlocks, RunsOfSomeNumbersAreThoseOfTheWholePlan) {
   ASSERT_EQ(plan.runs.size(), 3u * (3 + 2 * 20));
   std::vector<std::uint32_t> numbers(plan.runs.size());
   std::iota(numbers.rbegin(), numbers.rend(), 0u);
-  const std::vector<RunRecord> runs = study_detail::make_planned_runs(plan, numbers);
+  const std::vector<RunRecord> runs = study_detail::plan_selected_runs(plan, numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const RunRecord& whole = plan.runs[numbers[i]];
     EXPECT_EQ(runs[i].run, whole.run);
@@ -120,7 +121,7 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
                 "elongated = 0.4 }, mass_kg = { log_normal = [300, 0.3] "
                 "} }"));
   CalibrationDesign design;
-  design.releases = 120;  // all that the campaign plans
+  design.releases_per_member = 120;  // all that the campaign plans
   SiteMemberSimulator simulator(north,
                                 {{"blocks.mass_median_kg", 100.0, 900.0, true},
                                  {"blocks.mass_sigma", 0.1, 0.5, false},
@@ -151,10 +152,10 @@ TEST_F(DrawnBlocks, EachMemberHasBlocksOfItsOwn) {
 
 TEST_F(DrawnBlocks, MembersDoNotDisturbEachOther) {
   const CalibrationSite north = site(text(kLogNormal));
-  const std::vector<Unknown> unknowns = {{"blocks.mass_median_kg", 100.0, 900.0, true},
-                                         {"release.velocity_x_m_s", 0.0, 3.0, false}};
+  const std::vector<UnknownParameter> unknowns = {{"blocks.mass_median_kg", 100.0, 900.0, true},
+                                                  {"release.velocity_x_m_s", 0.0, 3.0, false}};
   CalibrationDesign design;
-  design.releases = 10;
+  design.releases_per_member = 10;
   SiteMemberSimulator one(north, unknowns, design), other(north, unknowns, design);
   one.simulate(0, {120.0, 2.0}, 1);
   one.simulate(1, {800.0, 1.0}, 1);
@@ -172,8 +173,8 @@ TEST_F(DrawnBlocks, MembersDoNotDisturbEachOther) {
 TEST_F(DrawnBlocks, EnergiesTellTheMedianMassAndNotTheGroundFurtherDown) {
   Observation impacts;
   impacts.name = "impacts";
-  impacts.moment = Moment{Moment::Kind::kImpact, 1.0};
-  impacts.figures = {{SummaryStatistic::Kind::kMeanEnergy, 0.0, "mean_energy_j", 0.0, {}, 1.0}};
+  impacts.moment = ObservedMoment{ObservedMoment::Kind::kImpact, 1.0};
+  impacts.statistics = {{SummaryStatistic::Kind::kMeanEnergy, 0.0, "mean_energy_j", 0.0, {}, 1.0}};
   const CalibrationPosterior found = found_again(
       replaced_once(text(kLogNormal), "max_time_s = 6", "max_time_s = 1.2"),
       {{"blocks.mass_median_kg", 100.0, 900.0, true}, {"ground.flat.friction", 0.3, 0.9, false}},
@@ -187,8 +188,8 @@ TEST_F(DrawnBlocks, EnergiesTellTheMedianMassAndNotTheGroundFurtherDown) {
 TEST_F(DrawnBlocks, StopsTellTheShareOfAClass) {
   Observation stops;
   stops.name = "stops";
-  stops.figures = {{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
-                   {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+  stops.statistics = {{SummaryStatistic::Kind::kMeanStopPosition, 0.0, "mean_place_m", 0.0, {}},
+                      {SummaryStatistic::Kind::kStopDeviation, 0.0, "std_place_m", 0.0, {}}};
   const CalibrationPosterior found =
       found_again(text("{ count = 60, seed = 2, shares = { compact = 0.5, elongated = 0.5 } }"),
                   {{"blocks.share.elongated", 0.0, 1.0, false}}, {0.8}, stops);
@@ -206,7 +207,8 @@ TEST_F(DrawnBlocks, UnusualSizesAtTheUpperEndsAreRefused) {
   EXPECT_EQ(refused(900.0), "");
   EXPECT_TRUE(contains(refused(1e6), "a block is no longer than a tenth of the terrain"))
       << refused(1e6);
-  EXPECT_TRUE(contains(refused(1e6), "drawn with the masses of [[unknown]] at the upper ends"));
+  EXPECT_TRUE(
+      contains(refused(1e6), "drawn with masses at the upper ends of the ranges in [[unknown]]"));
 }
 
 }  // namespace

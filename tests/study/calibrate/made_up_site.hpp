@@ -84,7 +84,7 @@ struct MadeUpThrows {
   static SiteDescription description() {
     SiteDescription facts{"throws", {"A"}, {"compact"}, {}, Vec2::UnitX(), Vec2::Zero()};
     for (std::uint32_t i = 0; i < kThrows; ++i) facts.releases.push_back(name(i));
-    facts.moments = {{Moment::Kind::kImpact, 1.0}};
+    facts.moments = {{ObservedMoment::Kind::kImpact, 1.0}};
     return facts;
   }
 
@@ -131,8 +131,9 @@ struct MadeUpStudy {
     runs.sites.push_back(site.description(name));
     runs.outcomes.emplace_back();
     std::uint64_t member = 0;
-    for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {
-      runs.outcomes.back().push_back(site.member(study.values(place), study.design.releases,
+    for (const std::vector<double>& place : study.design.sobol_points(study.unknowns.size())) {
+      runs.outcomes.back().push_back(site.member(study.values(place),
+                                                 study.design.releases_per_member,
                                                  97 * study.design.seed + 13 * ++member));
     }
     return runs.sites.size() - 1;
@@ -144,9 +145,10 @@ struct MadeUpStudy {
     runs.sites.push_back(MadeUpThrows::description());
     runs.outcomes.emplace_back();
     std::uint64_t member = 0;
-    for (const std::vector<double>& place : study.design.places(study.unknowns.size())) {
-      runs.outcomes.back().push_back(MadeUpThrows().member(
-          study.values(place), study.design.releases, 89 * study.design.seed + 17 * ++member));
+    for (const std::vector<double>& place : study.design.sobol_points(study.unknowns.size())) {
+      runs.outcomes.back().push_back(MadeUpThrows().member(study.values(place),
+                                                           study.design.releases_per_member,
+                                                           89 * study.design.seed + 17 * ++member));
     }
     return runs.sites.size() - 1;
   }
@@ -162,18 +164,18 @@ struct MadeUpStudy {
       impact.site = number;
       impact.release = impact.name;
       impact.releases = 1;
-      impact.moment = {Moment::Kind::kImpact, 1.0};
+      impact.moment = {ObservedMoment::Kind::kImpact, 1.0};
       const auto measured = [&](SummaryStatistic::Kind kind, const char* name, double value,
                                 double error) {
-        SummaryStatistic figure{kind, 0.0, name, value + error * random.normal(), {}};
-        figure.measuring_error = error;
-        impact.figures.push_back(figure);
+        SummaryStatistic statistic{kind, 0.0, name, value + error * random.normal(), {}};
+        statistic.measurement_error = error;
+        impact.statistics.push_back(statistic);
       };
       measured(SummaryStatistic::Kind::kMeanSpeed, "mean_speed_m_s", after.speed,
                MadeUpThrows::kMeasuringError);
-      measured(SummaryStatistic::Kind::kMeanSpin, "mean_spin_rad_s", after.spin,
+      measured(SummaryStatistic::Kind::kMeanAngularSpeed, "mean_spin_rad_s", after.spin,
                MadeUpThrows::kMeasuringError);
-      measured(SummaryStatistic::Kind::kMeanDepth, "mean_depth_m", after.depth, 0.005);
+      measured(SummaryStatistic::Kind::kMeanScarDepth, "mean_depth_m", after.depth, 0.005);
       study.observations.push_back(impact);
     }
   }
@@ -186,14 +188,15 @@ struct MadeUpStudy {
       const std::vector<ReleaseOutcome> field = field_releases(site, truth, shape, count, random);
       const std::string name = runs.sites[number].name + (shape == 0 ? " compact" : " elongated");
       Observation stops = blank(name + " stops", number, fitted, shape, count);
-      stops.figures = {{SummaryStatistic::Kind::kMeanPlace, 0.0, "mean_place_m", 0.0, {}},
-                       {SummaryStatistic::Kind::kStdPlace, 0.0, "std_place_m", 0.0, {}}};
+      stops.statistics = {{SummaryStatistic::Kind::kMeanStopPosition, 0.0, "mean_place_m", 0.0, {}},
+                          {SummaryStatistic::Kind::kStopDeviation, 0.0, "std_place_m", 0.0, {}}};
       observe_figures(stops, field);
       Observation passages = blank(name + " passages", number, fitted, shape, count);
       passages.barrier = "EC";
-      passages.figures = {{SummaryStatistic::Kind::kPassed, 0.0, "passed", 0.0, {}},
-                          {SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}},
-                          {SummaryStatistic::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}}};
+      passages.statistics = {
+          {SummaryStatistic::Kind::kPassedFraction, 0.0, "passed", 0.0, {}},
+          {SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}},
+          {SummaryStatistic::Kind::kMeanAngularSpeed, 0.0, "mean_spin_rad_s", 0.0, {}}};
       observe_figures(passages, field);
     }
   }
@@ -218,14 +221,14 @@ struct MadeUpStudy {
         select_outcomes(observation, runs.sites[observation.site], field);
     std::vector<std::size_t> all(seen.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-    for (SummaryStatistic& figure : observation.figures)
-      figure.observed = compute_statistic(figure, seen, all);
+    for (SummaryStatistic& statistic : observation.statistics)
+      statistic.observed = compute_statistic(statistic, seen, all);
     study.observations.push_back(observation);
   }
 };
 
 /// Does the 95 % interval of an unknown have the truth?
-inline bool covers(const Marginal& marginal, double truth) {
+inline bool covers(const MarginalPosterior& marginal, double truth) {
   return marginal.low <= truth && truth <= marginal.high;
 }
 

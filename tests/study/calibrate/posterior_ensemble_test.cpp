@@ -21,9 +21,9 @@ class PosteriorEnsemble : public CampaignRun {
     simulator.simulate = [&](std::size_t number, std::uint32_t member, const std::vector<double>&) {
       return made.runs.outcomes[number][member];
     };
-    CalibrateOptions options;
+    CalibrationOptions options;
     options.replace = true;
-    calibrate_with(simulator, made.study, *folder_ / "posterior.h5", options);
+    run_calibration_with(simulator, made.study, *folder_ / "posterior.h5", options);
   }
   static std::string with_posterior(const std::string& more = "") {
     return campaign_text() + "[ensemble]\nmembers = 40\nposterior = \"posterior.h5\"\n" + more;

@@ -21,7 +21,7 @@ class SiteSimulation : public CampaignRun {
   /// That a member is the runs of this campaign.
   static void expect_runs_of(const std::string& text, const std::vector<ReleaseOutcome>& member) {
     const std::filesystem::path file = *folder_ / "results.h5";
-    RunOptions options;
+    CampaignRunOptions options;
     options.replace = true;
     run_campaign(prepared(text), file, options);
     const CampaignResults results = read_results(file);
@@ -40,19 +40,20 @@ class SiteSimulation : public CampaignRun {
     EXPECT_EQ(passed, crossing.size());
     EXPECT_GT(passed, 0u);
   }
-  inline static const std::vector<Unknown> kFriction = {{"ground.slope.friction", 0.2, 0.6, false}};
+  inline static const std::vector<UnknownParameter> kFriction = {
+      {"ground.slope.friction", 0.2, 0.6, false}};
 };
 
 TEST_F(SiteSimulation, MembersAreTheRunsOfTheCampaignWithTheirGround) {
   CalibrationDesign design;
-  design.releases = 12;  // all that the campaign plans
+  design.releases_per_member = 12;  // all that the campaign plans
   SiteMemberSimulator simulator(site(), kFriction, design);
   expect_runs_of(with("friction = 0.4", "friction = 0.25"), simulator.simulate(0, {0.25}, 2));
 }
 
 TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
   CalibrationDesign design;
-  design.releases = 5;
+  design.releases_per_member = 5;
   SiteMemberSimulator one(site(), kFriction, design), other(site(), kFriction, design);
   one.simulate(0, {0.55}, 1);
   one.simulate(1, {0.25}, 1);
@@ -61,12 +62,12 @@ TEST_F(SiteSimulation, MembersDoNotDisturbEachOther) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].stop, b[i].stop);
   EXPECT_EQ(one.description().blocks, (std::vector<std::string>{"cube", "slab"}));
   EXPECT_EQ(one.description().barriers, std::vector<std::string>{"foot"});
-  EXPECT_EQ(one.description().middle_of_starts, Vec2(-12.0, 0.0));
+  EXPECT_EQ(one.description().mean_start, Vec2(-12.0, 0.0));
 }
 
 TEST_F(SiteSimulation, StartsFollowTheirUnknowns) {
   CalibrationDesign design;
-  design.releases = 12;
+  design.releases_per_member = 12;
   SiteMemberSimulator simulator(site(), {{"release.velocity_x_m_s", 0.0, 6.0, false}}, design);
   simulator.simulate(0, {5.0}, 2);
   expect_runs_of(with("orientations =", "velocity_m_s = [2.5, 0, 0]\norientations ="),
@@ -80,7 +81,7 @@ TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
            "library = \"blocks.h5\"\ndraw = { count = 3, seed = 2, mass_kg = { log_normal = [300, "
            "0.3] } }");
   CalibrationDesign design;
-  design.releases = 18;
+  design.releases_per_member = 18;
   SiteMemberSimulator simulator(site(text), kFriction, design);
   EXPECT_EQ(simulator.description().blocks.size(), 3u);
   simulator.simulate(0, {0.55}, 2);
@@ -90,16 +91,16 @@ TEST_F(SiteSimulation, DrawnBlocksAreThoseOfTheCampaign) {
 
 TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
   CalibrationDesign design;
-  design.releases = 12;
-  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 1.0},
-                                       {Moment::Kind::kImpact, 1e6},
-                                       {Moment::Kind::kTime, 0.1},
-                                       {Moment::Kind::kTime, 1e4}};
+  design.releases_per_member = 12;
+  const std::vector<ObservedMoment> moments = {{ObservedMoment::Kind::kImpact, 1.0},
+                                               {ObservedMoment::Kind::kImpact, 1e6},
+                                               {ObservedMoment::Kind::kTime, 0.1},
+                                               {ObservedMoment::Kind::kTime, 1e4}};
   SiteMemberSimulator simulator(site(), kFriction, design, moments);
   EXPECT_EQ(simulator.description().moments, moments);
   const std::vector<ReleaseOutcome> member = simulator.simulate(0, {0.4}, 2);
   const std::filesystem::path file = *folder_ / "results.h5";
-  RunOptions options;
+  CampaignRunOptions options;
   options.replace = true;
   run_campaign(prepared(campaign_text()), file, options);
   const CampaignResults results = read_results(file);
@@ -115,8 +116,8 @@ TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
   for (const ReleaseOutcome& outcome : member) {
     EXPECT_FALSE(outcome.moments[1].passed());
     EXPECT_NEAR(outcome.moments[2].speed, 0.981, 1e-9);  // it falls from rest
-    EXPECT_EQ(outcome.moments[2].place, outcome.start);
-    EXPECT_EQ(outcome.moments[3].place, outcome.stop);
+    EXPECT_EQ(outcome.moments[2].position, outcome.start);
+    EXPECT_EQ(outcome.moments[3].position, outcome.stop);
   }
 }
 
@@ -124,35 +125,36 @@ TEST_F(SiteSimulation, ImpactsAndTimesAreThoseOfTheRuns) {
 TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
   const std::vector<double> truth = {0.35};
   CalibrationStudy study;
-  study.design.members = 16;
-  study.design.releases = 64;
-  study.design.draws = 500;
+  study.design.member_count = 16;
+  study.design.releases_per_member = 64;
+  study.design.draw_count = 500;
   study.unknowns = kFriction;
   study.sites = {site(replaced_once(with("max_time_s = 6", "max_time_s = 1.2"), "\"turns.txt\"",
                                     "{ random = 50, fresh = true }"))};
-  const std::vector<Moment> moments = {{Moment::Kind::kImpact, 1.0}};
+  const std::vector<ObservedMoment> moments = {{ObservedMoment::Kind::kImpact, 1.0}};
   SiteMemberSimulator simulator(study.sites[0], study.unknowns, study.design, moments);
   CalibrationRuns runs{{simulator.description()}, {{}}};
   std::uint32_t number = 0;
-  for (const std::vector<double>& place : study.design.places(1)) {
+  for (const std::vector<double>& place : study.design.sobol_points(1)) {
     runs.outcomes[0].push_back(simulator.simulate(number++, study.values(place), 2));
   }
   Observation impacts;
   impacts.name = "impacts";
   impacts.moment = moments[0];
   impacts.releases = 200;
-  impacts.figures = {{SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}, 0.02},
-                     {SummaryStatistic::Kind::kMeanSpin, 0.0, "mean_spin_rad_s", 0.0, {}, 0.05}};
+  impacts.statistics = {
+      {SummaryStatistic::Kind::kMeanSpeed, 0.0, "mean_speed_m_s", 0.0, {}, 0.02},
+      {SummaryStatistic::Kind::kMeanAngularSpeed, 0.0, "mean_spin_rad_s", 0.0, {}, 0.05}};
   CalibrationDesign all_runs = study.design;
-  all_runs.releases = 200;
+  all_runs.releases_per_member = 200;
   const std::vector<ReleaseOutcome> field =
       SiteMemberSimulator(study.sites[0], study.unknowns, all_runs, moments)
           .simulate(number, truth, 2);
   const std::vector<SelectedOutcome> seen = select_outcomes(impacts, runs.sites[0], field);
   std::vector<std::size_t> all(seen.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  for (SummaryStatistic& figure : impacts.figures)
-    figure.observed = compute_statistic(figure, seen, all);
+  for (SummaryStatistic& statistic : impacts.statistics)
+    statistic.observed = compute_statistic(statistic, seen, all);
   study.observations = {impacts};
   const CalibrationPosterior found = infer_posterior(study, runs, 2);
   EXPECT_LE(found.marginals[0].low, truth[0]);
@@ -162,7 +164,7 @@ TEST_F(SiteSimulation, TheGroundIsFoundAgainFromImpactsAlone) {
 
 TEST_F(SiteSimulation, MoreReleasesThanPlannedAreRefused) {
   CalibrationDesign design;
-  design.releases = 13;
+  design.releases_per_member = 13;
   EXPECT_TRUE(
       contains(clast::refusal<InputError>([&] { SiteMemberSimulator(site(), kFriction, design); }),
                "plans 12 runs, fewer than the 13 releases of each member"));

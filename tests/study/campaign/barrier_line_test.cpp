@@ -79,8 +79,8 @@ TEST(BarrierLine, InsideOfARingIsInsideWhicheverWayItRuns) {
   const std::vector<Vec2> turned(ring.rbegin(), ring.rend());
   EXPECT_TRUE(is_ring(ring));
   EXPECT_FALSE(is_ring(std::vector<Vec2>(ring.begin(), ring.end() - 1)));
-  EXPECT_TRUE(inside_is_left(ring));
-  EXPECT_FALSE(inside_is_left(turned));
+  EXPECT_TRUE(is_counter_clockwise(ring));
+  EXPECT_FALSE(is_counter_clockwise(turned));
   for (const auto& line : {ring, turned}) {
     EXPECT_TRUE(is_inside(line, {1, 1}) && is_inside(line, {3.9, 3.7}));
     EXPECT_FALSE(is_inside(line, {2, 2}) || is_inside(line, {5, 1}) || is_inside(line, {-1, 4}));

@@ -82,7 +82,7 @@ TEST(Barrier, FlightIsCrossedWhereTheParabolaSays) {
 
 TEST(Barrier, TurnedBarrierIsCrossedBackward) {
   const RigidBody body = cube();
-  const Barrier turned{"turned", {kAcross.through[1], kAcross.through[0]}};
+  const Barrier turned{"turned", {kAcross.vertices[1], kAcross.vertices[0]}};
   const auto crossing = find_crossing(turned, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_TRUE(crossing);
   EXPECT_FALSE(crossing->forward);
@@ -227,7 +227,7 @@ class RingBarrier : public testing::TestWithParam<bool> {
   /// A square of 2 m around (3, 0).
   Barrier square() const {
     Barrier barrier{"square", {{2, -1}, {4, -1}, {4, 1}, {2, 1}, {2, -1}}};
-    if (!GetParam()) std::reverse(barrier.through.begin(), barrier.through.end());
+    if (!GetParam()) std::reverse(barrier.vertices.begin(), barrier.vertices.end());
     return barrier;
   }
   /// 'i' and 'o' for the entries and exits of a path of straight steps of a second each.
@@ -269,7 +269,7 @@ TEST_P(RingBarrier, TimesAndPlacesAreThoseOfTheSides) {
   const RigidBody body = cube();
   Barrier ring = square();
   // From (1.5, -2) to (3.5, 2), entered at x = 1.5 by y = x / 3.
-  for (Vec2& point : ring.through) point = {point.x() - 0.5, 2.0 * point.y()};
+  for (Vec2& point : ring.vertices) point = {point.x() - 0.5, 2.0 * point.y()};
   const auto found = find_crossings(ring, body, flight(body), plane(0.0), kTestGravity);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].time, 4.5, 1e-14);
@@ -301,7 +301,7 @@ TEST_P(RingBarrier, EntriesAndExitsAlternateOverCornersAndAlongSides) {
 // Any path: the last word tells where it ends, by another way of finding that.
 TEST_P(RingBarrier, TheCountTellsWhereAnyPathEnds) {
   Barrier ring{"c", {{0, 0}, {6, 0}, {6, 5}, {4, 5}, {4, 2}, {2, 2}, {2, 5}, {0, 5}, {0, 0}}};
-  if (!GetParam()) std::reverse(ring.through.begin(), ring.through.end());
+  if (!GetParam()) std::reverse(ring.vertices.begin(), ring.vertices.end());
   const auto inside = [](const Vec2& p) {
     const auto within = [](double value, double low, double high) {
       return value > low && value < high;

@@ -300,14 +300,14 @@ TEST(Distribution, QuantilesAreThoseOfTheLaw) {
 TEST(Distribution, DrawsFollowTheirLaw) {
   Random random(3);
   const Distribution normal{Distribution::Law::kNormal, 0.1, 0.2, 0.0, 1.0};
-  double least = 1.0;
+  double minimum = 1.0;
   for (int i = 0; i < 1000; ++i) {
     const double value = normal.draw(random);
     EXPECT_GT(value, 0.0);
     EXPECT_LE(value, 1.0);
-    least = std::min(least, value);
+    minimum = std::min(minimum, value);
   }
-  EXPECT_LT(least, 0.01);
+  EXPECT_LT(minimum, 0.01);
   const Distribution log_normal{Distribution::Law::kLogNormal, 300.0, 0.5};
   EXPECT_EQ(log_normal.central_value(), 300.0);
   EXPECT_EQ((Distribution{Distribution::Law::kUniform, 1.0, 2.0}.central_value()), 1.5);

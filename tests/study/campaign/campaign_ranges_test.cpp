@@ -228,7 +228,7 @@ TEST_F(CampaignFile, NestingHasALimitWithItsLine) {
           std::string("s = \"\"\"[[[\n\\\"\"\"\"\"\"\nt = '''[[\n''''\nu = 'c:\\'\n")}) {
       const std::string message = refusal(before + deep);
       const auto lines = std::count(before.begin(), before.end(), '\n') + 1;
-      EXPECT_TRUE(contains(message, "no valid key is nested that deeply"))
+      EXPECT_TRUE(contains(message, "no valid key is nested this deeply"))
           << before << deep.substr(0, 20);
       EXPECT_TRUE(message.starts_with("campaign.toml:" + std::to_string(lines)) ||
                   message.starts_with("campaign.toml:" + std::to_string(lines + 1)))
@@ -240,7 +240,7 @@ TEST_F(CampaignFile, NestingHasALimitWithItsLine) {
   for (int i = 0; i < 200; ++i) many += ",\n[0.5, 1.5]";
   const std::string text =
       "# " + list + dots + "\nx = \"" + list + dots + "\"\ny = '" + list + "'\nz = " + many + "]\n";
-  EXPECT_EQ(refusal(text).find("that deeply"), std::string::npos) << refusal(text).substr(0, 200);
+  EXPECT_EQ(refusal(text).find("this deeply"), std::string::npos) << refusal(text).substr(0, 200);
 }
 
 }  // namespace

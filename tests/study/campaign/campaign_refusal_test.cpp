@@ -395,10 +395,10 @@ TEST_F(CampaignFile, QuaternionsAreNormalisedOrRefused) {
             "turns.txt:1: 3 numbers; a line must be a quaternion, w x y z");
   // Columns by their names, in any order, and decimal commas.
   ASSERT_EQ(refused_turns("qx;qy;qz;qw\n0;0;0,6;0,8\n"), "");
-  EXPECT_NEAR(read_orientations(folder_ / "turns.txt").at(0).w(), 0.8, 1e-15);
-  EXPECT_NEAR(read_orientations(folder_ / "turns.txt").at(0).z(), 0.6, 1e-15);
+  EXPECT_NEAR(read_orientation_table(folder_ / "turns.txt").at(0).w(), 0.8, 1e-15);
+  EXPECT_NEAR(read_orientation_table(folder_ / "turns.txt").at(0).z(), 0.6, 1e-15);
   ASSERT_EQ(refused_turns("0.7075 0.7075 0 0\n"), "");
-  const std::vector<Quat> read = read_orientations(folder_ / "turns.txt");
+  const std::vector<Quat> read = read_orientation_table(folder_ / "turns.txt");
   EXPECT_NEAR(read[0].w(), std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(read[0].norm(), 1.0, 1e-15);
 }

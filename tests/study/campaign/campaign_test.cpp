@@ -34,14 +34,14 @@ TEST_F(CampaignFile, EveryKeyArrives) {
   EXPECT_FALSE(campaign.releases[0].drop_height);
   EXPECT_FALSE(campaign.releases[0].in_principal_frame);
   EXPECT_EQ(campaign.releases[0].files.size(), 2u);
-  EXPECT_EQ(campaign.weights, ContactWeighting::kOverlap);
+  EXPECT_EQ(campaign.weighting, ContactWeighting::kOverlap);
   EXPECT_EQ(name_of(campaign.stiffness.law), "spring-dashpot");
   EXPECT_EQ(campaign.stiffness.normal, 1e8);
   EXPECT_FALSE(campaign.stiffness.tangential);
   EXPECT_EQ(campaign.stiffness.time_step, 2e-5);
   ASSERT_EQ(campaign.barriers.size(), 2u);
   EXPECT_EQ(campaign.barriers[1].name, "EC12");
-  EXPECT_EQ(campaign.barriers[1].through.front(), Vec2(36, -400));
+  EXPECT_EQ(campaign.barriers[1].vertices.front(), Vec2(36, -400));
   EXPECT_EQ(campaign.max_time, 30.0);
   EXPECT_EQ(campaign.rest_energy, 1e-4);
   EXPECT_EQ(campaign.rest_duration, 0.25);
@@ -87,7 +87,7 @@ orientations = "grid-45"
   EXPECT_EQ(campaign.terrain_radius, 0.0);
   EXPECT_TRUE(campaign.releases[0].in_principal_frame);
   EXPECT_EQ(campaign.releases[0].orientations.size(), 64u);
-  EXPECT_EQ(campaign.weights, ContactWeighting::kPatch);
+  EXPECT_EQ(campaign.weighting, ContactWeighting::kPatch);
   EXPECT_EQ(name_of(campaign.stiffness.law), "energy-restitution");
   EXPECT_FALSE(campaign.stiffness.normal);
   EXPECT_EQ(campaign.max_time, 60.0);

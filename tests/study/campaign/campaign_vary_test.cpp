@@ -68,12 +68,12 @@ TEST_F(CampaignVary, KeepsVolumeOrLengthAndTakesVerticesOfFinerBlocks) {
 
 TEST_F(CampaignVary, RunsTheSameBitsAsALibraryOfTheBodies) {
   const std::string vary = "vary = { to = [[0.8, 0.5]], reference = [\"ellipsoid\", \"box\"] }";
-  SeriesRequest request;
+  VariationSeriesRequest request;
   request.library = *folder_ / "blocks.h5";
-  request.steps.ratios = {{0.8, 0.5}};
-  request.steps.reference = {"ellipsoid", "box"};
+  request.targets.ratios = {{0.8, 0.5}};
+  request.targets.reference = {"ellipsoid", "box"};
   request.output = *folder_ / "series.h5";
-  make_series(request);
+  make_variation_series(request);
   run_campaign(prepared(with("blocks.h5", "series.h5")), *folder_ / "two_steps.h5");
   run_campaign(prepared(with_blocks(vary)), *folder_ / "one_step.h5", {.threads = 2});
   expect_equal_results(*folder_ / "two_steps.h5", *folder_ / "one_step.h5");

@@ -35,15 +35,16 @@ std::size_t letters_of(const DeclaredTable& table) {
 const MemberTable<Settings>& settings_keys() {
   static const MemberTable<Settings> keys(
       {"settings", "Of a test", KeyTable::Repeat::kEither},
-      {{"length_m", "m", "of it", required("a length", number({0.1, 10.0})), &Settings::length},
-       {"width_m", "m", "of it", number({0.1, 10.0}), &Settings::width},
-       {"rounds", "", "of it", count(1, 9), &Settings::rounds},
-       {"open", "", "or not", flag(), &Settings::open},
-       {"step_s", "s", "of time", number({0.1, 1.0}), &Settings::inner, &Inner::step},
-       {"colour", "", "of it", words({"red", "blue"}), &colour_named, &Settings::colour},
-       {"word", "", "of it", text(), &letters_of, &Settings::letters},
-       {"polygon", "m", "in the plan", list(point(), 3), &Settings::polygon},
-       {"rule", "", "read by a rule", table({{"seed", "", "of it", seed()}})}});
+      {{"length_m", "m", "of it", required_format("a length", number_format({0.1, 10.0})),
+        &Settings::length},
+       {"width_m", "m", "of it", number_format({0.1, 10.0}), &Settings::width},
+       {"rounds", "", "of it", count_format(1, 9), &Settings::rounds},
+       {"open", "", "or not", flag_format(), &Settings::open},
+       {"step_s", "s", "of time", number_format({0.1, 1.0}), &Settings::inner, &Inner::step},
+       {"colour", "", "of it", word_format({"red", "blue"}), &colour_named, &Settings::colour},
+       {"word", "", "of it", text_format(), &letters_of, &Settings::letters},
+       {"polygon", "m", "in the plan", list_format(point_format(), 3), &Settings::polygon},
+       {"rule", "", "read by a rule", table_format({{"seed", "", "of it", seed_format()}})}});
   return keys;
 }
 
@@ -109,9 +110,9 @@ TEST(TomlTable, RefusesAKeyByTheMessageOfWhatItsValueIsUsedFor) {
                         {"unit",
                          "a\x1b"
                          "b"});
-  EXPECT_EQ(table.checked("unit", [] { return 3; }), 3);
+  EXPECT_EQ(table.run_check("unit", [] { return 3; }), 3);
   EXPECT_EQ(refusal([&] {
-              table.checked(
+              table.run_check(
                   "unit", []() -> int { throw InputError("`unit` is old"); }, "x: ");
             }),
             "a.toml:1: [t] unit = \"ell\": x: unit is old");

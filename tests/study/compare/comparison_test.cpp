@@ -48,40 +48,40 @@ std::string refused(const CampaignResults& results) {
   return refused(std::vector<CampaignResults>{results});
 }
 
-TEST(RunoutDistances, IsMeasuredAlongDownslope) {
+TEST(RunoutMeasures, IsMeasuredAlongDownslope) {
   const Vec2 down = Vec2(3.0, 4.0).normalized();
-  const RunoutDistances measured = runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
+  const RunoutMeasures measured = compute_runout(Vec3(1, 1, 9), Vec3(7, 9, 0), down);
   EXPECT_NEAR(measured.along, 10.0, 1e-12);
   EXPECT_NEAR(measured.lateral, 0.0, 1e-12);
 }
 
-TEST(RunoutDistances, LateralIsPositiveToTheRightLookingDownslope) {
+TEST(RunoutMeasures, LateralIsPositiveToTheRightLookingDownslope) {
   // Looking along +x with z up, the right hand is -y; looking along +y it is +x.
-  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, -5, 0), Vec2::UnitX()).lateral, kPi / 4, 1e-15);
-  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitX()).lateral, -kPi / 4, 1e-15);
-  EXPECT_NEAR(runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitY()).lateral, kPi / 4, 1e-15);
+  EXPECT_NEAR(compute_runout(Vec3::Zero(), Vec3(5, -5, 0), Vec2::UnitX()).lateral, kPi / 4, 1e-15);
+  EXPECT_NEAR(compute_runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitX()).lateral, -kPi / 4, 1e-15);
+  EXPECT_NEAR(compute_runout(Vec3::Zero(), Vec3(5, 5, 0), Vec2::UnitY()).lateral, kPi / 4, 1e-15);
 }
 
-TEST(RunoutDistances, UphillIsNegativeAndBehind) {
-  const RunoutDistances measured = runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
+TEST(RunoutMeasures, UphillIsNegativeAndBehind) {
+  const RunoutMeasures measured = compute_runout(Vec3::Zero(), Vec3(-2, 0, 1), Vec2::UnitX());
   EXPECT_DOUBLE_EQ(measured.along, -2.0);
   EXPECT_NEAR(std::abs(measured.lateral), kPi, 1e-15);
 }
 
-TEST(RunoutDistances, OfABlockThatStaysIsZero) {
-  const RunoutDistances measured = runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
+TEST(RunoutMeasures, OfABlockThatStaysIsZero) {
+  const RunoutMeasures measured = compute_runout(Vec3(1, 2, 3), Vec3(1, 2, 2), Vec2::UnitX());
   EXPECT_EQ(measured.along, 0.0);
   EXPECT_EQ(measured.lateral, 0.0);
 }
 
-TEST(RunoutDistances, TurnsWithTheSite) {
+TEST(RunoutMeasures, TurnsWithTheSite) {
   Random random(7);
   for (int i = 0; i < 50; ++i) {
     const Vec3 start = 10.0 * random.unit_vector(), stop = 50.0 * random.unit_vector();
     const Eigen::Rotation2Dd turn(random.uniform(-kPi, kPi));
     const Eigen::AngleAxisd turn3(turn.angle(), Vec3::UnitZ());
-    const RunoutDistances before = runout(start, stop, Vec2::UnitX());
-    const RunoutDistances after = runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
+    const RunoutMeasures before = compute_runout(start, stop, Vec2::UnitX());
+    const RunoutMeasures after = compute_runout(turn3 * start, turn3 * stop, turn * Vec2::UnitX());
     EXPECT_NEAR(after.along, before.along, 1e-12);
     EXPECT_NEAR(std::sin(after.lateral - before.lateral), 0.0, 1e-12);
   }
@@ -90,7 +90,7 @@ TEST(RunoutDistances, TurnsWithTheSite) {
 TEST(Compare, GroupsAreAllBlocksAndClassesThatOccur) {
   std::vector<std::string> names;
   const Comparison comparison = compared(hand_made_results());
-  for (const Group& group : comparison.groups) names.push_back(group.name);
+  for (const RunGroup& group : comparison.groups) names.push_back(group.name);
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names,
             (std::vector<std::string>{"all", "block long, \"2\"", "block round<1>", "class compact",
@@ -100,8 +100,8 @@ TEST(Compare, GroupsAreAllBlocksAndClassesThatOccur) {
 TEST(Compare, OneSneedFolkClassGetsNoGroupOfItsOwn) {
   CampaignResults results = hand_made_results();
   results.blocks[1].sneed_folk = "C";
-  for (const Group& group : compared(std::move(results)).groups) {
-    EXPECT_NE(group.kind, GroupKind::kSneedFolk);
+  for (const RunGroup& group : compared(std::move(results)).groups) {
+    EXPECT_NE(group.kind, RunGroupKind::kSneedFolk);
   }
 }
 
@@ -138,7 +138,7 @@ TEST(Compare, OnlyRunsAtRestAreDeposits) {
   EXPECT_NEAR(compact.runout.mean, 10.0, 1e-9);
   EXPECT_TRUE(warns(comparison, "1 of 6 runs left the surveyed terrain"));
   EXPECT_TRUE(warns(comparison, "1 of 6 runs were still moving at max_time"));
-  EXPECT_TRUE(warns(comparison, "1 of 6 runs ended with an error"));
+  EXPECT_TRUE(warns(comparison, "1 of 6 runs failed with an error"));
 }
 
 TEST(Compare, DownslopeDefaultsToTheMeanLineFromReleaseToStop) {
@@ -146,13 +146,13 @@ TEST(Compare, DownslopeDefaultsToTheMeanLineFromReleaseToStop) {
   results.downslope.reset();
   // Offsets sum to (130, 10).
   const Comparison comparison = compared(std::move(results));
-  EXPECT_FALSE(comparison.downslope_asked);
+  EXPECT_FALSE(comparison.downslope_given);
   EXPECT_LT((comparison.downslope - Vec2(13.0, 1.0).normalized()).norm(), 1e-9);
 }
 
 TEST(Compare, AskedDownslopeIsMadeUnit) {
   const Comparison comparison = compared(hand_made_results());
-  EXPECT_TRUE(comparison.downslope_asked);
+  EXPECT_TRUE(comparison.downslope_given);
   EXPECT_EQ(comparison.downslope, Vec2(1.0, 0.0));
 }
 
@@ -197,7 +197,7 @@ TEST(Compare, ABarrierDrawnTheWrongWayCountsTheSameRuns) {
   EXPECT_EQ(compact.crossed, 3u);
   EXPECT_EQ(compact.backward, 3u);
   EXPECT_NEAR(compact.speed.mean, 4.0, 1e-12);
-  EXPECT_FALSE(warns(comparison, "the other way"));
+  EXPECT_FALSE(warns(comparison, "in the opposite direction"));
 }
 
 TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
@@ -209,9 +209,9 @@ TEST(Compare, OfAStatedDirectionOnlyThatCountsAndMostlyTheOtherIsWarnedOf) {
   EXPECT_EQ(compact.crossed, 1u) << "that came back";
   EXPECT_EQ(compact.backward, 3u);
   EXPECT_TRUE(warns(comparison, "barrier B<1> counts only"));
-  EXPECT_TRUE(warns(comparison, "of 6 runs crossed it the other way first"));
+  EXPECT_TRUE(warns(comparison, "of 6 runs first crossed it in the opposite direction"));
   for (Crossing& crossing : results.crossings) crossing.forward = !crossing.forward;
-  EXPECT_FALSE(warns(compared(std::move(results)), "the other way first"));
+  EXPECT_FALSE(warns(compared(std::move(results)), "first crossed it in the opposite direction"));
 }
 
 TEST(Compare, UnequalMassesAreNamed) {
@@ -231,7 +231,7 @@ TEST(Compare, UnfinishedBelowGroundAndUnbalancedRunsAreCounted) {
   const Comparison comparison = compared(std::move(results));
   EXPECT_TRUE(warns(comparison, "6 of 8 planned runs"));
   EXPECT_TRUE(warns(comparison, "1 of 6 runs ended below ground"));
-  EXPECT_TRUE(warns(comparison, "2 of 6 runs miss more than 1 %"));
+  EXPECT_TRUE(warns(comparison, "2 of 6 runs have an error of more than 1 %"));
   EXPECT_TRUE(warns(comparison, "stiffness is softer than auto"));
 }
 
@@ -271,7 +271,7 @@ TEST(Compare, SlopesWhereGeometryDecidesAreNamed) {
                     "mu = 35 deg: "));
   EXPECT_TRUE(warns(comparison,
                     "zone scree slopes 26.6 deg on average, above atan mu = 16.7 deg: friction "
-                    "stops no block there"));
+                    "cannot stop a block there"));
   // No run reached the scree.
   CampaignResults upper = hand_made_results();
   for (RunRecord& run : upper.runs) run.result.final_state.position = Vec3(5.0, 0.0, -2.5);
@@ -292,7 +292,7 @@ TEST(Compare, ZoneThatStopsBlocksIsNotCalledTooSteepToStopThem) {
   };
   const Comparison some = at_rest_on_scree(2);
   EXPECT_TRUE(warns(some, "but 2 of 6 runs stopped on its flatter parts"));
-  EXPECT_FALSE(warns(some, "friction stops no block there"));
+  EXPECT_FALSE(warns(some, "friction cannot stop a block there"));
   for (const ComparisonWarning& caution : some.cautions) {
     EXPECT_FALSE(contains(caution.brief, "too steep")) << caution.brief;
   }
@@ -337,7 +337,7 @@ TEST(Compare, ARunThatFailedDoesNotCountAtBarriers) {
 
 TEST(Compare, BarrierOfOneFileCountsOnlyThatFilesRuns) {
   CampaignResults second = hand_made_results();
-  second.barriers[0].through[0].y() = -5.0;  // another line under the same name
+  second.barriers[0].vertices[0].y() = -5.0;  // another line under the same name
   const Comparison comparison = compared(hand_made_results(), std::move(second));
   EXPECT_EQ(comparison.lines.size(), 3u);
   EXPECT_EQ(at_barrier(comparison, "B<1>", "all").started, 6u);
@@ -402,11 +402,12 @@ TEST(ComparisonWarnings, SpeedsThatAreSeldomSeenAreQuestioned) {
     CampaignResults results = hand_made_results();
     for (RunRecord& run : results.runs) run.result.max_speed = speed;
     const Comparison comparison = compared(std::move(results));
-    const bool said = std::any_of(
-        comparison.cautions.begin(), comparison.cautions.end(),
-        [](const ComparisonWarning& caution) {
-          return caution.brief.find("5 % of the runs are faster than 36 m/s") != std::string::npos;
-        });
+    const bool said =
+        std::any_of(comparison.cautions.begin(), comparison.cautions.end(),
+                    [](const ComparisonWarning& caution) {
+                      return caution.brief.find("5 % of the runs exceed a speed of 36 m/s") !=
+                             std::string::npos;
+                    });
     EXPECT_EQ(said, questioned) << speed;
   }
   // One fast run of many is no reason.

@@ -26,16 +26,16 @@ DepositMeasures realisation(std::uint32_t file, std::uint32_t number, double len
   deposit.file = file;
   deposit.realisation = number;
   deposit.blocks = 10;
-  deposit.lying = 9;
+  deposit.deposited_blocks = 9;
   deposit.volume = 6.0;
   deposit.crest = {1000.0, 2000.0, 50.0};
   deposit.toe = deposit.crest + Vec3(0.6 * length, 0.8 * length, -5.0);
-  deposit.first_centre = {1000.0, 2000.0, 49.0};
-  deposit.centre = deposit.first_centre + Vec3(3.0, -4.0, -2.0);
+  deposit.start_centre = {1000.0, 2000.0, 49.0};
+  deposit.centre = deposit.start_centre + Vec3(3.0, -4.0, -2.0);
   deposit.area = 8.0;
   deposit.bulk_volume = 12.0;
-  deposit.first_volume = 10.0;
-  deposit.first_bulk_volume = 16.0;
+  deposit.start_volume = 10.0;
+  deposit.start_bulk_volume = 16.0;
   deposit.thickness = 2.5;
   deposit.energy = {{.normal = 0.3, .friction = 0.4}, {.friction = 0.2, .rolling = 0.1}, 5000.0};
   return deposit;
@@ -44,7 +44,7 @@ DepositMeasures realisation(std::uint32_t file, std::uint32_t number, double len
 const DepositQuantityDifference& named(const DepositQuantityComparison& figures,
                                        const std::string& name) {
   for (const DepositQuantityDifference& one : figures.differences) {
-    if (one.first.figure == figure_named(name)) return one;
+    if (one.first.quantity == figure_named(name)) return one;
   }
   throw std::out_of_range(name);
 }
@@ -78,7 +78,7 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_EQ(length.first.file, 0u);
   EXPECT_EQ(length.second.file, 2u);
   EXPECT_EQ(length.first.summary.count, 2u);
-  EXPECT_NEAR(length.first.least, 20.0, 1e-9);
+  EXPECT_NEAR(length.first.minimum, 20.0, 1e-9);
   EXPECT_NEAR(length.estimate, 10.0, 1e-9);
   ASSERT_TRUE(length.interval);
   // 95 % of Student's t with two degrees of freedom; the standard error is sqrt(2).
@@ -86,14 +86,15 @@ TEST(RealisationFigures, DifferByFileWithWelchsInterval) {
   EXPECT_NEAR(length.interval->low, 10.0 - half_width, 1e-7);
   EXPECT_NEAR(length.interval->high, 10.0 + half_width, 1e-7);
   // p is 0.0194, and three figures are tested: length, H / L, travel angle.
-  EXPECT_EQ(length.tests, 3u);
-  EXPECT_GT(*length.p_holm, *length.p_value);
+  EXPECT_EQ(length.family_size, 3u);
+  EXPECT_GT(*length.holm_p_value, *length.p_value);
   // What never differs has neither interval nor verdict.
   const DepositQuantityDifference& area = named(figures, "area_m2");
   EXPECT_FALSE(area.interval);
-  EXPECT_EQ(area.verdict(), Verdict::kUntested);
+  EXPECT_EQ(area.verdict(), ContrastVerdict::kUntested);
   EXPECT_TRUE(contains(describe_effect(area), "area: file 1 8.0 m\xC2\xB2, file 3 8.0 m\xC2\xB2;"));
-  EXPECT_TRUE(contains(describe_effect(area), "no interval, since realisations do not differ"));
+  EXPECT_TRUE(
+      contains(describe_effect(area), "no interval, because the realisations do not differ"));
 }
 
 TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSaySo) {
@@ -106,21 +107,23 @@ TEST(RealisationFigures, AreDistinguishedWhereTheIntervalAndTheCorrectedTestSayS
   };
   const DepositQuantityDifference clear =
       compared_lengths({20.0, 21.0, 22.0, 21.0}, {10.0, 11.0, 12.0});
-  EXPECT_EQ(clear.verdict(), Verdict::kSignificant);
+  EXPECT_EQ(clear.verdict(), ContrastVerdict::kSignificant);
   EXPECT_EQ(describe_effect(clear),
             "distance L from crest to toe: file 1 21.00 m, file 2 11.00 m; " +
                 describe_difference(clear) + ", from 4 and 3 realisations");
   EXPECT_TRUE(contains(describe_difference(clear), "m more (")) << describe_difference(clear);
   const DepositQuantityDifference open = compared_lengths({20.0, 22.0}, {13.0, 15.0});
-  EXPECT_EQ(open.verdict(), Verdict::kInsignificantAfterCorrection) << *open.p_holm;
-  EXPECT_TRUE(contains(describe_effect(open), "; one of 3 differences can be as large by chance"));
+  EXPECT_EQ(open.verdict(), ContrastVerdict::kInsignificantAfterCorrection) << *open.holm_p_value;
+  EXPECT_TRUE(
+      contains(describe_effect(open), "; one of 3 differences tested can be this large by chance"));
   const DepositQuantityDifference none = compared_lengths({20.0, 22.0}, {20.5, 22.5});
-  EXPECT_EQ(none.verdict(), Verdict::kInsignificant);
+  EXPECT_EQ(none.verdict(), ContrastVerdict::kInsignificant);
   EXPECT_TRUE(contains(describe_difference(none), "m less (")) << describe_difference(none);
-  EXPECT_TRUE(describe_effect(none).ends_with("; not distinguished"));
+  EXPECT_TRUE(describe_effect(none).ends_with("; not significant"));
   const DepositQuantityDifference single = compared_lengths({20.0, 22.0}, {10.0});
-  EXPECT_EQ(single.verdict(), Verdict::kUntested);
-  EXPECT_TRUE(contains(describe_effect(single), "an interval takes two realisations of each file"));
+  EXPECT_EQ(single.verdict(), ContrastVerdict::kUntested);
+  EXPECT_TRUE(
+      contains(describe_effect(single), "an interval requires two realisations of each file"));
 }
 
 TEST(RealisationFigures, WithoutADepositAreLeftOut) {
@@ -130,7 +133,7 @@ TEST(RealisationFigures, WithoutADepositAreLeftOut) {
   other.file = 1;
   const DepositQuantityComparison figures = compare_deposit_quantities({empty, other});
   for (const DepositQuantitySummary& one : figures.files) {
-    EXPECT_TRUE(std::isfinite(one.summary.mean)) << deposit_quantities()[one.figure].name;
+    EXPECT_TRUE(std::isfinite(one.summary.mean)) << deposit_quantities()[one.quantity].name;
   }
   EXPECT_THROW(named(figures, "area_m2"), std::out_of_range);
 }

@@ -43,7 +43,7 @@ DesignEffects effects_of(CampaignResults results) {
 
 TEST(DesignEffects, AreTheSharesOfWhatTheRunoutIsMadeOf) {
   const DesignEffects effects = effects_of(factorial_results());
-  ASSERT_EQ(effects.refusal, "");
+  ASSERT_EQ(effects.refusal_reason, "");
   ASSERT_EQ(effects.factors.size(), 3u);
   EXPECT_EQ(effects.factors[0].name, "block") << "form and mass differ together";
   EXPECT_EQ(effects.factors[1].name, "orientation");
@@ -92,7 +92,7 @@ TEST(DesignEffects, FormAndMassAreTwoFactorsWhereEachBlockHasEachMass) {
   }
   results.planned_runs = 24;
   const DesignEffects effects = effects_of(std::move(results));
-  ASSERT_EQ(effects.factors.size(), 4u) << effects.refusal;
+  ASSERT_EQ(effects.factors.size(), 4u) << effects.refusal_reason;
   EXPECT_EQ(effects.factors[0].name, "form");
   EXPECT_EQ(effects.factors[1].name, "mass");
   EXPECT_NEAR(effects.outcomes.at(0).shares.factors[1].design_fraction, 0.0, 1e-12);
@@ -103,7 +103,7 @@ TEST(DesignEffects, OfWhatIsNoFullDesignAreEstimates) {
   missing.runs.pop_back();
   missing.crossings.clear();
   const DesignEffects effects = effects_of(std::move(missing));
-  EXPECT_EQ(effects.refusal, "");
+  EXPECT_EQ(effects.refusal_reason, "");
   EXPECT_TRUE(contains(effects.estimated, "11 runs do not contain every combination exactly once"));
   EXPECT_TRUE(contains(effects.estimated, "block 2, orientation 3, release point 2: 12"));
   const VarianceDecomposition& runout = effects.outcomes.at(0).shares;
@@ -114,27 +114,28 @@ TEST(DesignEffects, OfWhatIsNoFullDesignAreEstimates) {
   twice.runs[3].orientation = twice.runs[4].orientation;
   twice.runs[3].start.orientation = twice.runs[4].start.orientation;
   EXPECT_TRUE(contains(effects_of(std::move(twice)).estimated,
-                       "not contain every combination exactly once"));
+                       "do not contain every combination exactly once"));
 }
 
 TEST(DesignEffects, OfOrientationsDrawnAnewHaveNoFactorOfThem) {
   CampaignResults fresh = factorial_results();
   fresh.runs[4].start.orientation = Quat(Eigen::AngleAxisd(1.7, Vec3::UnitX()));
   const DesignEffects effects = effects_of(std::move(fresh));
-  EXPECT_TRUE(contains(effects.estimated, "drawn for each block and point"));
+  EXPECT_TRUE(contains(effects.estimated, "drawn for each block"));
   ASSERT_EQ(effects.factors.size(), 2u);
   EXPECT_EQ(effects.factors[1].name, "release point");
 }
 
 TEST(DesignEffects, OfWhatHasNoEffectsAreRefusedWithTheReason) {
   CampaignResults staying = factorial_results();
-  staying.stay.emplace();
-  staying.stay->blocks_each = 12;
-  EXPECT_TRUE(contains(effects_of(std::move(staying)).refusal, "depend on each other"));
+  staying.persistent_blocks.emplace();
+  staying.persistent_blocks->blocks_per_realisation = 12;
+  EXPECT_TRUE(contains(effects_of(std::move(staying)).refusal_reason, "depend on each other"));
   CampaignResults one = factorial_results();
   one.runs.resize(1);
   one.crossings.clear();
-  EXPECT_TRUE(contains(effects_of(std::move(one)).refusal, "nothing differs between its runs"));
+  EXPECT_TRUE(
+      contains(effects_of(std::move(one)).refusal_reason, "its runs do not differ in anything"));
 }
 
 }  // namespace

@@ -48,9 +48,9 @@ CampaignResults synthetic_results(std::uint64_t seed, double shift, int runs_per
   return results;
 }
 
-const Difference& between_classes(const Comparison& comparison, const std::string& quantity) {
-  for (const Difference& one : comparison.differences) {
-    if (comparison.groups[one.first].kind == GroupKind::kGarcia && one.quantity == quantity) {
+const GroupDifference& between_classes(const Comparison& comparison, const std::string& quantity) {
+  for (const GroupDifference& one : comparison.differences) {
+    if (comparison.groups[one.first].kind == RunGroupKind::kGarcia && one.quantity == quantity) {
       return one;
     }
   }
@@ -62,9 +62,9 @@ TEST(Differences, OneBlockEnteredAsTwoClassesIsSeldomCalledDifferent) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Comparison comparison = compared(synthetic_results(seed, 0.0));
     bool any = false;
-    for (const Difference& one : comparison.differences) {
-      any =
-          any || (comparison.groups[one.first].kind == GroupKind::kGarcia && one.is_significant());
+    for (const GroupDifference& one : comparison.differences) {
+      any = any ||
+            (comparison.groups[one.first].kind == RunGroupKind::kGarcia && one.is_significant());
     }
     flagged += any ? 1 : 0;
   }
@@ -76,10 +76,10 @@ TEST(Differences, OneThatIsThereIsFoundWithItsSize) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Comparison comparison = compared(synthetic_results(seed, -3.0));
-    const Difference& runout = between_classes(comparison, "runout_m");
+    const GroupDifference& runout = between_classes(comparison, "runout_m");
     EXPECT_TRUE(runout.is_significant()) << seed;
     EXPECT_EQ(runout.points, 8u);
-    EXPECT_EQ(runout.tests, 4u);
+    EXPECT_EQ(runout.family_size, 4u);
     EXPECT_GT(runout.cliffs_delta, 0.0);
     // Clusters that both classes share leave the scatter only: 3 sqrt(2/96) = 0.43 m.
     ASSERT_TRUE(runout.interval);
@@ -95,8 +95,9 @@ CampaignResults in_realisations(CampaignResults results, std::uint32_t realisati
   std::stable_sort(results.runs.begin(), results.runs.end(),
                    [](const RunRecord& a, const RunRecord& b) { return a.point < b.point; });
   for (std::uint32_t i = 0; i < results.runs.size(); ++i) results.runs[i].run = i;
-  results.stay = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
-  for (const RunRecord& run : results.runs) results.stays.push_back({.run = run.run});
+  results.persistent_blocks = {results.planned_runs / realisations, {0.01, 0.5, 0.3}, true};
+  for (const RunRecord& run : results.runs)
+    results.persistent_block_records.push_back({.run = run.run});
   return results;
 }
 
@@ -104,15 +105,15 @@ CampaignResults in_realisations(CampaignResults results, std::uint32_t realisati
 TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   const Comparison one = compared(in_realisations(synthetic_results(3, -30.0), 1));
   ASSERT_FALSE(one.differences.empty());
-  for (const Difference& difference : one.differences) {
+  for (const GroupDifference& difference : one.differences) {
     EXPECT_FALSE(difference.interval);
     EXPECT_FALSE(difference.p_value);
-    EXPECT_FALSE(difference.p_holm);
+    EXPECT_FALSE(difference.holm_p_value);
     EXPECT_FALSE(difference.is_significant());
-    EXPECT_EQ(difference.tests, 0u);
-    EXPECT_EQ(difference.verdict(), Verdict::kUntested);
+    EXPECT_EQ(difference.family_size, 0u);
+    EXPECT_EQ(difference.verdict(), ContrastVerdict::kUntested);
     EXPECT_NE(describe_effect(difference, one)
-                  .find("one realisation does not show whether this is chance"),
+                  .find("with one realisation, significance cannot be tested"),
               std::string::npos);
     EXPECT_GT(difference.ks_distance, 0.0) << "how far apart they are is known";
   }
@@ -124,7 +125,7 @@ TEST(Differences, OneRealisationGivesNeitherIntervalNorTest) {
   }
   const Comparison two = compared(in_realisations(synthetic_results(3, -30.0), 2));
   EXPECT_TRUE(between_classes(two, "runout_m").interval);
-  EXPECT_TRUE(between_classes(two, "runout_m").p_holm);
+  EXPECT_TRUE(between_classes(two, "runout_m").holm_p_value);
 }
 
 // A file of one realisation beside one of several: its own scatter is not known.
@@ -170,7 +171,7 @@ TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
     }
   }
   const CsvTable table = read_csv(table_csv(comparison, "differences"));
-  const Difference& runout = between_classes(comparison, "runout_m");
+  const GroupDifference& runout = between_classes(comparison, "runout_m");
   std::size_t row = 0;
   while (table.rows.at(row).at("quantity") != "runout_m" ||
          table.rows[row].at("first") != "class compact") {
@@ -200,9 +201,9 @@ TEST(Differences, AgreeWithAnIndependentEvaluationOfTheTable) {
 
 TEST(Differences, AreSaidInASentence) {
   const Comparison comparison = compared(synthetic_results(5, -6.0));
-  const Difference& runout = between_classes(comparison, "runout_m");
+  const GroupDifference& runout = between_classes(comparison, "runout_m");
   const Interval& interval = runout.interval.value();
-  const int decimals = justified_decimals(interval, 4);
+  const int decimals = significant_decimals(interval, 4);
   EXPECT_EQ(describe_effect(runout, comparison),
             "runout: class compact " + format_significant(runout.first_mean, 3) +
                 " m on average, class elongated " + format_significant(runout.second_mean, 3) +
@@ -211,9 +212,9 @@ TEST(Differences, AreSaidInASentence) {
                 format_decimals(interval.high, decimals) + " m)");
   const Comparison same = compared(synthetic_results(5, 0.0));
   EXPECT_TRUE(describe_effect(between_classes(same, "runout_m"), same)
-                  .ends_with(", which can be chance among 4 differences"));
+                  .ends_with(", which is not significant among 4 differences"));
   // The other way round: less, with an interval that rises all the same.
-  Difference back = runout;
+  GroupDifference back = runout;
   std::swap(back.first, back.second);
   std::swap(back.first_mean, back.second_mean);
   back.estimate = -runout.estimate;
@@ -225,8 +226,8 @@ TEST(Differences, AreSaidInASentence) {
 }
 
 TEST(Differences, NameTheirQuantitiesForReaders) {
-  EXPECT_EQ(quantity_text("path_length_m").name, "path length");
-  const QuantityLabel energy = quantity_text("lower road total_energy_j");
+  EXPECT_EQ(quantity_label("path_length_m").name, "path length");
+  const QuantityLabel energy = quantity_label("lower road total_energy_j");
   EXPECT_EQ(energy.name, "energy at lower road");
   EXPECT_EQ(energy.unit, "kJ");
   EXPECT_EQ(energy.factor * 5000.0, 5.0);
@@ -243,7 +244,7 @@ TEST(Columns, GroupRunsByValueOrQuarter) {
   const Comparison comparison =
       compare(std::move(all), {.by = {"point", "max_speed_m_s"}, .measured = {}, .margin = {}});
   std::size_t points = 0, quarters = 0;
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     if (group.column == "point") {
       EXPECT_EQ(group.name, "point " + std::to_string(points++));
       EXPECT_EQ(group.rows.size(), 24u);

@@ -13,16 +13,16 @@
 namespace clast {
 namespace {
 
-const FileSummary& only(const KeyResults& answer) { return answer.statements.at(0); }
+const FileSummary& only(const KeyResults& answer) { return answer.file_summaries.at(0); }
 
 TEST(KeyResults, ADifferenceThatIsThereIsToldWithItsInterval) {
   int inside = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Comparison comparison = compared(made_up_results({.seed = seed}));
     const KeyResults found = summarise_key_results(comparison);
-    const RunoutContrast& gap = only(found).gap.value();
+    const RunoutContrast& gap = only(found).class_contrast.value();
     EXPECT_EQ(comparison.groups[gap.farther].key, "compact");
-    EXPECT_EQ(gap.verdict, Verdict::kSignificant) << seed;
+    EXPECT_EQ(gap.verdict, ContrastVerdict::kSignificant) << seed;
     ASSERT_TRUE(gap.interval);
     inside += gap.interval->low <= 10.0 && 10.0 <= gap.interval->high ? 1 : 0;
     EXPECT_EQ(only(found).clusters, 8u);
@@ -32,12 +32,12 @@ TEST(KeyResults, ADifferenceThatIsThereIsToldWithItsInterval) {
 
 TEST(KeyResults, TheFartherClassIsNamedFirstAndItsGapIsPositive) {
   const Comparison comparison = compared(made_up_results({.compact = 30.0, .elongated = 40.0}));
-  const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
+  const RunoutContrast gap = *only(summarise_key_results(comparison)).class_contrast;
   EXPECT_EQ(comparison.groups[gap.farther].key, "elongated");
-  EXPECT_GT(gap.gap, 0.0);
+  EXPECT_GT(gap.mean_difference, 0.0);
   EXPECT_GT(gap.interval->low, 0.0);
-  EXPECT_LT(gap.interval->low, gap.gap);
-  EXPECT_GT(gap.interval->high, gap.gap);
+  EXPECT_LT(gap.interval->low, gap.mean_difference);
+  EXPECT_GT(gap.interval->high, gap.mean_difference);
 }
 
 TEST(KeyResults, WhatIsNotThereIsSeldomTold) {
@@ -45,8 +45,8 @@ TEST(KeyResults, WhatIsNotThereIsSeldomTold) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Comparison comparison =
         compared(made_up_results({.compact = 30.0, .elongated = 30.0, .seed = seed}));
-    const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
-    found += gap.verdict == Verdict::kSignificant ? 1 : 0;
+    const RunoutContrast gap = *only(summarise_key_results(comparison)).class_contrast;
+    found += gap.verdict == ContrastVerdict::kSignificant ? 1 : 0;
   }
   EXPECT_LE(found, 5) << "of 40";
 }
@@ -59,7 +59,8 @@ TEST(KeyResults, AnotherSpreadAroundTheSameMeanIsNoOtherRunout) {
     if (run.block == 1) run.result.final_state.position.x() += i++ % 2 == 0 ? 12.0 : -12.0;
   }
   const Comparison comparison = compared(std::move(results));
-  EXPECT_EQ(only(summarise_key_results(comparison)).gap->verdict, Verdict::kDistributionDiffers);
+  EXPECT_EQ(only(summarise_key_results(comparison)).class_contrast->verdict,
+            ContrastVerdict::kDistributionDiffers);
 }
 
 TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
@@ -69,9 +70,9 @@ TEST(KeyResults, RunsThatLeaveTheTerrainLeaveNothingToCompare) {
   }
   const Comparison comparison = compared(std::move(results));
   const FileSummary statement = only(summarise_key_results(comparison));
-  EXPECT_EQ(statement.gap->verdict, Verdict::kTooFewValues)
+  EXPECT_EQ(statement.class_contrast->verdict, ContrastVerdict::kTooFewValues)
       << "a third of the compact runs is left";
-  EXPECT_FALSE(statement.gap->interval);
+  EXPECT_FALSE(statement.class_contrast->interval);
   EXPECT_GT(statement.stops.left_terrain, 0u);
 }
 
@@ -80,10 +81,10 @@ TEST(KeyResults, OneRealisationTellsNothingOfChance) {
   let_stay(results, 1);
   const Comparison comparison = compared(std::move(results));
   const FileSummary statement = only(summarise_key_results(comparison));
-  EXPECT_EQ(statement.gap->verdict, Verdict::kUntested);
-  EXPECT_FALSE(statement.gap->interval);
+  EXPECT_EQ(statement.class_contrast->verdict, ContrastVerdict::kUntested);
+  EXPECT_FALSE(statement.class_contrast->interval);
   EXPECT_FALSE(statement.all.interval);
-  EXPECT_TRUE(statement.of_realisations);
+  EXPECT_TRUE(statement.clusters_are_realisations);
 }
 
 TEST(KeyResults, TheLastBarrierThatIsPassedComesFirst) {
@@ -98,7 +99,7 @@ TEST(KeyResults, TheLastBarrierThatIsPassedComesFirst) {
   EXPECT_EQ(comparison.lines[passages[1].line].name, "upper");
   EXPECT_EQ(comparison.lines[passages[2].line].name, "never");
   EXPECT_EQ(passages[2].all.crossed, 0u);
-  EXPECT_EQ(passages[2].all.share, 0.0);
+  EXPECT_EQ(passages[2].all.passing_probability, 0.0);
   EXPECT_GT(passages[2].all.interval->high, 0.0) << "none of 192 is not never";
 
   // By counting: the share of each class, and 95 % of the passages below.
@@ -111,7 +112,7 @@ TEST(KeyResults, TheLastBarrierThatIsPassedComesFirst) {
     if (beyond > 0.0) energies.push_back(1000.0 * beyond);
     compact += run.block == 0 && beyond > 0.0;
   }
-  EXPECT_NEAR(passages[0].classes[0].share,
+  EXPECT_NEAR(passages[0].classes[0].passing_probability,
               static_cast<double>(compact) / static_cast<double>(runs), 1e-12);
   std::sort(energies.begin(), energies.end());
   ASSERT_GE(energies.size(), kMinPassages);
@@ -128,11 +129,11 @@ TEST(KeyResults, OfFewPassagesTheLargestIsSaid) {
   ASSERT_GT(passage.all.crossed, 0u);
   ASSERT_LT(passage.all.crossed, kMinPassages);
   EXPECT_TRUE(passage.all.largest);
-  double most = 0.0;
+  double maximum = 0.0;
   for (const Crossing& crossing : comparison.results[0].crossings) {
-    most = std::max(most, crossing.translational_energy);
+    maximum = std::max(maximum, crossing.translational_energy);
   }
-  EXPECT_EQ(passage.all.energy, most);
+  EXPECT_EQ(passage.all.energy, maximum);
 }
 
 TEST(KeyResults, SharesOfRunsThatDependOnTheirPointHaveWiderIntervals) {
@@ -149,10 +150,10 @@ TEST(KeyResults, FilesOfOneClassEachAreComparedAsOneStudy) {
   const Comparison comparison =
       compared(made_up_results({.elongated = NAN}), made_up_results({.compact = NAN, .seed = 2}));
   const KeyResults found = summarise_key_results(comparison);
-  ASSERT_EQ(found.statements.size(), 1u);
+  ASSERT_EQ(found.file_summaries.size(), 1u);
   EXPECT_FALSE(found.files);
-  EXPECT_EQ(only(found).gap->verdict, Verdict::kSignificant);
-  EXPECT_EQ(comparison.groups[only(found).gap->farther].key, "compact");
+  EXPECT_EQ(only(found).class_contrast->verdict, ContrastVerdict::kSignificant);
+  EXPECT_EQ(comparison.groups[only(found).class_contrast->farther].key, "compact");
 }
 
 // Pooled, the elongated blocks would seem to run farther, since most of them run on the long slope.
@@ -163,16 +164,16 @@ TEST(KeyResults, SitesAreNotMixed) {
   std::erase_if(far.runs, [](const RunRecord& run) { return run.block == 0 && run.run % 4 != 0; });
   const Comparison comparison = compared(std::move(near), std::move(far));
   const KeyResults found = summarise_key_results(comparison);
-  ASSERT_EQ(found.statements.size(), 2u);
-  for (const FileSummary& statement : found.statements) {
-    EXPECT_EQ(comparison.groups[statement.gap->farther].key, "compact");
-    EXPECT_EQ(statement.gap->verdict, Verdict::kSignificant);
-    EXPECT_NEAR(statement.gap->gap, 10.0, 3.0);
+  ASSERT_EQ(found.file_summaries.size(), 2u);
+  for (const FileSummary& statement : found.file_summaries) {
+    EXPECT_EQ(comparison.groups[statement.class_contrast->farther].key, "compact");
+    EXPECT_EQ(statement.class_contrast->verdict, ContrastVerdict::kSignificant);
+    EXPECT_NEAR(statement.class_contrast->mean_difference, 10.0, 3.0);
   }
   // The same release points: how far the two differ can be said.
   ASSERT_TRUE(found.files);
   EXPECT_EQ(comparison.groups[found.files->farther].file, 1u);
-  EXPECT_EQ(found.files->verdict, Verdict::kSignificant);
+  EXPECT_EQ(found.files->verdict, ContrastVerdict::kSignificant);
 }
 
 /// Mean runouts of the runs of a draw that are of a block, by counting.
@@ -218,7 +219,7 @@ TEST(KeyResults, UncertainGroundGivesRangesOverItsDraws) {
     EXPECT_NEAR(found->high, *high, 1e-9);
   };
   expect_range(statement.all.interval, means);
-  expect_range(statement.gap->interval, gaps);
+  expect_range(statement.class_contrast->interval, gaps);
   expect_range(statement.passages[0].all.interval, shares);
   expect_range(statement.passages[0].all.energy_range, energies);
   EXPECT_TRUE(statement.passages[0].all.speed_range);
@@ -244,8 +245,8 @@ TEST(KeyResults, WhichRunsFartherCanDependOnTheDraw) {
     if (run.block == 1 && run.ground_set == 3) run.result.final_state.position.x() += 15.0;
   }
   const Comparison comparison = compared(std::move(results));
-  const RunoutContrast gap = *only(summarise_key_results(comparison)).gap;
-  EXPECT_EQ(gap.verdict, Verdict::kGroundDependent);
+  const RunoutContrast gap = *only(summarise_key_results(comparison)).class_contrast;
+  EXPECT_EQ(gap.verdict, ContrastVerdict::kGroundDependent);
   EXPECT_LT(gap.interval->low, 0.0);
   EXPECT_GT(gap.interval->high, 0.0);
 }
@@ -269,7 +270,7 @@ TEST(KeyResults, IntervalsOfTheSameBlocksEverywhereSpeakOfThemAlone) {
     drawn.blocks.back().id = "drawn" + std::to_string(block);
   }
   for (RunRecord& run : drawn.runs) {
-    const std::uint32_t realisation = run.run / drawn.stay->blocks_each;
+    const std::uint32_t realisation = run.run / drawn.persistent_blocks->blocks_per_realisation;
     run.block += 2 * (2 * realisation + run.run % 2);
   }
   const Comparison sampled = compared(std::move(drawn));

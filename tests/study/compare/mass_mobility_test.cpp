@@ -13,10 +13,10 @@ namespace {
 
 TEST(ExpectedLargest, IsThatOfAllDraws) {
   const std::vector<double> values = {6.0, 0.0, 3.0};
-  EXPECT_NEAR(expected_largest(values, 1.0), 3.0, 1e-12);
+  EXPECT_NEAR(expected_maximum(values, 1.0), 3.0, 1e-12);
   // Of nine pairs one has 0, three 3 and five 6 as the larger.
-  EXPECT_NEAR(expected_largest(values, 2.0), (3.0 * 3.0 + 5.0 * 6.0) / 9.0, 1e-12);
-  EXPECT_NEAR(expected_largest(values, 1000.0), 6.0, 1e-9);
+  EXPECT_NEAR(expected_maximum(values, 2.0), (3.0 * 3.0 + 5.0 * 6.0) / 9.0, 1e-12);
+  EXPECT_NEAR(expected_maximum(values, 1000.0), 6.0, 1e-9);
 }
 
 /// Two realisations of three boxes, all boxes of one as far; the third box is of another class.
@@ -32,8 +32,8 @@ CampaignResults together(double first, double second) {
 /// Runs of the same boxes, three from each of two points.
 CampaignResults alone(const std::vector<double>& runouts) {
   CampaignResults results = boxes_that_stay();
-  results.stay.reset();
-  results.stays.clear();
+  results.persistent_blocks.reset();
+  results.persistent_block_records.clear();
   results.release_points.push_back(results.release_points.front());
   for (std::size_t run = 0; run < 6; ++run) {
     results.runs[run].block = run % 3 == 2 ? 1 : 0;
@@ -49,7 +49,7 @@ TEST(MassMobility, IsTheDifferenceOfRealisationsAndReleasePoints) {
   ASSERT_EQ(all.size(), 3u);
   const DepositMobility& every = all[0];
   EXPECT_EQ(every.file, 0u);
-  EXPECT_EQ(every.alone, 1u);
+  EXPECT_EQ(every.single_block_file, 1u);
   EXPECT_EQ(every.blocks, 6u);
   EXPECT_EQ(every.runs, 6u);
   EXPECT_EQ(every.alone_runout.count, 2u) << "release points";
@@ -62,9 +62,9 @@ TEST(MassMobility, IsTheDifferenceOfRealisationsAndReleasePoints) {
   EXPECT_NEAR(every.difference.interval->low, -10.0 - half_width, 1e-5);
   EXPECT_NEAR(every.together_toe.mean, 11.0, 1e-6);
   EXPECT_NEAR(every.alone_toe,
-              expected_largest(std::vector<double>{19.0, 20.0, 21.0, 21.0, 22.0, 23.0}, 3.0), 1e-6);
+              expected_maximum(std::vector<double>{19.0, 20.0, 21.0, 21.0, 22.0, 23.0}, 3.0), 1e-6);
   EXPECT_EQ(describe_effect(every), "all: 11.0 m together, 21.0 m alone; 10 m less (4 to 16 m)");
-  EXPECT_NEAR(every.starts_apart, 0.0, 1e-6);
+  EXPECT_NEAR(every.start_distance, 0.0, 1e-6);
   EXPECT_NEAR(every.mass_ratio, 1.0, 1e-12);
   EXPECT_EQ(all[1].group, "class compact");
   EXPECT_EQ(all[2].group, "class elongated");
@@ -82,9 +82,9 @@ TEST(MassMobility, SaysWhereStartsAndMassesDiffer) {
   const std::vector<DepositMobility> all =
       compute_mass_mobility(compared(together(10.0, 12.0), single));
   ASSERT_FALSE(all.empty());
-  EXPECT_NEAR(all[0].starts_apart, 30.0, 1e-6);
+  EXPECT_NEAR(all[0].start_distance, 30.0, 1e-6);
   EXPECT_TRUE(describe_effect(all[0]).ends_with(
-      "; they start 30 m apart; mean mass together is 0.5 times that alone"))
+      "; their release points are 30 m apart; the mean mass together is 0.5 times that alone"))
       << describe_effect(all[0]);
 }
 

@@ -91,7 +91,7 @@ TEST(MeasuredStops, TablesOfAnyProgramAreReadAlike) {
         "x y block\n900050,5 6500000,25 round<1>\n"}) {
     const Comparison comparison = against(table, folder);
     ASSERT_EQ(comparison.measured->stops.size(), 1u) << table;
-    EXPECT_EQ(comparison.measured->stops[0].place, Vec2(900050.5, 6500000.25)) << table;
+    EXPECT_EQ(comparison.measured->stops[0].position, Vec2(900050.5, 6500000.25)) << table;
     EXPECT_EQ(comparison.measured->stops[0].block, "round<1>") << table;
   }
 }
@@ -107,10 +107,10 @@ TEST(MeasuredStops, NamesThatNothingHasAndPlacesOffTheTerrainAreTold) {
   EXPECT_FALSE(
       warns("x,y,block,shape\n" + good + ",round<1>,compact\n" + good + ",,\n", "measured stops"));
   EXPECT_TRUE(warns("x,y,block\n" + good + ",nobody\n" + good + ",round<1>\n",
-                    "1 of 2 measured stops name a block that no run has"));
+                    "1 of 2 measured stops name a block that was not simulated"));
   EXPECT_TRUE(warns("x,y,shape\n" + good + ",round\n",
-                    "1 of 1 measured stops have a shape that is neither compact nor elongated"));
-  EXPECT_TRUE(warns("x,y\n5,7\n", "1 of 1 measured stops lie off the terrain"));
+                    "1 of 1 measured stops have a shape other than compact or elongated"));
+  EXPECT_TRUE(warns("x,y\n5,7\n", "1 of 1 measured stops lie outside the terrain"));
 }
 
 TEST(MeasuredStops, TablesThatAreNoneAreRefused) {

@@ -83,11 +83,11 @@ TEST(Profiles, BarrierMeetsTheLeastEnergyBeyondThePeakWhereBlocksStillCome) {
   for (const double energy : {1.0, 20.0, 30.0, 9.0, 40.0, 25.0}) add(0, 10, energy);
   add(0, 4, 3.0);
   add(1, 10, 2.0);
-  const ProfileBin* place = find_least_energy_position(bins, 0, 10);
+  const ProfileBin* place = find_least_energy_bin(bins, 0, 10);
   ASSERT_NE(place, nullptr);
   EXPECT_EQ(place->from, 6.0);
-  EXPECT_EQ(find_least_energy_position(bins, 1, 10), nullptr) << "no peak is behind";
-  EXPECT_EQ(find_least_energy_position(bins, 0, 30), nullptr) << "fewer than half come by";
+  EXPECT_EQ(find_least_energy_bin(bins, 1, 10), nullptr) << "no peak is behind";
+  EXPECT_EQ(find_least_energy_bin(bins, 0, 30), nullptr) << "fewer than half come by";
 }
 
 }  // namespace

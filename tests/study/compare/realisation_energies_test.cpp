@@ -54,8 +54,8 @@ TEST(RealisationEnergies, CurvesAreLinearBetweenSamplesAndLast) {
     const double first = t < 2.0 ? 250.0 * t : t < 4.0 ? 250.0 * (4.0 - t) : 0.0;
     const double second = t < 4.0 ? 125.0 * t : 125.0 * (8.0 - t);
     EXPECT_NEAR(curve.mean[i], 0.5 * (first + second), 1e-9) << t;
-    EXPECT_NEAR(curve.least[i], std::min(first, second), 1e-9) << t;
-    EXPECT_NEAR(curve.most[i], std::max(first, second), 1e-9) << t;
+    EXPECT_NEAR(curve.minimum[i], std::min(first, second), 1e-9) << t;
+    EXPECT_NEAR(curve.maximum[i], std::max(first, second), 1e-9) << t;
   }
   EXPECT_TRUE(compute_energy_curve({}, kinetic).time.empty());
 }
@@ -66,7 +66,7 @@ TEST(RealisationEnergies, AreFiguresOfTheDeposit) {
     const DepositQuantityComparison figures =
         compare_deposit_quantities(measure_deposits(compared(of)).realisations);
     for (const DepositQuantitySummary& one : figures.files) {
-      if (deposit_quantities()[one.figure].name == name) return one.summary.mean;
+      if (deposit_quantities()[one.quantity].name == name) return one.summary.mean;
     }
     return NAN;
   };

@@ -93,8 +93,8 @@ TEST(ShapeEffect, OfACubeAndAPrismIsWhatTheTableOfRunsSays) {
     for (const double y : b) balance += x > y ? 1.0 : x < y ? -1.0 : 0.0;
   }
   bool compared = false;
-  for (const Difference& one : comparison.differences) {
-    if (comparison.groups[one.first].kind != GroupKind::kGarcia || one.quantity != "runout_m") {
+  for (const GroupDifference& one : comparison.differences) {
+    if (comparison.groups[one.first].kind != RunGroupKind::kGarcia || one.quantity != "runout_m") {
       continue;
     }
     compared = true;

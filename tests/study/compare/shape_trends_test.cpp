@@ -43,7 +43,7 @@ CampaignResults series_results(double slope, std::uint64_t seed) {
 std::vector<ShapeTrend> trends_of(CampaignResults results, double margin) {
   std::vector<CampaignResults> files;
   files.push_back(std::move(results));
-  CompareOptions options;
+  ComparisonOptions options;
   options.margin = margin;
   return compute_shape_trends(compare(std::move(files), options)).at(0).trends;
 }
@@ -72,7 +72,7 @@ TEST(ShapeTrends, SayThatNothingMattersWhereNothingDoes) {
   const ShapeTrend first = trends_of(series_results(0.0, 4), 2.0).front();
   EXPECT_GT(first.corrected_p, 0.05);
   EXPECT_LT(*first.equivalence, 0.05);
-  EXPECT_LT(first.smallest, 2.0);
+  EXPECT_LT(first.detectable_difference, 2.0);
   EXPECT_LT(*first.runs_needed, 180.0);
 }
 

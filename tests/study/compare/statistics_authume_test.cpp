@@ -65,7 +65,7 @@ TEST(AuthumeBarrierStatistics, FollowFromTheCrossings) {
     const auto sample =
         samples.find(row.at("profile") + row.at("block") + row.at("barrier") + row.at("quantity"));
     ASSERT_NE(sample, samples.end()) << row.at("quantity");
-    const Summary summary = summarise(sample->second);
+    const SampleSummary summary = summarise_sample(sample->second);
     SCOPED_TRACE(sample->first);
     EXPECT_EQ(static_cast<double>(summary.count), published.number(i, "n_cross_of_256"));
     EXPECT_NEAR(summary.mean, published.number(i, "mean"), kRounding);

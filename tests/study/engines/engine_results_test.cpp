@@ -102,7 +102,7 @@ TEST_F(EngineResultsOf, AFlightHasItsEndItsPathAndItsEnergy) {
   const CampaignResults results = imported(&found);
   EXPECT_EQ(found.runs, 1u);
   EXPECT_EQ(found.planned, plan_.runs.size());
-  EXPECT_EQ(found.without, plan_.runs.size() - 1);
+  EXPECT_EQ(found.without_output, plan_.runs.size() - 1);
   ASSERT_EQ(results.runs.size(), 1u);
   EXPECT_EQ(results.engine, "rockable");
   EXPECT_EQ(results.planned_runs, plan_.runs.size());
@@ -219,13 +219,13 @@ TEST_F(EngineResultsOf, WhatTakesContactsIsEmptyAndNotZero) {
   EXPECT_EQ(empty, 3u * 7u);
   EXPECT_EQ(filled, plan_.runs.size() * 7u);
   std::size_t of_engines = 0;
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     if (group.column == "engine") of_engines += group.rows.size();
   }
   EXPECT_EQ(of_engines, comparison.rows.size());
   std::size_t warned = 0;
   for (const std::string& warning : comparison.warnings) {
-    EXPECT_FALSE(contains(warning, "miss more than 1 %")) << warning;
+    EXPECT_FALSE(contains(warning, "an error of more than 1 %")) << warning;
     warned += contains(warning, "computed by Rockable");
   }
   EXPECT_EQ(warned, 1u);

@@ -28,7 +28,8 @@ TEST(NewCampaignAuthume, RunsDownTheQuarry) {
                      {{"cube", cuboid(0.8, 0.75, 0.7)}, {"bar", cuboid(1.6, 0.6, 0.5)}});
   const CampaignProposal proposal =
       write_new_campaign(folder / "blocks.h5", {folder / "quarry.h5"}, folder / "campaign.toml");
-  EXPECT_TRUE(proposal.doubts.empty()) << testing::PrintToString(proposal.doubts);
+  EXPECT_TRUE(proposal.proposal_warnings.empty())
+      << testing::PrintToString(proposal.proposal_warnings);
   ASSERT_EQ(proposal.ground.size(), 3u);
   for (const ProposedGround& zone : proposal.ground) {
     const bool wall = zone.zone == "rock walls", slope = zone.zone == "rocky slope";

@@ -29,11 +29,11 @@ Terrain terrain_of(const fs::path& file) {
 
 Vec2 plan(const Vec3& point) { return point.head<2>(); }
 
-void expect_sensible(const ProposedLines& places, const Terrain& terrain,
+void expect_sensible(const ProposedReleaseAndBarrier& places, const Terrain& terrain,
                      const FacingSlope& slope) {
   const double side = slope.cells * slope.cell;
   const std::vector<Vec3> ends = {places.releases.from, places.releases.to};
-  EXPECT_NO_THROW(check_over_ground(terrain, ends, "releases"));
+  EXPECT_NO_THROW(check_positions_over_terrain(terrain, ends, "releases"));
   for (const Vec3& release : ends) {
     EXPECT_GE(border_distance(terrain, plan(release)), places.margin);
     // In the upper half of the descent, on the slope and not on its foot.
@@ -62,7 +62,7 @@ TEST_P(SlopesFacing, GetReleasesAboveAndABarrierAtTheFoot) {
   const FacingSlope slope{.facing = GetParam() * kRadiansPerDegree};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
-  const ProposedLines places =
+  const ProposedReleaseAndBarrier places =
       propose_release_and_barrier(terrain, make_terrain_surface(terrain), 1.0);
   EXPECT_EQ(places.release_points, 5u);
   expect_sensible(places, terrain, slope);
@@ -77,10 +77,10 @@ TEST(NewCampaign, ASlopeWithoutAFootHasTheBarrierOnTheGround) {
   const FacingSlope slope{.facing = 0.5, .slope = 33.0 * kRadiansPerDegree, .foot = 2.0};
   write_slope(folder / "slope.asc", slope);
   const Terrain terrain = terrain_of(folder / "slope.asc");
-  const ProposedLines places =
+  const ProposedReleaseAndBarrier places =
       propose_release_and_barrier(terrain, make_terrain_surface(terrain), 0.8);
   const Vec3 centre = 0.5 * (places.barrier.from + places.barrier.to);
-  EXPECT_NO_THROW(check_over_ground(terrain, std::vector<Vec3>{centre}, "barrier"));
+  EXPECT_NO_THROW(check_positions_over_terrain(terrain, std::vector<Vec3>{centre}, "barrier"));
   EXPECT_GT(places.distance, 40.0);
   EXPECT_NEAR(places.descent, std::tan(slope.slope) * places.distance, 3.0);
 }
@@ -96,7 +96,7 @@ TEST(NewCampaign, MapCoordinatesChangeNothingElse) {
     const Terrain terrain = terrain_of(folder / name);
     return propose_release_and_barrier(terrain, make_terrain_surface(terrain), 1.0);
   };
-  const ProposedLines far = places_on("far.asc"), near = places_on("near.asc");
+  const ProposedReleaseAndBarrier far = places_on("far.asc"), near = places_on("near.asc");
   EXPECT_LT((plan(far.releases.from) - plan(near.releases.from) - offset).norm(), 1e-3);
   EXPECT_LT((plan(far.barrier.to) - plan(near.barrier.to) - offset).norm(), 1e-3);
 }
@@ -175,18 +175,18 @@ TEST_F(NewCampaigns, SaySoWhereZonesNameNoGroundAndCountBlocksWhereTheyPass) {
   const CampaignProposal proposal = write("quarry.h5");
   ASSERT_EQ(proposal.ground.size(), 3u);
   for (const ProposedGround& zone : proposal.ground) {
-    EXPECT_FALSE(zone.by_name);
+    EXPECT_FALSE(zone.identified_by_name);
     EXPECT_EQ(zone.type.name, default_ground_type().name);
   }
   EXPECT_TRUE(contains(text(), "[ground.gray]") && contains(text(), "no ground type"));
-  ASSERT_FALSE(proposal.doubts.empty());
-  EXPECT_TRUE(contains(proposal.doubts[0], "3 ground zones are taken for scree"));
+  ASSERT_FALSE(proposal.proposal_warnings.empty());
+  EXPECT_TRUE(contains(proposal.proposal_warnings[0], "3 ground zones are taken for scree"));
   EXPECT_TRUE(contains(text(), "NOTE: 3 ground zones"));
   EXPECT_EQ(proposal.trial.count, 16u);
   EXPECT_LT(proposal.trial.passed, 4u);
   ASSERT_EQ(proposal.places.barrier_name, "halfway");
   EXPECT_LE(proposal.places.distance, proposal.trial.median_distance);
-  EXPECT_TRUE(contains(proposal.doubts.back(), "the foot of the slope"));
+  EXPECT_TRUE(contains(proposal.proposal_warnings.back(), "the foot of the slope"));
   EXPECT_TRUE(contains(text(), "name               = \"halfway\"")) << text();
   const CampaignResults results = run();
   expect_most_come_down(results);
@@ -214,8 +214,8 @@ TEST_F(NewCampaigns, TakeGroundFromTheNamesOfZones) {
             ground_type("talus").energy_restitution.value);
   EXPECT_EQ(campaign.ground.at("a.b").rolling_friction->central_value(),
             default_ground_type().rolling_friction.value);
-  ASSERT_EQ(proposal.doubts.size(), 1u);
-  EXPECT_TRUE(contains(proposal.doubts[0], "1 ground zone is taken"));
+  ASSERT_EQ(proposal.proposal_warnings.size(), 1u);
+  EXPECT_TRUE(contains(proposal.proposal_warnings[0], "1 ground zone is taken"));
 }
 
 TEST_F(NewCampaigns, PathsAreRelativeToTheCampaign) {
@@ -253,7 +253,7 @@ TEST_F(NewCampaigns, BlocksWithoutASizeGetAMassThatIsSaidToBeAnAssumption) {
   const CampaignProposal some = write("slope.asc", "mixed.h5");
   EXPECT_EQ(some.blocks.count, 3u);
   EXPECT_EQ(some.blocks.selected, (std::vector<std::string>{"bar", "cube", "slab"}));
-  EXPECT_EQ(some.blocks.left_out.size(), 3u);
+  EXPECT_EQ(some.blocks.omitted_blocks.size(), 3u);
   EXPECT_EQ(read_campaign(folder / "campaign.toml").blocks.filter.ids, some.blocks.selected);
 }
 

@@ -48,17 +48,17 @@ TEST(Impact, BouncesOfABallAreThoseOfTheFormulas) {
   const double quarter = 0.5 * kPi * std::sqrt(mass / settings.stiffness.normal);
   EXPECT_NEAR(first.contact_duration, quarter * (1 + 1 / std::sqrt(restitution)), 0.05 * quarter);
   EXPECT_NEAR(first.depth, down * std::sqrt(mass / settings.stiffness.normal), 0.02 * first.depth);
-  EXPECT_NEAR(first.place.x(), 0.3 + touch, 1e-4);
-  EXPECT_NEAR(first.place.y(), 0.2, 1e-6);
-  EXPECT_NEAR(first.place.z(), 0.0, 1e-4);
+  EXPECT_NEAR(first.position.x(), 0.3 + touch, 1e-4);
+  EXPECT_NEAR(first.position.y(), 0.2, 1e-6);
+  EXPECT_NEAR(first.position.z(), 0.0, 1e-4);
 
   const double up = std::sqrt(restitution) * down;
   EXPECT_NEAR(observer.impacts[1].time - first.time, 2 * up / kTestGravity, 0.02);
   EXPECT_NEAR(observer.impacts[1].speed_before, std::hypot(up, 1.0), 0.01 * up);
 
   const ContactStatistics& statistics = observer.statistics;
-  EXPECT_EQ(statistics.most_points, 1u);
-  EXPECT_NEAR(statistics.mean_points, 1.0, 0.2);
+  EXPECT_EQ(statistics.max_contact_points, 1u);
+  EXPECT_NEAR(statistics.mean_contact_points, 1.0, 0.2);
   EXPECT_NEAR(statistics.longest_flight, 2 * up / kTestGravity, 0.02);
   EXPECT_NEAR(statistics.max_energy, 0.5 * mass * (down * down + 1.0), 1.0);
   EXPECT_NEAR(statistics.max_spin, 0.0, 1e-6);
@@ -106,9 +106,9 @@ TEST(Impact, ShortFlightsDoNotEndIt) {
   EXPECT_EQ(observer.impacts[1].depth, 0.02);
   const ContactStatistics& statistics = observer.statistics;
   EXPECT_NEAR(statistics.contact_time, 0.1 + 0.01 + 0.085 + 0.01 + 0.078, 1e-12);
-  EXPECT_NEAR(statistics.mean_points, (0.2 + 4 * 0.085 + 3 * 0.078) / statistics.contact_time,
-              1e-12);
-  EXPECT_EQ(statistics.most_points, 4u);
+  EXPECT_NEAR(statistics.mean_contact_points,
+              (0.2 + 4 * 0.085 + 3 * 0.078) / statistics.contact_time, 1e-12);
+  EXPECT_EQ(statistics.max_contact_points, 4u);
   EXPECT_NEAR(statistics.longest_flight, 0.5, 1e-12);
 }
 

@@ -51,7 +51,7 @@ TEST(Results, StraightBarriersOfSchema2AreRead) {
   }
   const CampaignResults results = read_results(folder / "old.h5");
   ASSERT_EQ(results.barriers.size(), 2u);
-  EXPECT_EQ(results.barriers[1].through, (std::vector<Vec2>{{36, -400}, {36, -340}}));
+  EXPECT_EQ(results.barriers[1].vertices, (std::vector<Vec2>{{36, -400}, {36, -340}}));
 }
 
 TEST(Results, DamageIsNamed) {
@@ -97,8 +97,9 @@ TEST(Results, DamageIsNamed) {
                        "bad.h5: /barriers/point_count does not fit points_m"));
   EXPECT_TRUE(contains(replaced("barriers", "point_count", std::vector<std::uint32_t>{1, 4}),
                        "bad.h5: /barriers/point_count does not fit points_m"));
-  EXPECT_TRUE(contains(replaced("barriers", "point_count", std::vector<std::uint32_t>{2, 2}),
-                       "bad.h5: /barriers/points_m has more points than barriers have"));
+  EXPECT_TRUE(
+      contains(replaced("barriers", "point_count", std::vector<std::uint32_t>{2, 2}),
+               "bad.h5: /barriers/points_m has more points than the barriers have in total"));
   EXPECT_TRUE(contains(replaced("barriers", "direction", std::vector<std::string>{"either", "up"}),
                        "bad.h5: /barriers/direction is neither either nor forward"));
   EXPECT_TRUE(contains(replaced("runs", "stop_reason", std::vector<std::uint8_t>{0, 1, 9}),

@@ -23,8 +23,10 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
   other.physics_digest = std::string(64, 'b');
   { ResultsWriter writer = ResultsWriter::create(target, header); }
   EXPECT_EQ(refusal([&] { ResultsWriter::resume(target, other); }),
-            journal_path(target).string() + ": was begun with clast " + header.program_version +
-                " too, but blocks move differently in this clast (physics digest aaaaaaaaaa, here "
+            results_journal_path(target).string() + ": was begun with clast " +
+                header.program_version +
+                " too, but this version of clast computes different motions (physics digest "
+                "aaaaaaaaaa, here "
                 "bbbbbbbbbb); delete it and start without `resume`");
   const auto finished = [&](const fs::path& file, const CampaignResults& of, std::uint32_t run) {
     ResultsWriter writer = ResultsWriter::create(file, of);
@@ -33,16 +35,17 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
     return read_results(file).physics_digest;
   };
   EXPECT_EQ(finished(target, header, 0), header.physics_digest);
-  EXPECT_TRUE(is_finished(target, header, 1));
-  EXPECT_TRUE(is_finished(target, sample_header(), 1));
-  EXPECT_TRUE(contains(refusal([&] { is_finished(target, other, 1); }),
-                       "blocks move differently in this clast"));
+  EXPECT_TRUE(has_finished_results(target, header, 1));
+  EXPECT_TRUE(has_finished_results(target, sample_header(), 1));
+  EXPECT_TRUE(contains(refusal([&] { has_finished_results(target, other, 1); }),
+                       "this version of clast computes different motions"));
   finished(folder / "b.h5", other, 1);
   EXPECT_EQ(refusal([&] {
               merge_results({target, folder / "b.h5"}, folder / "m.h5");
             }),
-            (folder / "b.h5").string() + ": blocks moved differently in the clast that made it " +
-                "than in that of " + target.string() +
+            (folder / "b.h5").string() +
+                ": was made by a program that computes different motions from that of " +
+                target.string() +
                 " (physics digest bbbbbbbbbb, there aaaaaaaaaa), though both are clast " +
                 header.program_version + "; simulate all shards with one program");
 }
@@ -50,7 +53,7 @@ TEST(Results, RunsOfOtherPhysicsAreNotResumedOrJoined) {
 // Their first record ends before the digest; what is not known of their runs is not said.
 TEST(Results, JournalsOfOlderProgramsGoOn) {
   const ScratchFolder folder;
-  const fs::path target = folder / "r.h5", part = journal_path(target);
+  const fs::path target = folder / "r.h5", part = results_journal_path(target);
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }
   const std::string begun = read_text_file(part);
   const std::size_t line = begun.find('\n') + 1, content = line + 8 + 64;

@@ -47,7 +47,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
     EXPECT_FALSE(fs::exists(target));
     writer.finish();
   }
-  EXPECT_FALSE(fs::exists(journal_path(target)));
+  EXPECT_FALSE(fs::exists(results_journal_path(target)));
   expect_runs(target, {0, 2, 3, 5});
   const CampaignResults results = read_results(target);
   EXPECT_EQ(results.file, target);
@@ -68,8 +68,8 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.barriers[1].name, "EC12");
   EXPECT_EQ(results.barriers[0].counted, CountedDirection::kEither);
   EXPECT_EQ(results.barriers[1].counted, CountedDirection::kForward);
-  EXPECT_EQ(results.barriers[0].through, (std::vector<Vec2>{{25, -400}, {25, -340}}));
-  EXPECT_EQ(results.barriers[1].through, (std::vector<Vec2>{{36, -400}, {36, -370}, {40, -340}}));
+  EXPECT_EQ(results.barriers[0].vertices, (std::vector<Vec2>{{25, -400}, {25, -340}}));
+  EXPECT_EQ(results.barriers[1].vertices, (std::vector<Vec2>{{36, -400}, {36, -370}, {40, -340}}));
   EXPECT_EQ(results.release_points, header.release_points);
   EXPECT_EQ(results.zone_names, header.zone_names);
   ASSERT_EQ(results.ground.size(), 2u);
@@ -82,7 +82,7 @@ TEST(Results, EverythingComesBackInRunOrder) {
   EXPECT_EQ(results.ground_sets[0].zones[0].soil_memory, 0.2);
   EXPECT_EQ(results.ground[1].energy_restitution, 0.04);
   EXPECT_EQ(results.ground[1].friction, 0.3);
-  EXPECT_EQ(results.weights, ContactWeighting::kOverlap);
+  EXPECT_EQ(results.weighting, ContactWeighting::kOverlap);
   EXPECT_EQ(name_of(results.law), "spring-dashpot");
   EXPECT_EQ(results.warnings, header.warnings);
   EXPECT_EQ(results.frame.origin, header.frame.origin);
@@ -170,9 +170,10 @@ TEST(Results, OneStiffnessForAllRunsIsReadAsEveryRuns) {
     EXPECT_EQ(run.stiffness.tangential, 2e8);
     EXPECT_EQ(run.stiffness.rolling, 4e8);
     EXPECT_EQ(run.stiffness.time_step, 8e8);
-    EXPECT_TRUE(std::isnan(run.rest_depth) && std::isnan(run.impact_depth));
+    EXPECT_TRUE(std::isnan(run.settled_depth) && std::isnan(run.impact_depth));
   }
-  const std::vector<BlockStiffness> blocks = collect_stiffness_by_block(results, results.runs);
+  const std::vector<BlockStiffnessRanges> blocks =
+      collect_stiffness_by_block(results, results.runs);
   EXPECT_EQ(
       format_stiffness_cells(blocks[0]),
       (std::vector<std::string>{"1e+08", "2e+08", "1.44e+06 to 4e+08", "8e+08", "-", "-", "-"}));
@@ -225,7 +226,7 @@ TEST(Results, InterruptedCampaignGoesOnWhereItStopped) {
 TEST(Results, HalfARunLeftByAKillIsDropped) {
   const ScratchFolder folder;
   const fs::path target = folder / "r.h5";
-  const fs::path part = journal_path(target);
+  const fs::path part = results_journal_path(target);
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }
   const std::uint64_t begin = fs::file_size(part);
   {
@@ -293,8 +294,8 @@ TEST(Results, KilledWriterLosesNoRunItReported) {
     }
     ::close(reports[1]);
     char report;
-    const std::uint32_t least = 3 + static_cast<std::uint32_t>(kill);
-    for (std::uint32_t run = 0; run < least; ++run) ASSERT_EQ(::read(reports[0], &report, 1), 1);
+    const std::uint32_t minimum = 3 + static_cast<std::uint32_t>(kill);
+    for (std::uint32_t run = 0; run < minimum; ++run) ASSERT_EQ(::read(reports[0], &report, 1), 1);
     ::usleep(1000u * static_cast<unsigned>(kill));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
@@ -302,7 +303,7 @@ TEST(Results, KilledWriterLosesNoRunItReported) {
 
     ResultsWriter writer = ResultsWriter::resume(target, header);
     const std::vector<std::uint32_t> stored = writer.completed_runs();
-    ASSERT_GE(stored.size(), least);
+    ASSERT_GE(stored.size(), minimum);
     std::vector<std::uint32_t> expected(stored.size() + 1);
     for (std::uint32_t i = 0; i < expected.size(); ++i) expected[i] = i;
     add_run(writer, static_cast<std::uint32_t>(stored.size()));
@@ -319,7 +320,7 @@ TEST(Results, AnotherCampaignIsNotResumed) {
   };
   EXPECT_TRUE(contains(refused(sample_header()), "r.h5.part: no such file"));
   for (const char* text : {"", "something else altogether", "clast results journal 1\nxyz"}) {
-    write_text_file(journal_path(target), text);
+    write_text_file(results_journal_path(target), text);
     EXPECT_TRUE(contains(refused(sample_header()), "r.h5.part: is not the journal")) << text;
   }
   { ResultsWriter writer = ResultsWriter::create(target, sample_header()); }

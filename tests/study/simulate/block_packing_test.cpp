@@ -37,12 +37,12 @@ TEST(BlockPacking, StacksCubesWhereThereIsRoomForOne) {
     EXPECT_NEAR(state->position.z(), 0.25 + 0.5 * i, 1e-9);
     EXPECT_EQ(state->velocity, Vec3::Zero());
   }
-  EXPECT_NEAR(packing.filling().area, 0.75 * 0.75, 1e-12);
-  EXPECT_NEAR(packing.filling().largest_thickness, 1.5, 1e-9);
+  EXPECT_NEAR(packing.heap_extent().area, 0.75 * 0.75, 1e-12);
+  EXPECT_NEAR(packing.heap_extent().largest_thickness, 1.5, 1e-9);
   EXPECT_FALSE(packing.place(cube, overlap, Quat::Identity(), 1.6, random));
   EXPECT_TRUE(packing.place(cube, overlap, Quat::Identity(), {}, random));
   packing.clear();
-  EXPECT_EQ(packing.filling().largest_thickness, 0.0);
+  EXPECT_EQ(packing.heap_extent().largest_thickness, 0.0);
   EXPECT_NEAR(packing.place(cube, overlap, Quat::Identity(), {}, random)->position.z(), 0.25, 1e-9);
 }
 
@@ -72,7 +72,7 @@ TEST(BlockPacking, LeavesRocksClearOfEachOtherAndOfTheGround) {
   }
   EXPECT_NO_THROW(world.step());  // it refuses bodies that overlap at the start
   EXPECT_LT(world.statistics().max_overlap, 0.5e-3 * shapes[2].size());
-  const FilledArea filling = packing.filling();
+  const HeapExtent filling = packing.heap_extent();
   EXPECT_GT(volume / (filling.area * filling.mean_thickness), 0.3);
   EXPECT_LT(filling.largest_thickness, 3.0 * filling.mean_thickness);  // a slab, not a tower
 }

@@ -108,7 +108,7 @@ TEST_F(CampaignRun, BarrierThatCountsUphillOnlyIsNamed) {
 }
 
 TEST_F(CampaignRun, BarrierOffTheTerrainIsNamed) {
-  const std::string off = "barrier foot lies off the terrain";
+  const std::string off = "barrier foot is outside the terrain";
   EXPECT_FALSE(plan_warns(prepared(), off));
   EXPECT_TRUE(plan_warns(
       prepared(with("from = [0, -20]\nto = [0, 20]", "from = [0, 21]\nto = [9, 30]")), off));
@@ -146,12 +146,12 @@ TEST_F(CampaignRun, RunsThatWouldNotEndAreRefusedAndLongOnesNamed) {
 TEST_F(CampaignRun, AProbeDoesNotWaitForARunWithoutEnd) {
   const CampaignPlan campaign =
       prepared(with("[terrain]", "[contact]\ntime_step_s = 1e-9\n[terrain]"));
-  const TimeProbe probe = probe_time(campaign, 0.02);
-  EXPECT_TRUE(probe.cut_short);
-  EXPECT_TRUE(probe.at_most);
+  const RunTimeProbe probe = measure_run_time(campaign, 0.02);
+  EXPECT_TRUE(probe.last_run_stopped);
+  EXPECT_TRUE(probe.is_upper_bound);
   EXPECT_EQ(probe.runs, 1u);
   // 1e9 steps and more for a second on the ground, each of 10 ns at the very least.
-  EXPECT_GT(probe.each, 100.0);
+  EXPECT_GT(probe.time_per_run, 100.0);
 }
 
 TEST_F(CampaignRun, ManyOrientationsAreToldApartWithoutComparingEachWithEach) {

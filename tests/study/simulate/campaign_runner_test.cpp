@@ -63,7 +63,7 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
     EXPECT_THROW(
         run_campaign(plan, *folder_ / "cut.h5", {.threads = 1, .resume = true, .progress = quit}),
         Stop);
-    const fs::path part = journal_path(*folder_ / "cut.h5");
+    const fs::path part = results_journal_path(*folder_ / "cut.h5");
     ASSERT_TRUE(fs::exists(part));
     EXPECT_FALSE(fs::exists(*folder_ / "cut.h5"));
     fs::resize_file(part, fs::file_size(part) - 7);
@@ -73,7 +73,7 @@ TEST_F(CampaignRun, ResultsDoNotDependOnThreadsOrInterruptions) {
                {.threads = 2, .resume = true, .progress = [&](const ProgressUpdate&) { ++runs; }});
   EXPECT_LT(runs, 12u);
   expect_equal_results(*folder_ / "one.h5", *folder_ / "cut.h5");
-  EXPECT_FALSE(fs::exists(journal_path(*folder_ / "cut.h5")));
+  EXPECT_FALSE(fs::exists(results_journal_path(*folder_ / "cut.h5")));
 }
 
 TEST_F(CampaignRun, RunThatFailsIsStoredWithItsReason) {

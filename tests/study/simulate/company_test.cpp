@@ -83,15 +83,15 @@ class Company : public CampaignRun {
       run.record.run = run.record.block = run.record.point = run.record.ground_set = 0;
       for (Crossing& crossing : run.crossings) crossing.run = 0;
       for (Impact& impact : run.impacts) impact.run = 0;
-      EXPECT_TRUE(runs.emplace(name, pack_record(run)).second) << name << " comes twice";
+      EXPECT_TRUE(runs.emplace(name, serialize_stored_run(run)).second) << name << " comes twice";
     }
     EXPECT_TRUE(crossings > 0 && impacts > 0) << "nothing to compare";
     return runs;
   }
 
   /// Does a campaign and returns the runs of a block.
-  static Runs runs_of(const std::string& block, const std::string& text,
-                      const RunOptions& options = {.threads = 1, .replace = true}) {
+  static Runs run_count(const std::string& block, const std::string& text,
+                        const CampaignRunOptions& options = {.threads = 1, .replace = true}) {
     run_campaign(prepared(text), *folder_ / "company.h5", options);
     return stored(*folder_ / "company.h5", block);
   }
@@ -111,24 +111,24 @@ class Company : public CampaignRun {
 };
 
 TEST_F(Company, OtherBlocksChangeNothing) {
-  const Runs alone = runs_of("slab", of("\"slab\""));
+  const Runs alone = run_count("slab", of("\"slab\""));
   ASSERT_EQ(alone.size(), 6u);
-  expect_same(alone, runs_of("slab", campaign_text()));
-  expect_same(alone, runs_of("slab", of("\"slab\", \"pebble\"")));
-  expect_same(alone, runs_of("slab", of("\"heavy\", \"slab\"")));
-  expect_same(alone, runs_of("slab", of("\"heavy\", \"pebble\", \"cube\", \"slab\"")));
+  expect_same(alone, run_count("slab", campaign_text()));
+  expect_same(alone, run_count("slab", of("\"slab\", \"pebble\"")));
+  expect_same(alone, run_count("slab", of("\"heavy\", \"slab\"")));
+  expect_same(alone, run_count("slab", of("\"heavy\", \"pebble\", \"cube\", \"slab\"")));
   // Neither do they where blocks are brought to one mass.
   const auto of_mass = [](const std::string& blocks) {
     return replaced_once(of(blocks), "[terrain]", "scale = { mass_kg = 500 }\n[terrain]");
   };
-  const Runs scaled = runs_of("slab", of_mass("\"slab\""));
-  expect_same(scaled, runs_of("slab", of_mass("\"pebble\", \"slab\", \"heavy\"")));
+  const Runs scaled = run_count("slab", of_mass("\"slab\""));
+  expect_same(scaled, run_count("slab", of_mass("\"pebble\", \"slab\", \"heavy\"")));
   EXPECT_TRUE(scaled != alone);
 }
 
 TEST_F(Company, NeitherDoThreadsNorShards) {
-  const Runs alone = runs_of("slab", of("\"slab\""));
-  expect_same(alone, runs_of("slab", campaign_text(), {.threads = 2, .replace = true}));
+  const Runs alone = run_count("slab", of("\"slab\""));
+  expect_same(alone, run_count("slab", campaign_text(), {.threads = 2, .replace = true}));
   run_in_shards(prepared(campaign_text()), 3);
   expect_same(alone, stored(*folder_ / "merged.h5", "slab"));
 }
@@ -142,18 +142,19 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
   const std::string schist =
       "[[block_group]]\nname = \"schist\"\nselect = [\"heavy\"]\n"
       "ground.slope = { friction = { uniform = [0.2, 0.4] } }\n";
-  const Runs alone = runs_of("slab", of("\"slab\"", uncertain));
+  const Runs alone = run_count("slab", of("\"slab\"", uncertain));
   ASSERT_EQ(alone.size(), 18u);
-  expect_same(alone, runs_of("slab", of("\"pebble\", \"slab\", \"heavy\"", uncertain)));
-  expect_same(alone, runs_of("slab", of("\"heavy\", \"slab\"", uncertain + schist)));
+  expect_same(alone, run_count("slab", of("\"pebble\", \"slab\", \"heavy\"", uncertain)));
+  expect_same(alone, run_count("slab", of("\"heavy\", \"slab\"", uncertain + schist)));
   const CampaignPlan plan = prepared(of("\"slab\"", uncertain));
   std::set<double> drawn;
   for (const GroundParameterSet& set : plan.header.ground_sets) {
     const double restitution = set.zones[0].energy_restitution;
     drawn.insert(restitution);
-    const Runs own = runs_of("slab", of("\"slab\"", with("energy_restitution = 0.1",
-                                                         "energy_restitution = " +
-                                                             format_significant(restitution, 17))));
+    const Runs own = run_count(
+        "slab",
+        of("\"slab\"", with("energy_restitution = 0.1",
+                            "energy_restitution = " + format_significant(restitution, 17))));
     for (const auto& [name, bytes] : own) {
       std::string of_member = name;
       of_member.back() = static_cast<char>('0' + set.member);
@@ -166,10 +167,10 @@ TEST_F(Company, OtherMembersOfAnEnsembleChangeNothing) {
 
 TEST_F(Company, OtherReleasesChangeNothing) {
   // From the higher points blocks can be much faster, so that an impact decides on the stiffness.
-  const Runs low = runs_of("slab", of("\"slab\""));
+  const Runs low = run_count("slab", of("\"slab\""));
   const std::string high =
       with(kCompanyPoints, "points = [[-12, -3, 9.5], [-12, 3, 9.5], [-19, 1, 60]]");
-  const Runs both = runs_of("slab", of("\"slab\"", high));
+  const Runs both = run_count("slab", of("\"slab\"", high));
   EXPECT_EQ(both.size(), 9u);
   expect_among(low, both);
   // Also where the height of the centre follows from the orientation.
@@ -177,12 +178,12 @@ TEST_F(Company, OtherReleasesChangeNothing) {
   const std::string one =
       replaced_once(dropped, "orientations = \"turns.txt\"", "orientations = \"first.txt\"");
   write_text_file(*folder_ / "first.txt", "1 0 0 0\n");
-  expect_among(runs_of("slab", of("\"slab\"", one)), runs_of("slab", of("\"slab\"", dropped)));
+  expect_among(run_count("slab", of("\"slab\"", one)), run_count("slab", of("\"slab\"", dropped)));
 }
 
 TEST_F(Company, FreshOrientationsBelongToTheBlock) {
   const std::string fresh = with("\"turns.txt\"", "{ random = 2, seed = 5, fresh = true }");
-  expect_same(runs_of("slab", of("\"slab\"", fresh)), runs_of("slab", fresh));
+  expect_same(run_count("slab", of("\"slab\"", fresh)), run_count("slab", fresh));
 }
 
 /// Of the first run of each block, by id.
@@ -209,7 +210,7 @@ TEST_F(Company, EveryBlockHasTheStiffnessOfItsOwnMassAndSize) {
     EXPECT_NEAR(run.stiffness.normal, normal, 1e-9 * normal) << id;
     EXPECT_EQ(run.stiffness.tangential, run.stiffness.normal) << id;
     EXPECT_NEAR(run.stiffness.rolling, normal * 0.25 * side * side, 1e-9 * normal) << id;
-    EXPECT_NEAR(run.rest_depth, body.mass * 9.81 / (0.1 * normal), 1e-12) << id;
+    EXPECT_NEAR(run.settled_depth, body.mass * 9.81 / (0.1 * normal), 1e-12) << id;
     // m v^2/2 + m g h = k h^2/2
     const double h = run.impact_depth;
     EXPECT_NEAR(body.mass * 9.81 * (9.5 + h), 0.5 * normal * h * h, 1e-6 * normal * h * h) << id;

@@ -73,8 +73,9 @@ TEST(LargeCampaign, IsComparedInMemoryAndReportedInLessThan30Megabytes) {
   EXPECT_LT(gigabytes, 2.0);
   EXPECT_LT(megabytes, 30.0);
   const std::string html = read_text_file(page);
-  EXPECT_TRUE(contains(html, "The 100000 stops are shown by their density"));
-  EXPECT_TRUE(contains(html, "16 blocks are more than the 12 that are compared pair by pair"));
+  EXPECT_TRUE(contains(
+      html, "The 100000 stops are too many to show one by one, so the map shows their density"));
+  EXPECT_TRUE(contains(html, "16 blocks are too many: at most 12 are compared pair by pair"));
   EXPECT_TRUE(contains(html, " of 100000 runs are drawn"));
 }
 

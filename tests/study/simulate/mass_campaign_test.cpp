@@ -24,7 +24,7 @@ class MassCampaign : public CampaignRun {
     return replaced_once(text, "max_time_s = 6", "max_time_s = 20") +
            "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.2\n";
   }
-  static CampaignResults run(const std::string& file, const RunOptions& options = {}) {
+  static CampaignResults run(const std::string& file, const CampaignRunOptions& options = {}) {
     run_campaign(prepared(text()), *folder_ / file, options);
     return read_results(*folder_ / file);
   }
@@ -52,10 +52,10 @@ TEST_F(MassCampaign, IsRefusedWhereTheMachineHasTooLittleMemory) {
   const double each = estimate_realisation_memory(plan);
   EXPECT_GT(each, 8 * 40e3);  // of eight small blocks, and a state of each every 0.1 s
   EXPECT_LT(each, 8 * 100e3);
-  EXPECT_NO_THROW(check_memory(plan, 2, 2.1 * each));
-  EXPECT_NO_THROW(check_memory(plan, 2, std::nullopt));
+  EXPECT_NO_THROW(check_free_memory(plan, 2, 2.1 * each));
+  EXPECT_NO_THROW(check_free_memory(plan, 2, std::nullopt));
   const auto message = [&](double available) {
-    return clast::refusal<InputError>([&] { check_memory(plan, 2, available); });
+    return clast::refusal<InputError>([&] { check_free_memory(plan, 2, available); });
   };
   EXPECT_TRUE(contains(message(1.5 * each), "campaign.toml: 2 realisations of 8 blocks at a time"));
   EXPECT_TRUE(contains(message(1.5 * each), "is free; use fewer threads"));
@@ -82,13 +82,13 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   }
   const CampaignResults results = run("mass.h5");
   ASSERT_EQ(results.runs.size(), 16u);
-  EXPECT_TRUE(results.stay->at_once);
+  EXPECT_TRUE(results.persistent_blocks->at_once);
   EXPECT_EQ(results.release_points.size(), 1u);
   std::set<double> places;
   for (std::size_t i = 0; i < 16; ++i) {
     const RunRecord& record = results.runs[i];
-    EXPECT_EQ(results.stays[i].released_at, 0.0);
-    EXPECT_EQ(results.stays[i].raise_height, 0.0);
+    EXPECT_EQ(results.persistent_block_records[i].released_at, 0.0);
+    EXPECT_EQ(results.persistent_block_records[i].raise_height, 0.0);
     expect_equal(record.start, plan.runs[i].start);
     EXPECT_EQ(record.result.stop_reason, StopReason::kRest);
     EXPECT_LT(record.result.energy.error, 1e-3);
@@ -114,11 +114,11 @@ TEST_F(MassCampaign, ReleasesAllBlocksOfAHeapAtOnce) {
   const DepositResults deposits = measure_deposits(comparison);
   ASSERT_EQ(deposits.realisations.size(), 2u);
   for (const DepositMeasures& deposit : deposits.realisations) {
-    EXPECT_EQ(deposit.lying, 8u);
+    EXPECT_EQ(deposit.deposited_blocks, 8u);
     EXPECT_NEAR(deposit.volume, plan.masses[deposit.realisation].volume, 1e-9);
     EXPECT_GT(deposit.bulk_volume, 0.8 * deposit.volume);
-    EXPECT_GT(deposit.centre.x(), deposit.first_centre.x());
-    EXPECT_LT(deposit.centre.z(), deposit.first_centre.z());
+    EXPECT_GT(deposit.centre.x(), deposit.start_centre.x());
+    EXPECT_LT(deposit.centre.z(), deposit.start_centre.z());
   }
 }
 
@@ -137,7 +137,7 @@ TEST_F(MassCampaign, RecordsTheImpactsOfEachBlock) {
     EXPECT_LE(impacts[run.run], run.result.impacts);
     EXPECT_GT(run.contacts.contact_time, 0.0);
     EXPECT_LT(run.contacts.contact_time, run.result.duration);
-    EXPECT_GE(run.contacts.mean_points, 1.0);
+    EXPECT_GE(run.contacts.mean_contact_points, 1.0);
     flown = std::max(flown, run.contacts.longest_flight);
   }
   EXPECT_GT(flown, 0.0);
@@ -163,7 +163,7 @@ TEST_F(MassCampaign, IsTheSameOnThreadsAndInShards) {
   const CampaignResults threads = run("threads.h5", {.threads = 2});
   const CampaignPlan plan = prepared(text());
   const CampaignResults merged = run_in_shards(plan, 2);
-  EXPECT_TRUE(merged.stay->at_once);
+  EXPECT_TRUE(merged.persistent_blocks->at_once);
   ASSERT_EQ(merged.runs.size(), whole.runs.size());
   ASSERT_GT(whole.energies.size(), 20u);
   expect_equal_energies(threads, whole);

@@ -52,7 +52,8 @@ TEST(RunStarts, LiftedBlocksJustTouch) {
         start.position = {x, y, *surface.height_at(x, y, 100.0) + random.uniform(0.0, 0.2)};
         if (!find_depth_in_ground(overlap, surface, body, start)) continue;
         const RigidState before = start;
-        ASSERT_TRUE(lift_to_touch(overlap, surface, body, start)) << terrain_kind << " " << kind;
+        ASSERT_TRUE(lift_to_touch_ground(overlap, surface, body, start))
+            << terrain_kind << " " << kind;
         ++lifted;
         EXPECT_GT(overlap.max_overlap(start), 0.0);
         EXPECT_LT(overlap.max_overlap(start), 1e-5 * body.smallest_side);
@@ -71,7 +72,7 @@ TEST(RunStarts, BlocksDeepInTheGroundStayWhereTheyAre) {
   const RigidBody body = ball(100.0, 0.4);
   RigidState start;
   start.position = {0.0, 0.0, -5.0};
-  EXPECT_FALSE(lift_to_touch(GroundOverlap(surface, body), surface, body, start));
+  EXPECT_FALSE(lift_to_touch_ground(GroundOverlap(surface, body), surface, body, start));
   EXPECT_EQ(start.position.z(), -5.0);
 }
 

@@ -28,7 +28,7 @@ class SettledMass : public CampaignRun {
            "[contact.blocks]\nenergy_restitution = 0.1\nfriction = 0.5\nrolling_friction = 0.2\n";
   }
   static CampaignResults run(const std::string& text, const std::string& file,
-                             const RunOptions& options = {}) {
+                             const CampaignRunOptions& options = {}) {
     run_campaign(prepared(text), *folder_ / file, options);
     return read_results(*folder_ / file);
   }
@@ -51,7 +51,7 @@ TEST_F(SettledMass, StartsWhereItsBlocksCameToRest) {
     const Trajectory path = read_trajectory(*folder_ / "settled.h5", record.run);
     EXPECT_EQ(path.time.front(), 0.0);
     EXPECT_LT((path.states.front().position - record.start.position).norm(), 1e-9);
-    EXPECT_EQ(results.stays[record.run].released_at, 0.0);
+    EXPECT_EQ(results.persistent_block_records[record.run].released_at, 0.0);
   }
   EXPECT_GT(fallen / 10.0, 0.05);
   EXPECT_GT(moved / 10.0, 0.5);  // the slope is steeper than a heap behind no face
@@ -143,7 +143,7 @@ TEST_F(SettledMass, FillsItsSpaceAsRandomPackingsDo) {
   // The report measures all of the heap from its tops, rough as they are.
   const Comparison comparison = compare({results});
   const DepositMeasures deposit = measure_deposits(comparison).realisations.at(0);
-  EXPECT_NEAR(deposit.first_volume / deposit.first_bulk_volume, after, 0.06);
+  EXPECT_NEAR(deposit.start_volume / deposit.start_bulk_volume, after, 0.06);
 }
 
 TEST_F(SettledMass, IsKeptAsAFailureWhereItDoesNotSettle) {
@@ -156,13 +156,14 @@ TEST_F(SettledMass, IsKeptAsAFailureWhereItDoesNotSettle) {
 
 TEST_F(SettledMass, ATrialThatDoesNotSettleIsReported) {
   const CampaignPlan plan = prepared(text("settle = true\nsettle_time_s = 0.1\n"));
-  EXPECT_TRUE(contains(probe_time(plan, 2.0).failure, "still moved after settle_time_s = 0.1"));
+  EXPECT_TRUE(
+      contains(measure_run_time(plan, 2.0).first_failure, "still moved after settle_time_s = 0.1"));
 }
 
 TEST_F(SettledMass, ATrialIsCutShortWhileItSettles) {
-  const TimeProbe probe = probe_time(prepared(text("settle = true\n")), 0.0);
-  EXPECT_TRUE(probe.cut_short);
-  EXPECT_TRUE(probe.at_most);
+  const RunTimeProbe probe = measure_run_time(prepared(text("settle = true\n")), 0.0);
+  EXPECT_TRUE(probe.last_run_stopped);
+  EXPECT_TRUE(probe.is_upper_bound);
   EXPECT_EQ(probe.runouts.size(), 0u);
 }
 

@@ -33,7 +33,7 @@ class SeveralMasses : public CampaignRun {
            of_lower;
   }
   static CampaignResults run(const std::string& text, const std::string& file,
-                             const RunOptions& options = {}) {
+                             const CampaignRunOptions& options = {}) {
     run_campaign(prepared(text), *folder_ / file, options);
     return read_results(*folder_ / file);
   }
@@ -77,7 +77,7 @@ TEST_F(SeveralMasses, StartInTheirPolygons) {
   EXPECT_NEAR(sum, volume, 1e-12);
   EXPECT_NEAR(plan.masses[0].area, 12.0, 0.5);
   EXPECT_NEAR(plan.masses[1].area, 6.0, 0.5);
-  EXPECT_EQ(plan.campaign.stay->last_release_time(), 4.0);
+  EXPECT_EQ(plan.campaign.persistent_blocks->last_release_time(), 4.0);
 }
 
 /// The mass below is held while the one above falls on it, and let go later.
@@ -94,7 +94,7 @@ TEST_F(SeveralMasses, AreHeldUntilTheyAreReleased) {
     expect_equal(record.start, plan.runs[record.run].start);
     const Trajectory path = read_trajectory(*folder_ / "held.h5", record.run);
     const bool lower = record.point == 1;
-    const PersistentBlockRecord& stay = results.stays[record.run];
+    const PersistentBlockRecord& stay = results.persistent_block_records[record.run];
     EXPECT_EQ(stay.released_at, lower ? kRelease : 0.0);
     if (!lower) hit += stay.blocks_hit;
     ASSERT_GT(path.time.size(), 2u);
@@ -148,7 +148,7 @@ TEST_F(SeveralMasses, AreGroupsOfAComparison) {
   Comparison comparison = compare(std::move(files));
   append_column_groups(comparison, "release_set");
   std::size_t upper = 0, lower = 0;
-  for (const Group& group : comparison.groups) {
+  for (const RunGroup& group : comparison.groups) {
     if (group.name == "release_set upper") upper = group.rows.size();
     if (group.name == "release_set lower") lower = group.rows.size();
   }
@@ -189,7 +189,7 @@ TEST_F(SeveralMasses, InPlaceDivideTheBlocksByTheirPolygons) {
   EXPECT_EQ(plan.masses[1].blocks, 1u);
   EXPECT_NEAR(plan.header.frame.to_map(plan.runs[2].start.position).z(), 8.0, 1e-9);
   const CampaignResults results = run(in_place(wide, east), "in_place.h5");
-  EXPECT_EQ(results.stays[2].released_at, 3.0);
+  EXPECT_EQ(results.persistent_block_records[2].released_at, 3.0);
   const auto refused = [](const std::string& text, const std::string& part) {
     EXPECT_TRUE(contains(clast::refusal<Error>([&] { prepared(text); }), part));
   };

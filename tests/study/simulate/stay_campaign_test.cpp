@@ -27,7 +27,7 @@ class StayCampaign : public CampaignRun {
   static std::string changed(const std::string& from, const std::string& to) {
     return replaced_once(text(), from, to);
   }
-  static CampaignResults run(const std::string& file, const RunOptions& options = {},
+  static CampaignResults run(const std::string& file, const CampaignRunOptions& options = {},
                              const std::string& of = text()) {
     run_campaign(prepared(of), *folder_ / file, options);
     return read_results(*folder_ / file);
@@ -38,13 +38,16 @@ class StayCampaign : public CampaignRun {
       expect_equal(a.runs[i].result.final_state, b.runs[i].result.final_state);
       EXPECT_EQ(a.runs[i].result.path_length, b.runs[i].result.path_length);
     }
-    ASSERT_EQ(a.stays.size(), b.stays.size());
-    for (std::size_t i = 0; i < a.stays.size(); ++i) {
-      EXPECT_EQ(a.stays[i].run, b.stays[i].run);
-      EXPECT_EQ(a.stays[i].released_at, b.stays[i].released_at);
-      EXPECT_EQ(a.stays[i].later_displacement, b.stays[i].later_displacement);
-      EXPECT_EQ(a.stays[i].blocks_hit, b.stays[i].blocks_hit);
-      EXPECT_EQ(std::isnan(a.stays[i].removed_at), std::isnan(b.stays[i].removed_at));
+    ASSERT_EQ(a.persistent_block_records.size(), b.persistent_block_records.size());
+    for (std::size_t i = 0; i < a.persistent_block_records.size(); ++i) {
+      EXPECT_EQ(a.persistent_block_records[i].run, b.persistent_block_records[i].run);
+      EXPECT_EQ(a.persistent_block_records[i].released_at,
+                b.persistent_block_records[i].released_at);
+      EXPECT_EQ(a.persistent_block_records[i].later_displacement,
+                b.persistent_block_records[i].later_displacement);
+      EXPECT_EQ(a.persistent_block_records[i].blocks_hit, b.persistent_block_records[i].blocks_hit);
+      EXPECT_EQ(std::isnan(a.persistent_block_records[i].removed_at),
+                std::isnan(b.persistent_block_records[i].removed_at));
     }
     EXPECT_FALSE(a.energies.empty());
     expect_equal_energies(a, b);
@@ -62,21 +65,22 @@ TEST_F(StayCampaign, NeedsContactsThatReturnAtMostHalfOfTheEnergy) {
 TEST_F(StayCampaign, ReleasesEachBlockOfEachRealisationOntoThoseBeforeIt) {
   const CampaignResults results = run("stay.h5");
   ASSERT_EQ(results.runs.size(), 6u);
-  ASSERT_EQ(results.stays.size(), 6u);
-  EXPECT_EQ(results.stay->blocks_each, 2u);
-  EXPECT_EQ(results.stay->between_blocks.friction, 0.5);
+  ASSERT_EQ(results.persistent_block_records.size(), 6u);
+  EXPECT_EQ(results.persistent_blocks->blocks_per_realisation, 2u);
+  EXPECT_EQ(results.persistent_blocks->between_blocks.friction, 0.5);
   for (std::size_t first = 0; first < 6; first += 2) {
     const RunRecord &one = results.runs[first], &other = results.runs[first + 1];
     EXPECT_NE(one.block, other.block);
     EXPECT_EQ(one.stiffness.normal, other.stiffness.normal);
     EXPECT_EQ(one.result.stop_reason, StopReason::kRest);
     EXPECT_EQ(other.result.stop_reason, StopReason::kRest);
-    EXPECT_EQ(results.stays[first].released_at, 0.0);
-    EXPECT_EQ(results.stays[first].raise_height, 0.0);
-    EXPECT_EQ(results.stays[first + 1].released_at, one.result.duration);
-    EXPECT_GT(results.stays[first + 1].raise_height, 0.1);  // above the one that lies there
-    EXPECT_EQ(results.stays[first + 1].blocks_hit, 1u);
-    EXPECT_TRUE(std::isnan(results.stays[first].removed_at));
+    EXPECT_EQ(results.persistent_block_records[first].released_at, 0.0);
+    EXPECT_EQ(results.persistent_block_records[first].raise_height, 0.0);
+    EXPECT_EQ(results.persistent_block_records[first + 1].released_at, one.result.duration);
+    EXPECT_GT(results.persistent_block_records[first + 1].raise_height,
+              0.1);  // above the one that lies there
+    EXPECT_EQ(results.persistent_block_records[first + 1].blocks_hit, 1u);
+    EXPECT_TRUE(std::isnan(results.persistent_block_records[first].removed_at));
     EXPECT_LT(other.result.energy.error, 1e-2);
   }
   // Not three times the same.
@@ -185,14 +189,15 @@ TEST_F(StayCampaign, AProbeThatIsCutShortCountsBlocksThatRest) {
   const std::string many =
       replaced_once(text("draw = { count = 40 }\n"), "realisations = 3", "realisations = 1");
   const CampaignPlan plan = prepared(many);
-  const TimeProbe whole = probe_time(plan, 1e3);
-  ASSERT_FALSE(whole.cut_short);
+  const RunTimeProbe whole = measure_run_time(plan, 1e3);
+  ASSERT_FALSE(whole.last_run_stopped);
   ASSERT_EQ(whole.runs, 40u);
-  const TimeProbe cut = probe_time(plan, whole.each * 40.0 / 15.0);  // stops after a third
-  EXPECT_TRUE(cut.cut_short);
-  EXPECT_FALSE(cut.at_most);
-  EXPECT_LT(cut.each, 5.0 * whole.each);
-  EXPECT_GT(cut.each, 0.2 * whole.each);
+  const RunTimeProbe cut =
+      measure_run_time(plan, whole.time_per_run * 40.0 / 15.0);  // stops after a third
+  EXPECT_TRUE(cut.last_run_stopped);
+  EXPECT_FALSE(cut.is_upper_bound);
+  EXPECT_LT(cut.time_per_run, 5.0 * whole.time_per_run);
+  EXPECT_GT(cut.time_per_run, 0.2 * whole.time_per_run);
 }
 
 TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
@@ -202,7 +207,7 @@ TEST_F(StayCampaign, GoesOnInTheMiddleOfARealisation) {
     ResultsWriter writer = ResultsWriter::create(*folder_ / "half.h5", plan.header, 6);
     StoredRun first;
     first.record = whole.runs[0];
-    first.stays = {whole.stays[0]};
+    first.persistent_block_records = {whole.persistent_block_records[0]};
     for (const EnergyRecord& record : whole.energies) {
       if (record.run == 0) first.energies.push_back(record);
     }
@@ -239,7 +244,7 @@ TEST_F(StayCampaign, DrawsBlocksAnewForEachRealisation) {
       "[200, 400] } }\n";
   const CampaignPlan plan = prepared(text(draw));
   ASSERT_EQ(plan.runs.size(), 9u);
-  EXPECT_EQ(plan.header.stay->blocks_each, 3u);
+  EXPECT_EQ(plan.header.persistent_blocks->blocks_per_realisation, 3u);
   std::set<double> masses;
   for (std::size_t first = 0; first < 9; first += 3) {
     std::map<std::string, int> classes;
@@ -269,21 +274,21 @@ TEST_F(StayCampaign, RunsOfARealisationAreOneClusterOfTheTests) {
   results.push_back(run("compared.h5", {}, changed("realisations = 3", "realisations = 6")));
   const Comparison comparison = compare(std::move(results));
   ASSERT_FALSE(comparison.differences.empty());
-  for (const Difference& difference : comparison.differences) EXPECT_EQ(difference.points, 6u);
+  for (const GroupDifference& difference : comparison.differences) EXPECT_EQ(difference.points, 6u);
 }
 
 TEST_F(StayCampaign, ClearsAZoneAfterEachRelease) {
   const std::string cleared =
       changed("sequence = \"stay\"", "sequence = \"stay\"\nremove = { zone = \"flat\" }");
   const CampaignResults results = run("cleared.h5", {}, cleared);
-  ASSERT_EQ(results.stays.size(), 6u);
+  ASSERT_EQ(results.persistent_block_records.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(results.runs[i].result.stop_reason, StopReason::kRest);
-    EXPECT_EQ(results.stays[i].raise_height, 0.0);
-    EXPECT_EQ(results.stays[i].blocks_hit, 0u);
-    EXPECT_EQ(results.stays[i].later_displacement, 0.0);
-    EXPECT_EQ(results.stays[i].removed_at,
-              results.stays[i].released_at + results.runs[i].result.duration);
+    EXPECT_EQ(results.persistent_block_records[i].raise_height, 0.0);
+    EXPECT_EQ(results.persistent_block_records[i].blocks_hit, 0u);
+    EXPECT_EQ(results.persistent_block_records[i].later_displacement, 0.0);
+    EXPECT_EQ(results.persistent_block_records[i].removed_at,
+              results.persistent_block_records[i].released_at + results.runs[i].result.duration);
   }
   // A zone that no block rests in changes nothing.
   const std::string elsewhere =
