@@ -59,6 +59,41 @@ TEST(CoreFit, SameInputGivesTheSameBits) {
   EXPECT_EQ(fit_core(rock, start).body.vertices, fit_core(rock, start).body.vertices);
 }
 
+TEST(CoreFit, SameBitsOnAnyNumberOfThreads) {
+  const TriangleMesh rock = random_rock(6, 3, 0.1);
+  const SpheroPolyhedron start = inset_core(rock, 0.1);
+  const CoreFitOptions one{.target_distance = 0.02, .max_distance = 0.021};
+  CoreFitOptions four = one;
+  four.threads = 4;
+  EXPECT_EQ(fit_core(rock, start, one).body.vertices, fit_core(rock, start, four).body.vertices);
+}
+
+TEST_P(FittedRocks, KeepTheDistanceBoundThatTheyState) {
+  const TriangleMesh rock = random_rock(GetParam(), 3, 0.1);
+  const SpheroPolyhedron start = inset_core(rock, 0.1);
+  const double before = measure_surface_deviation(rock, start).hausdorff;
+  const CoreFit fit =
+      fit_core(rock, start, {.target_distance = 0.7 * before, .max_distance = 0.75 * before});
+  ASSERT_EQ(fit.distance_bound, 0.75 * before);
+  EXPECT_LE(measure_surface_deviation(rock, fit.body).hausdorff, fit.distance_bound);
+}
+
+TEST(CoreFit, CorrectsTheBodyBeforeItIsChecked) {
+  const TriangleMesh rock = random_rock(6, 2, 0.1);
+  const SpheroPolyhedron start = inset_core(rock, 0.1);
+  const double before = measure_surface_deviation(rock, start).hausdorff;
+  const auto shrink = [](SpheroPolyhedron body) {
+    for (Vec3& vertex : body.vertices) vertex *= 0.99;
+    return body;
+  };
+  CoreFitOptions options{.target_distance = before, .max_distance = 1.5 * before};
+  options.correct = shrink;
+  const CoreFit fit = fit_core(rock, start, options);
+  EXPECT_EQ(fit.body.vertices, shrink(start).vertices);
+  options.max_distance = options.target_distance = 1e-4;  // cannot be reached
+  EXPECT_EQ(fit_core(rock, start, options).distance_bound, 1e300);
+}
+
 TEST(CoreFit, GoodEnoughIsLeftAlone) {
   const TriangleMesh rock = random_rock(5, 2, 0.1);
   const SpheroPolyhedron start = inset_core(rock, 0.05);

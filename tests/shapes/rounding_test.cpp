@@ -158,7 +158,8 @@ TEST(SurfaceDeviation, MeanOfASharpCubeIsTheIntegralOverItsRims) {
   }
   const double expected = sum / (n * n);
   const TriangleMesh cube = box_mesh({1, 1, 1});
-  const SurfaceDeviation deviation = measure_surface_deviation(cube, inset_core(cube, r), {.samples = 200000});
+  const SurfaceDeviation deviation =
+      measure_surface_deviation(cube, inset_core(cube, r), {.samples = 200000});
   EXPECT_NEAR(deviation.mean / expected, 1.0, 0.01);
 }
 
@@ -172,8 +173,9 @@ TEST(SurfaceDeviation, OfTheScanTakenAsCoreIsTheRadius) {
   EXPECT_GE(deviation.hausdorff, 0.03);
   EXPECT_LE(deviation.hausdorff, 0.045);
   const TriangleMesh rock = random_rock(2);
-  EXPECT_GE(measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), {.samples = 1000}).mean,
-            0.03 - 1e-12);
+  EXPECT_GE(
+      measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.03), {.samples = 1000}).mean,
+      0.03 - 1e-12);
   const SurfaceDeviation none =
       measure_surface_deviation(rock, make_sphero_polyhedron(rock, 0.0), {.samples = 1000});
   EXPECT_LT(none.hausdorff, kGap * bounds(rock).diagonal());
@@ -251,6 +253,28 @@ TEST(SurfaceDeviation, BoundsHoldAgainstDenseSampling) {
     }
     EXPECT_GE(deviation.body_to_scan, sampled - 1e-12);
     EXPECT_LE(deviation.body_to_scan, 1.05 * sampled + 2.0 * kGap * bounds(rock).diagonal());
+  }
+}
+
+TEST(SurfaceDeviation, IsTheSameOnAnyNumberOfThreads) {
+  const TriangleMesh rock = random_rock(3, 3, 0.1);
+  const SpheroPolyhedron body = inset_core(rock, 0.1);
+  const SurfaceDeviation one = measure_surface_deviation(rock, body);
+  const SurfaceDeviation four = measure_surface_deviation(rock, body, {.threads = 4});
+  EXPECT_EQ(one.scan_to_body, four.scan_to_body);
+  EXPECT_EQ(one.body_to_scan, four.body_to_scan);
+  EXPECT_EQ(one.mean, four.mean);
+}
+
+TEST(SurfaceDeviation, ALimitDecidesAsTheWholeSearchDoes) {
+  const TriangleMesh rock = random_rock(4, 3, 0.1);
+  const SpheroPolyhedron body = inset_core(rock, 0.1);
+  const double whole = measure_surface_deviation(rock, body).hausdorff;
+  for (const double factor : {0.5, 0.9, 1.01, 1.5}) {
+    const double limit = factor * whole;
+    const double quick = measure_surface_deviation(rock, body, {.limit = limit}).hausdorff;
+    EXPECT_EQ(quick <= limit, whole <= limit) << factor;
+    if (quick > limit) EXPECT_LE(quick, whole) << factor;
   }
 }
 
