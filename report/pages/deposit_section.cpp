@@ -65,7 +65,7 @@ std::string describe_pair(const Comparison& comparison,
   for (const DepositQuantityDifference* one : pair) {
     const std::string& words = deposit_quantities()[one->first.quantity].phrase;
     fewest = std::min({fewest, one->first.summary.count, one->second.summary.count});
-    tests = std::max(tests, one->tests);
+    tests = std::max(tests, one->family_size);
     const ContrastVerdict verdict = one->verdict();
     const bool with_gap = verdict == ContrastVerdict::kSignificant ||
                           verdict == ContrastVerdict::kInsignificantAfterCorrection;

@@ -85,7 +85,7 @@ std::string words_for(const Comparison& comparison, const Picture& picture) {
     append_list_item(
         lists[verdict],
         row_name(comparison, *one) + (with_gap ? " " + describe_difference(*one) : std::string()));
-    tests = std::max(tests, one->tests);
+    tests = std::max(tests, one->family_size);
   }
   return format_headed_list(picture.title + ", significant differences:",
                             lists[ContrastVerdict::kSignificant]) +
