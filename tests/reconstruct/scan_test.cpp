@@ -335,7 +335,7 @@ TEST(Scan, OneSidedSurfaceIsRefused) {
     moebius.triangles.push_back({a, c, b});
     moebius.triangles.push_back({b, c, d});
   }
-  EXPECT_HAS(scan_refusal(moebius), "one-sided");
+  EXPECT_HAS(scan_refusal(moebius), "non-orientable");
 }
 
 TEST(Scan, FilesAreNamedInRefusals) {
