@@ -151,7 +151,8 @@ void BlockExportOptions::check() const {
   }
   resolve_up_axis(up, {});
   if (frame == ExportFrame::kPrincipal && up == "y") {
-    throw InputError("`up` y turns the source frame; the principal frame has no up");
+    throw InputError(
+        "`up` y applies to the source frame only; the principal frame has no upward axis");
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Concurrent updates of a library file.
+/// Updates of a block library file that other processes may change at the same time.
 #include <filesystem>
 #include <functional>
 

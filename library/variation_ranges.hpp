@@ -14,9 +14,9 @@ inline constexpr NumberRange kVariedRoundnessRange{0.01, 1.0};
 inline constexpr NumberRange kRoundnessEdgeRange{0.01, 0.2};
 inline constexpr NumberRange kDetailGainRange{0.01, 10.0, "", "smooth"};
 inline constexpr NumberRange kSuperellipsoidExponentRange{1.0, 20.0};
-/// Smallest ratio of a shape grid, and number of steps per side.
+/// Smallest axis ratio in a grid of shapes over a shape diagram.
 inline constexpr NumberRange kMinRatioRange{0.01, 0.99};
-inline constexpr int kMaxGridSteps = 100;
+inline constexpr int kMaxGridSteps = 100;  ///< maximum number of steps along a side of that grid
 /// Number of vertices of a simplified core.
 inline constexpr std::size_t kMinVariedVertices = 8, kMaxVariedVertices = 2000;
 inline constexpr int kMinDegree = 2, kMaxDegree = 20;

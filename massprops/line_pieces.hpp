@@ -25,7 +25,7 @@ class PieceLineClipper {
   PieceLineClipper(const std::vector<OffsetPiece>& pieces, double radius);
 
   std::size_t size() const { return pieces_.size(); }
-  /// Returns the range of y of a piece. The lower ends are ascending.
+  /// Returns the range of y of a piece. Its lower end increases with the index of the piece.
   LineInterval y_range(std::size_t piece) const { return pieces_[piece].rows; }
   /// Returns the range of x in which vertical lines at `y` can intersect the piece.
   LineInterval x_range(std::size_t piece, double y) const;
@@ -39,8 +39,8 @@ class PieceLineClipper {
     OffsetPiece::CurvedFace curved_face;
     Vec3 centre,
         axis;  ///< zero for balls, for which the cylinder formulas give the chord of the ball
-    /// Offsets in `height_planes_` of the lower bounds, the upper bounds and the sides. A line
-    /// passes between the sides if height_at(x, y) <= 0 for all of them.
+    /// Indices into `height_planes_` of the first lower bound of z, first upper bound and first
+    /// side, and end index. A line can meet the piece if height_at(x, y) <= 0 for all sides.
     std::uint32_t lower, upper, sides, end;
   };
 

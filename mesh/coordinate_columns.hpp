@@ -30,9 +30,9 @@ std::optional<int> parse_coordinate_axis(std::string_view heading);
 std::optional<CoordinateColumns> find_coordinate_columns(
     const std::vector<std::string_view>& headings);
 
-/// Selects columns by name or by number from 1, in the order x, y, z.
+/// Selects the columns of x, y and z by name or by number, counted from 1.
 /// @param headings  headings of the table; empty if it has none
-/// @throws InputError  if there are not three different columns; does not name the file
+/// @throws InputError  if there are not three different columns; the message does not name the file
 CoordinateColumns select_coordinate_columns(const std::vector<std::string>& columns,
                                             const std::vector<std::string_view>& headings,
                                             std::size_t fields);

@@ -63,8 +63,8 @@ inline bool is_interior_edge(std::span<const HalfEdge> sides) {
          sides[0].low != sides[0].high;
 }
 
-/// Returns the fan of each corner 3 t + k. A fan is a set of triangles around a vertex that shared
-/// edges connect. It is identified by its smallest corner.
+/// Returns the fan of each corner 3 t + k, which is vertex k of triangle t. A fan is a set of
+/// triangles around one vertex that are connected over shared edges. Its id is its smallest corner.
 std::vector<std::uint32_t> corner_fans(const TriangleMesh& mesh, std::span<const HalfEdge> sorted);
 
 }  // namespace clast

@@ -25,8 +25,8 @@ const std::vector<std::string>& readable_mesh_extensions();
 
 struct MeshWriteOptions {
   OverwritePolicy rules = {};
-  /// Returns the text for "<path>.origin.txt", given the `origin` (m) that was subtracted from the
-  /// coordinates. If empty, no such file is written. The default states how to add the origin.
+  /// Returns the text of "<path>.origin.txt" for the `origin` (m) subtracted from the coordinates.
+  /// If the text is empty, no file is written. The default text states how to add the origin.
   std::function<std::string(const Vec3& origin)> describe_origin = {};
 };
 

@@ -46,10 +46,10 @@ struct ReleasedMass {
   double excluded_volume() const;  ///< m^3
 };
 
-/// Finds the released bodies: where `before` is above `after` by more than the minimum thickness.
-/// The edges of both surfaces become edges of the bodies. Along their outline the bodies have walls
-/// as high as the minimum thickness. Their volume is the integral of the vertical thickness over
-/// the plan, so that overhangs cannot be represented.
+/// Finds the released bodies, where `before` is above `after` by more than the minimum thickness.
+/// The edges of both surfaces become edges of the bodies. Vertical walls of that thickness close
+/// them along their outline. Their volume is the vertical thickness, integrated over the plan.
+/// Overhangs cannot be represented.
 /// @param before, after  surfaces in one coordinate system, with one height per plan point, z up
 /// @throws InputError  if map systems differ, if the surfaces do not overlap, if no difference is
 ///                     thick enough, if the polygon file is invalid (`read_outline_polygons`), or

@@ -48,7 +48,7 @@ struct Terrain {
   std::vector<std::string> sources;  ///< "path sha256" of each input file
 };
 
-/// Makes the contact surface of a terrain for simulations.
+/// Makes the terrain surface with which simulated blocks collide, `radius` (m) above the triangles.
 TerrainSurface make_terrain_surface(const Terrain& terrain, double radius = 0.0);
 
 }  // namespace clast

@@ -29,20 +29,20 @@ struct TerrainOptions {
   /// Cell size, m. Clouds are gridded with it (default: about four points per cell), rasters are
   /// coarsened to it, and meshes without walls and overhangs are resampled to it.
   std::optional<double> resolution = {};
-  /// Percentile of the point heights that gives the height of a cloud's cell: 0 the lowest, 100 the
-  /// highest. If empty, their mean is used.
+  /// Percentile of point heights (0 to 100) that becomes the height of a grid cell of a cloud. If
+  /// empty, the mean height is used.
   std::optional<double> percentile = {};
-  /// Largest distance of a cloud's point from the median of the surrounding 5 x 5 cells, m; other
-  /// points are outliers. It must exceed the relief within a cell. If empty, no point is an
-  /// outlier.
+  /// Limit for outliers of clouds, m. A point farther than this from the median height of the
+  /// surrounding 5 x 5 cells is an outlier. The limit must exceed the relief within a cell. If
+  /// empty, no point is an outlier.
   std::optional<double> outliers = {};
   /// Largest length and width of holes that are filled, m. If empty: three cells for clouds, three
   /// median edges for meshes; holes of rasters are not filled.
   std::optional<double> fill = {};
   /// Largest width of cracks between mesh tiles that are closed, m.
   double crack = 0.01;
-  /// Spikes are levelled: vertices farther from the plane through their neighbours than this
-  /// multiple of the neighbours' mean distance. If 0, no spike is levelled.
+  /// Vertices are levelled as spikes if their distance from the plane through their neighbours
+  /// exceeds this multiple of the mean distance of the neighbours. If 0, none is levelled.
   double spike_steepness = 3.0;
   /// Number of smoothing rounds. Each moves vertices halfway to the plane through their neighbours.
   int smoothing = 0;

@@ -108,7 +108,7 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
 void add_export_command(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
   CLI::App* command = app.add_subcommand("export", "Export blocks, or a campaign, for other tools");
-  command->add_option("library", args->library, "Block library, or with --to a campaign file")
+  command->add_option("library", args->library, "Block library; with --to, a campaign file")
       ->required()
       ->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to export; default: all")->type_name("ID");

@@ -105,7 +105,8 @@ void add_photo_options(CLI::App& command, PhotoArgs& args) {
       ->group(kGroup);
   command
       .add_option("--marker-size", args.marker_size,
-                  "Side of the black square of every marker, m: sets the scale, or checks the bars")
+                  "Side of the black square of every marker, m. It sets the scale, or checks that "
+                  "of the scale bars")
       ->check(number_in_range(kMarkerSideRange))
       ->type_name("M")
       ->group(kGroup);

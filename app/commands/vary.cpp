@@ -145,7 +145,7 @@ void add_form_options(CLI::App& command, VaryArgs& args) {
       ->capture_default_str();
   command
       .add_option("--like", args.request.target_ratio_ids,
-                  "Stretch to the ratios of these blocks of the library")
+                  "Stretch each block to the axis ratios of these blocks of the library")
       ->type_name("ID");
 }
 

@@ -17,8 +17,8 @@ inline constexpr const char* kPageKind = "page of clast";
 /// of coordinates" (beside a mesh), `kCampaignKind`, "text" and "binary".
 std::string detect_file_kind(const std::filesystem::path& path);
 
-/// Returns the kind (`detect_file_kind`) of the files that clast writes with the extension of
-/// `path`. The extension does not tell the format of an HDF5 file.
+/// Returns the kind of the files that clast writes with the extension of `path`, such as "PNG" for
+/// .png. It is "text" for extensions without a kind, including .h5.
 std::string file_kind_by_extension(const std::filesystem::path& path);
 
 }  // namespace clast

@@ -47,7 +47,7 @@ TableColumns<Row> selected_columns(const TableColumns<Row>& columns,
   return result;
 }
 
-/// Converts columns of a part of a row to columns of the row. `part(row)` returns that part.
+/// Returns columns for rows that contain a row of another type. `part(row)` returns that row.
 template <class Row, class PartRow, class Part>
 TableColumns<Row> adapt_columns(const TableColumns<PartRow>& columns, const Part& part) {
   TableColumns<Row> result;

@@ -1,5 +1,5 @@
 #pragma once
-/// Test for a monotone trend of an outcome with a property of the observed units.
+/// Test if an outcome rises or falls monotonically with a property of the observed units.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace clast {
 
-/// Sample for a trend test. Each value belongs to a unit (block) with a property, and to a cluster
-/// (release point).
+/// Values that are tested for a rise or fall with a property of the blocks. Each value belongs to a
+/// unit (block), which has the property, and to a cluster (release point).
 struct TrendSample {
   std::vector<double> values;
   std::vector<std::uint32_t> clusters;  ///< one per value
@@ -19,7 +19,7 @@ struct TrendSample {
   std::vector<std::uint32_t> strata;
 };
 
-/// Tests a monotone trend of values with the property of their units (Page's test).
+/// Tests if values rise or fall with the property of their units (Page's test).
 ///
 /// Values are ranked within their cluster, which removes cluster effects. Then the mean rank of
 /// each unit is computed. The statistic is the correlation of property ranks and mean ranks within

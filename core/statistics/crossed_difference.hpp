@@ -1,6 +1,6 @@
 #pragma once
-/// Difference of two groups of values in two crossed kinds of clusters, with equivalence test,
-/// power and sample size.
+/// Difference in mean of two groups of values that depend on both block and release point, with
+/// equivalence test, power and sample size.
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -26,9 +26,9 @@ struct CrossedDifference : Contrast {
   double design_effect = 1.0;
 };
 
-/// Computes the difference of two groups by least squares, with a mean for each stratum and one
-/// common difference. Its variance is clustered in two ways: the part of units plus the part of
-/// points minus the part of their pairs, but at least the larger of the first two. Degrees of
+/// Computes the difference of two groups by least squares, with one mean per stratum. Values may be
+/// dependent within units and within points. The variance is U + P - B, but at least U and P. U is
+/// the variance clustered by units, P by points, and B by pairs of unit and point. Degrees of
 /// freedom follow Satterthwaite's formula; interval and p-value are by Student's t.
 /// @return empty if no stratum has both groups, if there are fewer than two units, or if no unit is
 ///         in both groups and a group has fewer than two units

@@ -8,7 +8,7 @@
 
 namespace clast {
 
-/// Largest relative standard deviation that rounding can cause. Values with less count as equal.
+/// Largest ratio of standard deviation to mean that is treated as a rounding error.
 inline constexpr double kRoundingFraction = 1e-9;
 
 /// Returns the 95 % interval of the mean: mean +- t s/sqrt(n), with sample standard deviation s and

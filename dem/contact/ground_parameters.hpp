@@ -25,7 +25,7 @@ struct GroundParameters {
   /// Decay time of the stored slip after a contact, s; if 0, slip is forgotten at once.
   double slip_memory = 0.0;
 
-  // Drag on what of a block is in the ground (docs/theory.md, Scar drag). @cite lu2019
+  // Drag on the embedded part of a block (docs/theory.md, Scar drag). @cite lu2019
   /// Drag coefficient of the embedded part of a block; if 0, there is no drag.
   double scar_drag = 0.0;
   double soil_density = 0.0;  ///< density of the soil, kg/m^3

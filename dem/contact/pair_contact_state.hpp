@@ -44,11 +44,11 @@ class PairContactState {
       soil.merge(*indentations_);
   }
 
-  /// Removes the correction impulse after it was applied. The other loads stay valid while neither
-  /// body moves.
+  /// Deletes the correction impulse, which must be applied only once. Force and torque stay valid
+  /// while neither body moves.
   void clear_correction_impulse() { load_.correction.reset(); }
 
-  /// Returns the relative displacement before the bodies can touch, m; 0 if unknown.
+  /// Returns a relative displacement up to which the bodies cannot touch, m; 0 if unknown.
   double clearance(const BodyMotion& reference, const BodyMotion& block) const;
   /// Returns the effective inverse mass of the block at its contacts, 1/kg
   /// (`ContactForces::contact_mobility`); 0 without contacts.

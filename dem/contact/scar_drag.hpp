@@ -26,9 +26,9 @@ EmbeddedFrontalArea embedded_frontal_area(const SurfaceFeatures& block, double r
                                           const Vec3& ground, const Vec3& up,
                                           const Vec3& direction);
 
-/// Drag force on the embedded part of a block: half of drag coefficient, soil density, embedded
-/// frontal area and squared velocity. It acts opposite to the tangential velocity at the centre of
-/// that area.
+/// Drag force on the embedded part of a block: C rho A v^2 / 2, with drag coefficient C, soil
+/// density rho, embedded frontal area A and tangential velocity v at the centre of that area. The
+/// force acts opposite to v.
 class ScarDrag {
  public:
   /// Stores references to the block and the drag factors.

@@ -27,8 +27,9 @@ struct SpringDashpotLaw {
                                  double /*patch_force*/) const {
     return {std::max(0.0, stiffness * overlap + damping_coefficient(effective_mass) * rate), 0.0};
   }
-  /// Returns the highest frequency or decay rate of a damped contact, rad/s. `frequency` is that of
-  /// the spring without damping.
+  /// Returns the highest rate of a contact, rad/s: the frequency of the undamped spring, or the
+  /// fastest decay rate if the contact is overdamped.
+  /// @param frequency  frequency of the undamped spring, rad/s
   double highest_frequency(double frequency) const;
   double force_drop(double overlap, double force) const { return force - stiffness * overlap; }
   double unloading_ratio(double reference_stiffness) const {

@@ -141,7 +141,8 @@ GroundStiffnessInputs ground_stiffness_inputs(std::span<const GroundParameters> 
                                               const ContactLaw& law) {
   if (zones.empty()) {
     throw SimulationError(
-        "stiffness: no ground zone is given from which to choose it; give the parameters of one");
+        "stiffness: it is chosen from the ground parameters, but no ground zone is given; give "
+        "one");
   }
   GroundStiffnessInputs ground;
   std::visit(
@@ -171,7 +172,8 @@ StiffnessChoice choose_stiffness(std::span<const BodyStiffnessInputs> bodies,
                                  const GroundStiffnessInputs& ground, double max_speed,
                                  double gravity, const StiffnessOptions& options) {
   if (bodies.empty()) {
-    throw SimulationError("stiffness: no block is given from which to choose it; give one");
+    throw SimulationError(
+        "stiffness: it is chosen from the masses of the blocks, but no block is given; give one");
   }
   const Demand demand = demand_of(bodies, ground, max_speed, gravity);
   StiffnessChoice choice;

@@ -24,8 +24,9 @@ class FreeRotation {
   ///              the others are positive
   void set_polhode(const Vec3& mobility, const Vec3& in_body, double size, double sign,
                    double decider);
-  /// Returns a frame as columns in body axes: the direction of the momentum, the pole's azimuth
-  /// about it, and their cross product.
+  /// Returns an orthonormal frame in body axes. Its columns are the direction of the momentum, the
+  /// perpendicular direction towards the pole axis, and their cross product.
+  /// @param amplitude  Jacobi amplitude, which grows with time, rad
   Mat3 momentum_frame_at(double amplitude) const;
   double third_kind_integral(double amplitude) const;
 

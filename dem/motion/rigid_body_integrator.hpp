@@ -22,9 +22,10 @@ class RigidBodyIntegrator {
   /// Applies the second half of the velocity update, with the loads at the new pose.
   void end_step(double duration, const Vec3& force, const Vec3& torque, const Vec3& gravity);
 
-  /// Applies the correction impulse for contacts that began, reversed or ended inside the last
-  /// step.
-  /// @returns the added kinetic and potential energy, J
+  /// Corrects motion and pose after a step in which contacts began, reversed or ended.
+  /// @param impulse, angular_impulse  added momentum, N s, and angular momentum, N m s
+  /// @param moment, angular_moment  mass times displacement, N s^2; inertia times rotation, N m s^2
+  /// @return the added kinetic and potential energy, J
   double apply_correction_impulse(const Vec3& impulse, const Vec3& angular_impulse,
                                   const Vec3& moment, const Vec3& angular_moment,
                                   const Vec3& gravity);

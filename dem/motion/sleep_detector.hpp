@@ -21,8 +21,8 @@ class SleepDetector {
   /// Restarts the detection.
   void reset() { *this = {}; }
 
-  /// True if the mean poses of the last two time windows agree. The body then stays stationary
-  /// until they differ by several times the tolerance.
+  /// True if the mean poses of the last two time windows agreed within the tolerance. It stays true
+  /// until two windows differ by more than four times the tolerance.
   bool is_stationary() const { return is_stationary_; }
   template <class Bytes>
   void serialize(Bytes& bytes) {

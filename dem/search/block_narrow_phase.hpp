@@ -19,9 +19,9 @@ struct TransformedSide;
 
 class BlockNarrowPhase {
  public:
-  /// Prepares the search.
+  /// Prepares the contact search.
   /// @param ground  reference body, which has faces; must outlive this object, as must the block
-  /// @param size  smallest side of the smaller body, m; the list margin is proportional to it
+  /// @param size  smallest side of the smaller body, m; the listing distance is proportional to it
   BlockNarrowPhase(const BlockSurface& ground, const BlockSurface& block, double size);
 
   /// Finds the contacts, in a deterministic order. The caller may modify the returned list. It is
@@ -104,9 +104,10 @@ class BlockNarrowPhase {
   void add_candidate_pair(ContactKind kind, std::uint32_t side, std::uint32_t of_ground,
                           const FeatureSeparation& separation, bool touches);
 
-  /// Returns how far outside the two separating planes a feature in contact may lie, m.
-  /// @param along  smallest component of the feature's contact normals along the direction
-  /// @param slack  angular tolerance of these normals, as a sine
+  /// Returns the largest distance outside the space between the two separating planes at which a
+  /// feature can touch the other body before the list expires, m.
+  /// @param along  smallest component along `direction_` of the feature's possible contact normals
+  /// @param slack  angular tolerance of these normals, as the sine of an angle
   double depth_beyond_plane(double along, double slack) const;
   double depth_beyond_plane(const EdgeNormalArc& arc) const {
     const double along = std::min(direction_.dot(arc.first), direction_.dot(arc.second));
@@ -124,7 +125,7 @@ class BlockNarrowPhase {
                                const EdgeNormalArc& arc, const Vec3& direction) const;
   bool can_vertex_normal_oppose(std::uint32_t ground_vertex, const EdgeNormalArc& arc) const;
 
-  /// Contact whose normal would push the vertex out through its own block.
+  /// Contact with a wrong normal, which would push the block vertex through its own block.
   struct InvertedContact {
     std::size_t contact;  ///< index into the contacts found
     std::uint32_t vertex;
@@ -140,8 +141,8 @@ class BlockNarrowPhase {
   static Scratch& scratch();
 
   void find_all_vertex_contacts();
-  /// Replaces each inverted contact by one that pushes the vertex out through the nearest valid
-  /// face. A contact stays as it is if the new one would be much deeper than the other contacts.
+  /// Replaces each inverted contact by one that pushes the vertex to the nearest ground face
+  /// without passing its own block, unless the new contact is much deeper than the other contacts.
   void resolve_inverted_contacts();
   void find_vertex_contacts(CandidateVertex& candidate, std::span<const std::uint32_t> faces);
   NearestPoint find_nearest_ground_face(CandidateVertex& candidate,
@@ -161,9 +162,8 @@ class BlockNarrowPhase {
   std::vector<std::uint32_t> faces_;  ///< ground faces that may be nearest to a listed vertex
   std::vector<CandidatePair> pairs_;
   std::uint32_t near_face_ = 0;  ///< ground face near the last tested vertex
-  double low_ = 0.0,
-         /// Lowest point of the block and highest point of the ground along `direction_`, m.
-      high_ = 0.0;
+  /// Lowest point of the block and highest point of the ground along `direction_`, m.
+  double low_ = 0.0, high_ = 0.0;
   double list_valid_until_ = -1.0;  ///< displacement at which the list expires, m
   double displacement_ = 0.0;       ///< displacement passed to `find_contacts`, m
   double max_listed_depth_ = 0.0;   ///< largest depth of the listed edge and face contacts, m

@@ -56,7 +56,7 @@ class ContactDepthLimit {
  public:
   /// Updates the depth limit.
   /// @param deepest  largest overlap of the present contacts, m; 0 without contacts
-  /// @param margin  list margin of the narrow phase, m
+  /// @param margin  distance before contact at which the narrow phase lists features, m
   /// @return true if the limit has grown, so that pairs excluded before must be tested again
   bool update(double deepest, double margin);
   void reset(double depth = 0.0) { depth_ = depth; }
@@ -72,7 +72,7 @@ class ContactDepthLimit {
 
 class FeatureTests {
  public:
-  /// Prepares the tests of a block and the ground.
+  /// Prepares the distance and contact tests between features of a block and of the ground.
   /// @param size  smallest side of the smaller body, m; edge and face contacts deeper than half of
   ///              it are ignored
   FeatureTests(const IndexedSurface& ground, const BlockSurface& block, double size);

@@ -24,8 +24,9 @@ struct AccumulatedDisplacement {
   }
 };
 
-/// Separation bound. Contact is impossible while axial_coefficient times the axial displacement
-/// plus transverse_coefficient times the transverse displacement is below `until`.
+/// Separation bound. Contact is impossible while `axial_coefficient` times axial displacement plus
+/// `transverse_coefficient` times transverse displacement is below `until`. Otherwise, the bound
+/// has expired.
 struct SeparationBound {
   double axial_coefficient = 0.0, transverse_coefficient = 0.0;  ///< 1/m
   double until = -1.0;
@@ -62,7 +63,7 @@ struct SeparationCoefficients {
   }
 };
 
-/// Combines several separation bounds into one that expires no later than any of them.
+/// Combines separation bounds into one, which expires at the latest when the first of them expires.
 class EarliestBoundExpiry {
  public:
   explicit EarliestBoundExpiry(const AccumulatedDisplacement& displacement)

@@ -31,9 +31,9 @@ struct FlightBounds {
 
 class TerrainNarrowPhase {
  public:
-  /// Prepares the search.
+  /// Prepares the contact search.
   /// @param block  block in its body frame; must outlive this object, as must the ground
-  /// @param size  smallest side of the block, m; the list margin is proportional to it
+  /// @param size  smallest side of the block, m; the listing distances are proportional to it
   TerrainNarrowPhase(const IndexedSurface& ground, const BlockSurface& block, double size);
 
   /// Re-evaluates all expired separation bounds and returns the contacts, in a deterministic order.
@@ -72,7 +72,7 @@ class TerrainNarrowPhase {
   struct GroundFeature {
     bool is_vertex = false;
     std::uint32_t index = 0;  ///< index of the edge or vertex
-    /// Bound before which no unlisted edge or face of the block can touch it.
+    /// Separation bound from all block edges and faces that have no listed pair with it.
     SeparationBound separation_bound;
 
     template <class Bytes>
@@ -138,9 +138,9 @@ class TerrainNarrowPhase {
     double collected_at = 0.0;  ///< `displacement.total` at that time
     Vec3 axis = Vec3::UnitZ();
     AccumulatedDisplacement displacement;
-    /// Centre and `accumulated_rotation_` at the last update of `displacement`.
+    /// Centre of the part in the ground frame at the last update of `displacement`.
     Vec3 centre = Vec3::Zero();
-    double turned = 0.0;
+    double turned = 0.0;                      ///< `accumulated_rotation_` at the same time
     std::vector<FaceNormalComponents> tilts;  ///< normal components of each face of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
@@ -214,8 +214,8 @@ class TerrainNarrowPhase {
   /// Collects the ground features near a block part.
   /// @param deepest  bound of the depth of any part point inside the ground, m
   void collect_part_ground(std::uint32_t p, double deepest);
-  /// Sets the axis of a block part to the mean normal of the ground near it. All separation bounds
-  /// of the part expire.
+  /// Sets the axis of a block part, along which its displacement is measured, to the mean normal of
+  /// the nearby ground. All separation bounds of the part become invalid.
   void update_axis(std::uint32_t p);
   void update_displacement(std::uint32_t p);
   /// Renews the list of ground features of a block part if it is about to expire. If the part has
@@ -225,17 +225,17 @@ class TerrainNarrowPhase {
   double next_update(std::uint32_t p) const;
   /// Returns the total displacement at which the ground list of a block part expires, m.
   double list_expiry(const NearPart& part) const { return part.collected_at + list_lifetime_; }
-  /// Returns the time of flight without contact of a block part, s, at most `wanted`.
+  /// Returns the time of flight in which a block part cannot touch the ground, s, at most `wanted`.
   double part_contact_free_time(std::uint32_t p, const FlightBounds& flight, double wanted);
-  /// Returns the time of flight without contact of the block, s. It follows from planes that
-  /// separate block and ground.
+  /// Returns the time of flight in which the block cannot touch the ground, s. It follows from
+  /// planes that separate block and ground.
   /// @param horizon  largest time that is useful, s
   double contact_free_time(const FlightBounds& flight, double horizon);
   double contact_free_time_over_face(const LocalFaces::Face& face, const FlightBounds& flight,
                                      double horizon);
-  /// Returns the time of flight without contact over a ground face whose plane does not separate
-  /// the whole block, s. Each near part of the block is tested separately. Parts without a
-  /// separating plane are added to `Scratch::unseparated_parts`.
+  /// Returns the time of flight in which the block parts near the ground cannot touch a ground
+  /// face, s. Each part is tested on its own. Parts that may touch the face at once are excluded
+  /// and added to `Scratch::unseparated_parts`.
   double parts_contact_free_time(const LocalFaces::Face& face, bool at_border,
                                  const FlightBounds& flight, double horizon);
   /// Bounding sphere of a block part in flight.
@@ -244,8 +244,8 @@ class TerrainNarrowPhase {
     double radius;
     double centre_acceleration;  ///< bound of the acceleration of the centre by rotation, m/s^2
   };
-  /// Returns the time of flight without contact of the sphere of a block part over a ground face,
-  /// s; 0 if contact is possible at once.
+  /// Returns the time of flight in which the bounding sphere of a block part cannot touch a ground
+  /// face, s; 0 if they may touch at once.
   double sphere_contact_free_time(const LocalFaces::Face& face, const PartSphere& part,
                                   const FlightBounds& flight, double horizon) const;
   double remaining_complete_distance(const NearPart& part) const {

@@ -23,8 +23,8 @@ struct DissipatedEnergy {
   }
 };
 
-/// Energies of all movable bodies, J. Present, dissipated and reassigned energies add up to the
-/// initial energy.
+/// Energies of all movable bodies, J. The sum of all energies, including dissipated and reassigned
+/// energy, is equal to the initial energy.
 struct EnergySample {
   double time = 0.0;           ///< s
   std::size_t moving = 0;      ///< number of bodies that are neither at rest nor removed
@@ -36,7 +36,7 @@ struct EnergySample {
   DissipatedEnergy on_ground;  ///< energy dissipated on the ground since the first body was added
   /// Energy dissipated between bodies since the first body was added.
   DissipatedEnergy between_bodies;
-  double reassigned = 0.0;  ///< lost by changes of contacts until now; negative if gained
+  double reassigned = 0.0;  ///< energy lost when contacts changed; negative if gained
 
   /// Returns a sample whose time, dissipated and reassigned energies are counted from the sample
   /// `begin`.
@@ -48,7 +48,7 @@ struct EnergySample {
     sample.reassigned -= begin.reassigned;
     return sample;
   }
-  /// Returns the sum of present, removed and dissipated energy.
+  /// Returns the sum of present, removed, dissipated and reassigned energy.
   double sum() const {
     return translational + rotational + potential + stored + departed + on_ground.sum() +
            between_bodies.sum() + reassigned;

@@ -11,8 +11,8 @@ namespace clast {
 /// @param gravity  m/s^2; tests pass other values to get other motions
 std::string simulate_reference_motions(double gravity = 9.81);
 
-/// Returns the SHA-256 of the reference motions, as 64 hexadecimal digits. It is computed once,
-/// which takes milliseconds.
+/// Returns the SHA-256 of the results of `simulate_reference_motions`, as 64 hexadecimal digits.
+/// They are simulated once, which takes milliseconds.
 const std::string& physics_digest();
 
 /// Describes why runs of two program versions cannot be combined. Empty if they compute the same

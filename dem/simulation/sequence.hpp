@@ -16,8 +16,8 @@ namespace clast {
 struct SequenceBlock {
   std::size_t shape = 0;  ///< index into the shapes
   RigidState start;
-  /// Time from the first release until which the block is fixed, s, if all blocks are released at
-  /// once. Other blocks may hit it before.
+  /// Time between the first release and that of this block, s. Until then it is fixed, but other
+  /// blocks may hit it. Used only if `SequenceSettings::at_once` is true.
   double release_time = 0.0;
 };
 
@@ -118,9 +118,8 @@ struct SequenceObservers {
 /// Simulates the motion of several blocks on a terrain.
 /// @param shapes  shapes of the blocks
 /// @param zones  parameters of each ground zone of the terrain
-/// @param from  state of the same sequence saved by the same program
-/// (`SequenceProgress::save_state`);
-///              the simulation continues bit-identically. If null, it starts from the beginning.
+/// @param from  state of the same sequence that `SequenceProgress::save_state` saved; the
+///              simulation continues bit-identically. If null, it starts from the beginning.
 /// @throws InputError  if settings are out of range or the state is of another sequence
 /// @throws SettlingError  if confined blocks do not settle
 /// @throws SimulationError  if a start is outside the terrain or inside the ground or a block, or

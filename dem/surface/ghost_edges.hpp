@@ -15,7 +15,7 @@ bool is_in_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
 bool is_near_normal_arc(const SurfaceFeatures& surface, const SurfaceEdge& edge,
                         const Vec3& direction);
 
-/// Returns the angular tolerance of `is_near_normal_arc`, as a sine.
+/// Returns the sine of the angle by which a direction may lie outside the normal arc of an edge.
 double normal_arc_slack(const SurfaceFeatures& surface, const SurfaceEdge& edge);
 double normal_cone_slack(const SurfaceFeatures& surface, std::uint32_t vertex);
 

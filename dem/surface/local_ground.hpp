@@ -51,7 +51,8 @@ struct LocalFaces {
     double second = 0.0;   ///< lower bound of the distance of all other faces, m
     std::uint32_t entry = 0;  ///< index into `faces`
   };
-  /// Finds the nearest of the listed faces (see `find_nearest_face`).
+  /// Finds the point of the listed faces that is nearest to `query`, within `limit` (m). Other
+  /// faces are measured up to `beyond` (m) farther. `guess` is a probable index, for speed.
   NearestFace nearest(const SurfaceFeatures& features, const Vec3& query, double limit,
                       double beyond, std::uint32_t guess) const;
 

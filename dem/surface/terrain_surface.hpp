@@ -31,7 +31,7 @@ class TerrainSurface {
   /// Returns the height of the surface at (x, y), m; empty outside the surveyed area. If there are
   /// several upward-facing triangles, it is the height nearest to `z_near`.
   std::optional<double> height_at(double x, double y, double z_near) const;
-  /// Returns the ground zone at the point that `height_at` finds.
+  /// Returns the ground zone of the triangle that gives `height_at(x, y, z_near)`; empty outside.
   std::optional<std::uint16_t> zone_at(double x, double y, double z_near) const;
   /// True if the vertical line through (x, y) meets a triangle.
   bool covers(double x, double y) const;

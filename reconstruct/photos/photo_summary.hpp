@@ -10,14 +10,15 @@
 
 namespace clast {
 
-/// Fractions of the closed surface that are seen by a minimum number of photos or pairs.
+/// Fractions of the closed surface that are seen by at least `min_views` photos, or by at least
+/// `min_views` stereo pairs.
 struct ViewCoverage {
   std::uint16_t min_views = 0;
   double photos = 0.0, pairs = 0.0;
 };
 
-/// Minimum numbers of views for which the coverage is computed. One pair gives a depth; three
-/// agreeing pairs give a point.
+/// Values of `ViewCoverage::min_views`. One stereo pair suffices for a depth; a point of the dense
+/// cloud needs three agreeing pairs.
 inline constexpr std::array<std::uint16_t, 5> kCoverageSteps = {1, 2, 3, 5, 10};
 
 struct MarkerUsage {

@@ -19,10 +19,10 @@ std::vector<SurfaceComponent> connected_components(const TriangleMesh& mesh);
 /// have either orientation. The point must not lie on it.
 bool encloses(const TriangleMesh& closed, const Vec3& point);
 
-/// True if all vertices of the component are inside the block or touch it from inside. False for
-/// other blocks: if they overlap, they have vertices outside; if they touch, their centre is.
+/// True if the component is inside the block; it may touch the surface of the block from inside. A
+/// component that overlaps the block or touches it from outside is not inside.
 /// @param block  closed, with either orientation
-/// @param tree  tree of `block`
+/// @param tree  search tree of the triangles of `block`
 bool is_inside_block(const TriangleMesh& component, const TriangleMesh& block,
                      const TriangleTree& tree);
 

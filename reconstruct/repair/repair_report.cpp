@@ -134,9 +134,9 @@ class Sentences {
       case DefectKind::kInwardOrientation:
         return "the surface faced inwards and was reversed";
       case DefectKind::kTunnel:
-        return format_count(d.count, "tunnel passes through the block and remains",
-                            "tunnels pass through the block and remain") +
-               " open; if the rock has no tunnel, close it in the scan";
+        return format_count(d.count, "tunnel (a hole through the block) was kept",
+                            "tunnels (holes through the block) were kept") +
+               "; if the rock has no tunnel, close it in the scan";
       case DefectKind::kHole:
       case DefectKind::kDuplicateShell:
         break;

@@ -399,7 +399,7 @@ void UndersideOptions::check() const {
                      "; it must be 1");
   }
   if (!(max_depth_fraction > 0.0 && max_depth_fraction <= 10.0)) {
-    throw InputError("deepest = " + format_significant(max_depth_fraction, 3) +
+    throw InputError("max_depth_fraction = " + format_significant(max_depth_fraction, 3) +
                      ": the buried fraction of the observed height must be above 0, up to 10");
   }
   if (!(min_hole_fraction > 0.0 && min_hole_fraction < max_filling_fraction &&

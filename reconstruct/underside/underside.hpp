@@ -18,8 +18,8 @@ struct UndersideOptions {
   /// Ground below the block, normal up. It bounds the block from below only if more than half of
   /// the space under the block was observed to be free. If empty, the rim faces down.
   std::optional<Plane> ground = {};
-  /// Depth of the best estimate below the rim, as a fraction of the observed height. The default is
-  /// a quarter of the total height. It does not affect the bounds.
+  /// Depth limit of the best estimate below the rim, divided by the height of the observed part. At
+  /// the default, the limit is a quarter of the total height. It does not affect the bounds.
   double max_depth_fraction = 1.0 / 3.0;
   /// Minimum area of a hole, filled flat, as a fraction of the surface. Smaller ones are ignored.
   double min_hole_fraction = 0.001;
@@ -53,14 +53,15 @@ struct Underside : VolumeBracket {
   std::vector<std::string> notes;
 };
 
-/// Closes the largest hole of a scan as underside and the others by flat membranes, and computes
-/// common bounds. Holes below 0.3 % of the surface are treated as observed.
+/// Closes the largest hole of a scan as the underside of a block and the others by flat membranes.
+/// Computes volume bounds for all of them together. Holes below 0.3 % of the surface are treated as
+/// observed.
 ///
-/// The upper volume fills the space between the closures and the flank planes (`fit_flank_planes`),
-/// down to a known ground and without free space. There is no upper volume if it would exceed the
-/// observed volume by more than a third (above a ground: by more than 100 %). The lower volume is
-/// that of `lower_mesh` minus possible indentations of the fillings. Best estimate: docs/theory.md;
-/// measurements: docs/benchmarks.md.
+/// The upper volume includes the space between the closed holes and the flank planes
+/// (`fit_flank_planes`). Space below a known ground and free space are excluded. There is no upper
+/// volume if it would exceed the observed volume by more than a third (above a ground: by more than
+/// 100 %). The lower volume is that of `lower_mesh` minus possible indentations of the fillings.
+/// Best estimate: docs/theory.md; measurements: docs/benchmarks.md.
 /// @param open  oriented 2-manifold of one component; may have small holes
 /// @returns empty if no hole is large enough, so that the scan is practically closed
 /// @throws GeometryError  if `open` is not an oriented manifold, is a sheet, or has a rim that

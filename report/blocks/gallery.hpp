@@ -9,7 +9,7 @@
 
 namespace clast {
 
-/// Returns the folder kind of galleries, which identifies folders written by `write_gallery`.
+/// Returns the marks by which an output folder is recognised as a gallery before it is replaced.
 OutputFolderKind gallery_folder_kind();
 
 /// Writes the gallery of a block library as one page, with image, measures and 3-D view of each

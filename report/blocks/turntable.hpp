@@ -16,15 +16,15 @@ struct TurntableLimits {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
-/// Formats the data of the 3-D view of a block as JSON for turntable.js. Meshes are {vertices int16
-/// [n][3], triangles uint32 [m][3]}. Vertices are relative to `centre`, in units of `size` / 32767.
-///
-/// Members: `name`; `unit` "m", or "units" for unscaled blocks; `size`; `centre` [3]; mesh `block`;
-/// mesh `scan` (unless the block was made from a core); `box` {centre [3], axes [3][3], lengths
-/// [3]}. If the block deviates from its scan, also `deviation` {reach, colours, pieces uint8 [m],
-/// shares int8}. `pieces` is the number n of subdivisions per side of each block triangle. `shares`
-/// is the distance from the scan in units of `reach` / 127, at the (n + 1)(n + 2) / 2 lattice
-/// points of each triangle, row by row from its first vertex.
+/// Formats the data of the 3-D view of a block as JSON for turntable.js. Members:
+/// - `name`; `unit` ("m", or "units" for unscaled blocks); `size`; `centre` [3].
+/// - `block` and, unless the block was made from a core, `scan`: meshes {vertices int16 [n][3],
+///   triangles uint32 [m][3]}. Vertices are relative to `centre`, in units of `size` / 32767.
+/// - `box`: smallest box {centre [3], axes [3][3], lengths [3]}.
+/// - `deviation` {reach, colours, pieces uint8 [m], shares int8}, if the block deviates from its
+///   scan. `pieces` is the number n of subdivisions per side of each block triangle. `shares` is
+///   the distance from the scan in units of `reach` / 127, at the (n + 1)(n + 2) / 2 lattice points
+///   of each triangle, row by row from its first vertex.
 std::string format_turntable_json(const Block& block, const TurntableLimits& limits = {});
 
 /// Formats the 3-D view of a block with its controls. The page must contain `turntable_script`

@@ -105,7 +105,7 @@ std::string released(const CampaignResults& results) {
          (results.persistent_blocks->at_once
               ? ", released " + (points > 1
                                      ? "as " + format_count(points, "block mass", "block masses")
-                                     : "at once as one block mass")
+                                     : "at once, as one mass")
               : ", released one after another from " + format_count(points, "point")) +
          " and left at their stops" +
          (removed > 0 ? ", except for " + format_count(removed, "block that was removed",

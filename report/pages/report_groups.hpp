@@ -13,7 +13,8 @@
 namespace clast::report_detail {
 
 bool has_several_files(const Comparison& comparison);
-/// Selects the groups of runs of one kind, by file if there are several files.
+/// Returns the indices of the groups of one kind. If there are several files, these are the groups
+/// of single files; otherwise, those over all files.
 std::vector<std::size_t> select_groups_of_kind(const Comparison& comparison, RunGroupKind kind);
 /// Returns the name of a group without its kind, such as "compact" for "class compact".
 std::string short_group_name(const RunGroup& group);

@@ -11,11 +11,11 @@ std::string format_head_section(const Comparison& comparison, const KeyResults& 
 std::string format_class_section(const Comparison& comparison);
 /// Formats the map of deposit rasters. Empty if there are no layers.
 std::string format_deposit_map(const Comparison& comparison, const MapRasterSet& rasters);
-/// Formats the section on deposits: position, size and thickness. Empty without persistent blocks.
+/// Formats position, size and thickness of the deposits. Empty if no blocks stay on the terrain.
 std::string format_deposit_section(const ComparisonAnalyses& analyses);
-/// Formats the energy balance of persistent blocks against time. Empty if there are no data.
+/// Formats the energies of all blocks that stay on the terrain, against time; empty without data.
 std::string format_energy_section(const ComparisonAnalyses& analyses);
-/// Formats hits and displacements of persistent blocks by later blocks, by shape class. Empty if no
+/// Formats how often later blocks hit and displace blocks at rest, by shape class. Empty if no
 /// block was released after another.
 std::string format_persistent_blocks_section(const Comparison& comparison);
 /// Formats a table with one row per block and file: shape, runs and stop reasons.
@@ -31,9 +31,11 @@ std::string format_slope_section(const Comparison& comparison, const std::vector
 std::string format_differences_section(const Comparison& comparison);
 /// Formats the comparison of observed and simulated stops; empty without observations.
 std::string format_measured_section(const Comparison& comparison);
-/// Formats the effect of ground parameters on runout and barriers; empty without ensembles.
+/// Formats the effect of uncertain ground parameters on runout and barriers; empty without
+/// ensembles.
 std::string format_ensemble_section(const ComparisonAnalyses& analyses);
-/// Formats the variance decomposition of outcomes; empty without design effects.
+/// Formats the fractions of the variance of outcomes that are due to shape, mass, orientation,
+/// release point and ground. Empty if the campaigns vary at most one of them.
 std::string format_effects_section(const ComparisonAnalyses& analyses);
 /// Formats a table and exceedance curves for each barrier.
 std::string format_barrier_section(const ComparisonAnalyses& analyses);

@@ -1,6 +1,6 @@
 #pragma once
-/// Images of a scan before and after its repair, and of its deviation from the block. If `metric`
-/// is false, the scan is unscaled.
+/// Images of a scan before and after its repair, and of the distance between block and scan. If
+/// `metric` is false, the scan has no known scale, and lengths are in units of the model.
 #include <functional>
 #include <string>
 #include <vector>

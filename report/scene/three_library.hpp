@@ -5,13 +5,13 @@
 
 namespace clast::report_detail {
 
-/// Finds the folder of three.js (Debian package libjs-three): that named by CLAST_THREE, or found
-/// at configuration.
+/// Finds the folder of three.js (Debian package libjs-three): the value of the environment variable
+/// CLAST_THREE, otherwise the folder found when clast was configured.
 std::filesystem::path find_three_folder();
 bool three_is_installed();
 
-/// Returns three.js and its orbit control as page elements. Scripts execute them with
-/// `clastRun("three-code")` and `clastRun("orbit-code")`.
+/// Returns two page elements with the compressed code of three.js and its orbit control. Other
+/// scripts of the page load them by `clastRun("three-code")` and `clastRun("orbit-code")`.
 /// @pre  three_is_installed()
 std::string three_scripts();
 

@@ -137,7 +137,7 @@ const TableColumns<DepositMobility>& mobility_columns() {
       "95 % confidence interval of the difference (Welch); empty for fewer "
       "than two realisations or points";
   static const TableColumns<Row> columns = {
-      {"file", "", "number of the results file of persistent blocks",
+      {"file", "", "number of the results file, which has persistent blocks",
        [](const Row& row) { return std::uint64_t{row.file} + 1; }},
       {"alone", "", "number of the results file of single runs",
        [](const Row& row) { return std::uint64_t{row.single_block_file} + 1; }},
@@ -170,8 +170,8 @@ const TableColumns<DepositMobility>& mobility_columns() {
        "alone",
        &Row::start_distance},
       {"mass_ratio", "",
-       "mean mass of the blocks together over the mean mass of the blocks "
-       "alone",
+       "mean block mass of the joint runs divided by the mean block mass of the "
+       "single runs",
        &Row::mass_ratio},
       {"words", "", "a sentence to quote", [](const Row& row) { return describe_effect(row); }}};
   return columns;

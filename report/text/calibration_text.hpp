@@ -1,5 +1,5 @@
 #pragma once
-/// Texts and text tables of a calibration.
+/// Descriptions of a calibration and its results, as sentences and text tables.
 #include <string>
 #include <vector>
 

@@ -12,13 +12,13 @@ namespace clast {
 
 struct CalibrationOptions {
   unsigned threads = 0;  ///< number of threads; 0: one per core; does not affect the result
-  /// True if simulated members of an earlier calibration of the same design are reused. Its
-  /// observations may differ.
+  /// True if the members that an earlier calibration simulated are reused. Only its observations
+  /// may differ from those of this calibration.
   bool resume = false;
   /// True if an existing posterior file is replaced; otherwise, it is an error.
   bool replace = false;
-  /// Part of the members that is simulated. If it is not the whole, the file has no posterior;
-  /// `parts` joins the files of all shards.
+  /// Subset of the members to simulate; by default, all. A file with a subset has no posterior.
+  /// `parts` joins such files.
   Shard shard = {};
   /// Posterior files of all shards, whose members are joined. If not empty, no member is simulated.
   std::vector<std::filesystem::path> parts = {};
@@ -43,7 +43,8 @@ std::filesystem::path calibration_journal_path(const std::filesystem::path& targ
 /// Runs a calibration: simulates the members and infers the unknown parameters. In a team of
 /// processes, only the leader calls this function.
 /// @throws InputError  if the target cannot be written or replaced, if reused or joined members
-///                     have another design, if a member is missing, or if inputs are inconsistent
+///                     were simulated with other sites, unknowns, numbers of members or releases,
+///                     inputs or program, if a member is missing, or if inputs are inconsistent
 /// @throws SimulationError  if a member's runs fail
 Calibration run_calibration(const CalibrationStudy& study, const std::filesystem::path& target,
                             const CalibrationOptions& options = {});
@@ -52,14 +53,14 @@ Calibration run_calibration(const CalibrationStudy& study, const std::filesystem
 /// @throws Error  if a member fails in this process or in another one
 void simulate_members_for_leader(const CalibrationStudy& study, const CalibrationOptions& options);
 
-/// Simulator of the members of a calibration, with its sites and input files.
+/// Simulator that a calibration calls for each member, with its sites and input files.
 struct CalibrationBackend {
   std::vector<SiteDescription> sites;
   std::vector<std::string> inputs;  ///< input files, each as "path sha256"
   MemberSimulator simulate;
   std::string physics_digest = {};  ///< digest of the simulated physics; empty if unknown
 };
-/// Runs a calibration with any simulator; see `calibrate`.
+/// Runs a calibration whose members are simulated by `simulator`.
 Calibration run_calibration_with(const CalibrationBackend& simulator, const CalibrationStudy& study,
                                  const std::filesystem::path& target,
                                  const CalibrationOptions& options = {});

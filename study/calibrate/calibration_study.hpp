@@ -26,8 +26,8 @@ struct CalibrationDesign {
   std::size_t draw_count = 2000;           ///< number of posterior draws
   Kernel kernel = Kernel::kMatern52;
 
-  /// Returns the unknowns of each member as prior probabilities, in [0, 1]. They form a Sobol
-  /// sequence.
+  /// Returns the points of a Sobol sequence, one per member. The coordinates are cumulative prior
+  /// probabilities of the unknowns, in [0, 1].
   std::vector<std::vector<double>> sobol_points(std::size_t unknown_count) const;
 };
 
@@ -41,7 +41,7 @@ struct CalibrationStudy {
   std::vector<Observation> observations;
   CalibrationDesign design;
 
-  /// Converts prior probabilities, in [0, 1], to values of the unknown parameters.
+  /// Converts cumulative prior probabilities, in [0, 1], to values of the unknown parameters.
   std::vector<double> values(const std::vector<double>& shares) const;
   /// Returns the number of statistics of all observations.
   std::size_t statistic_count() const;

@@ -8,7 +8,7 @@
 
 namespace clast::study_detail {
 
-/// Indices of the observations at one site and of their statistics, which are correlated.
+/// Observations at one site and their statistics, which depend on each other, as indices.
 struct SiteStatisticIndices {
   std::vector<std::size_t> observations;  ///< indices into CalibrationStudy::observations
   /// Indices of their statistics, counted over all observations.
@@ -20,19 +20,19 @@ std::vector<SiteStatisticIndices> group_statistics_by_site(
 /// Means and covariances of the statistics of one member at one site. Values are NaN if a statistic
 /// is undefined.
 struct StatisticScatter {
-  /// Expected values of the statistics for a sample as large as that of the field.
+  /// Expected values for as many releases as were observed in the field.
   Eigen::VectorXd mean;
-  /// Covariance of the statistics for samples as large as that of the field, or squared stated
-  /// errors.
+  /// Covariance for as many releases as were observed in the field. If a statistic has a stated
+  /// error, the square of that error is used.
   Eigen::MatrixXd field_covariance;
-  /// Covariance of the member's statistics under resampling of its releases.
+  /// Covariance due to the limited number of simulated releases.
   Eigen::MatrixXd release_covariance;
-  /// Covariance of the member's statistics under resampling of release points. Zero for one point.
+  /// Covariance due to the choice of the release points; zero for one point.
   Eigen::MatrixXd point_covariance;
 };
 
 /// Estimates the scatter of the statistics of one member at one site, by bootstraps of single
-/// releases, of whole release points, and of samples as large as that of the field.
+/// releases, of whole release points, and of as many releases as in the field.
 /// @param observations  observations of one site
 /// @param seen  simulated releases that each observation describes
 /// @cite field2007, wood2010

@@ -21,8 +21,8 @@ struct SurrogateQuality {
 
 namespace clast::study_detail {
 
-/// Gaussian-process surrogate of one summary statistic. The unknown parameters are given as prior
-/// probabilities, in the unit cube.
+/// Gaussian-process surrogate of one summary statistic. Each unknown parameter is given by its
+/// cumulative prior probability, in [0, 1].
 struct Surrogate {
   GaussianProcess process;
   SurrogateQuality quality;
@@ -32,9 +32,9 @@ struct Surrogate {
 };
 
 /// Fits the surrogate of one summary statistic.
-/// @param places  unknown parameters in the unit cube, one column per member
+/// @param cube_points  cumulative prior probabilities of the unknowns, one column per member
 /// @param values  value of the statistic of each member; NaN if undefined
-/// @param chance  variance of a value due to the limited number of releases
+/// @param sampling_variance  variance of a value due to the limited number of releases
 /// @return empty if the statistic is defined for fewer than `min_members` members
 std::optional<Surrogate> fit_surrogate(const Eigen::MatrixXd& cube_points,
                                        const Eigen::VectorXd& values, double sampling_variance,

@@ -42,9 +42,8 @@ struct BlockSampling {
   std::optional<double> volume;  ///< total volume of the blocks, m^3; replaces `count`
   std::uint64_t seed = 1;
   std::string scheme = "garcia";
-  std::vector<std::pair<std::string, double>>
-      /// Fraction of each class, with sum 1; if empty, the fractions of the selected blocks.
-      shares;
+  /// Fraction of each class, with sum 1; if empty, the fractions of the selected blocks.
+  std::vector<std::pair<std::string, double>> shares;
   /// Fractions of single classes that replace those of the selected blocks. The other classes keep
   /// their proportions.
   std::map<std::string, double> set_shares = {};
@@ -81,7 +80,7 @@ struct GroundDistributions {
 struct BlockGroup {
   std::string name;  ///< name of the group
   BlockFilter filter;
-  /// Parameters that differ from those of the zone, by zone name.
+  /// Parameters that replace those of a zone for blocks of this group, by zone name.
   std::map<std::string, GroundDistributions> ground;
 };
 
@@ -104,10 +103,9 @@ struct ReleaseSet {
   std::vector<Vec3> points;
   /// Origin of the orientations in the campaign: "grid-45", "random" or a file.
   std::string orientation_source;
-  std::vector<Quat>
-      /// Rotations of the blocks; from their principal frame if `in_principal_frame`, otherwise
-      /// from the frame of the library.
-      orientations;
+  /// Rotations of the blocks; from their principal frame if `in_principal_frame`, otherwise from
+  /// the frame of the library.
+  std::vector<Quat> orientations;
   /// True if `orientations` refer to the principal frames of the blocks.
   bool in_principal_frame = false;
   /// True if other random orientations are drawn for each block and release point.
@@ -134,7 +132,7 @@ struct MultiBlockRelease {
   /// area of the outline.
   std::optional<double> share;
   std::optional<std::uint32_t> count;  ///< number of blocks in each realisation
-  double release_time = 0.0;  ///< time since the first release until which the blocks are fixed, s
+  double release_time = 0.0;           ///< time of the release after the first release, s
   bool settle = false;  ///< true if the blocks settle behind confining walls before the release
   double settle_time = 20.0;  ///< time limit for settling, s
   /// Interval between the removals of the confining walls, s; if 0, all are removed at once.

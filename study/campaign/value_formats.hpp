@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that make the formats of TOML values, for key declarations.
+/// Formats of the TOML values that keys of campaign files accept.
 #include <utility>
 
 #include "study/campaign/key_table.hpp"
@@ -32,14 +32,14 @@ inline ValueFormat named_table_format(ValueFormat item) {
 inline ValueFormat alternative_formats(std::vector<ValueFormat> forms) {
   return {.kind = Kind::kEither, .items = std::move(forms)};
 }
-/// Makes the format of a single value or a list of such values.
+/// Returns the format of a TOML value that is a single value or a list of such values.
 inline ValueFormat one_or_more_format(const ValueFormat& form, std::uint64_t maximum = INT64_MAX) {
   return alternative_formats({form, list_format(form, 1, maximum)});
 }
 inline ValueFormat texts_format() { return one_or_more_format(text_format()); }
-/// Makes the format of a point in map coordinates, with or without height.
+/// Returns the format of a TOML value that is a point in map coordinates, with or without height.
 ValueFormat point_format();
-/// Makes the format of a number or a probability distribution.
+/// Returns the format of a TOML value that is a number or a probability distribution.
 ValueFormat uncertain_number_format(const NumberRange& range);
 
 /// Sets the unit of a format, unless its range has a unit.

@@ -28,8 +28,8 @@ struct RunRow {
 
 enum class RunGroupKind { kAll, kBlock, kGarcia, kSneedFolk, kColumn };
 
-/// Group of runs: all runs, or the runs of one block, one shape class or one column value. Each
-/// group exists once over all results files and, if there are several files, once per file.
+/// Group of runs: all runs, or the runs of one block, one shape class or one column value. If there
+/// are several results files, there is one group for all files and one for each file.
 struct RunGroup {
   std::string name;  ///< name, such as "all", "class compact" or "file 1: block SP1A"
   RunGroupKind kind = RunGroupKind::kAll;
@@ -40,7 +40,7 @@ struct RunGroup {
   std::vector<std::size_t> rows;  ///< indices into Comparison::rows
 };
 
-/// Barrier of a comparison, in map coordinates. Equal barriers of several files are one. A ring
+/// Barrier of a comparison, in map coordinates. Equal barriers of several files are merged. A ring
 /// (closed line) gives two barriers, one for entries and one for exits.
 struct BarrierLine {
   enum class Counts { kEither, kForward, kEntries, kExits };
@@ -155,9 +155,8 @@ struct Comparison {
   std::vector<DepositStatistics> deposits;  ///< runout statistics, one entry per group
   std::vector<BarrierLine> lines;
   std::vector<BarrierCrossing> crossings;  ///< crossings in order of file, run and time
-  std::vector<BarrierGroupStatistics>
-      /// Statistics ordered by barrier, then group; groups without a crossing are omitted.
-      barriers;
+  /// Statistics ordered by barrier, then group; groups without a crossing are omitted.
+  std::vector<BarrierGroupStatistics> barriers;
   std::vector<GroupDifference> differences;
   std::optional<MeasuredStops> measured;  ///< table of stops observed in the field
   /// Equivalence margin: smaller differences in runout do not matter, m.

@@ -171,7 +171,7 @@ void warn_of_masses(Comparison& comparison) {
              "); differences between classes are effects of both shape and mass. Run with [blocks] "
              "scale = \"equal-mass\" to compare shapes alone",
          "The classes differ in mass (" + in_short +
-             "): differences are effects of both shape and mass.");
+             "): differences are effects of shape and mass.");
   }
 }
 
@@ -274,8 +274,7 @@ void warn_of_slopes(Comparison& comparison) {
       "the slope is too steep for friction to stop a block, so shape may have little effect "
       "there.");
   add(rolling_texts, rolling_zones,
-      "rolling blocks keep moving and sliding blocks stop, so the effect of shape is larger "
-      "there.");
+      "rolling blocks keep moving and sliding blocks stop, so shape has a larger effect.");
 }
 
 void warn_of_changed_blocks(Comparison& comparison) {

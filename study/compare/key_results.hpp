@@ -82,13 +82,13 @@ struct FileSummary {
   bool clusters_are_realisations = false;  ///< true if the clusters are realisations
   std::size_t draws = 0;   ///< number of ensemble members if there are several; otherwise 0
   std::size_t blocks = 0;  ///< number of blocks of the library
-  /// True if clusters have different blocks, so that intervals include the uncertainty due to the
-  /// sampling of blocks.
+  /// True if most blocks occur in only some of the clusters. The intervals then include the
+  /// uncertainty due to the choice of blocks.
   bool samples_blocks = false;
 };
 
 struct KeyResults {
-  /// Key results of each file, or of all files together if each has blocks of one class only.
+  /// One summary per file; a single one of all files if each has blocks of one shape class only.
   std::vector<FileSummary> file_summaries;
   /// Runout difference between two files with equal release points; empty for other comparisons.
   std::optional<RunoutContrast> files;
@@ -97,8 +97,8 @@ struct KeyResults {
   bool has_draws() const;
 };
 
-/// Upper limit of the ratio of median difference to mean difference for
-/// `RunoutContrast::due_to_few_runs`.
+/// Limit for `RunoutContrast::due_to_few_runs`. It is true if the difference of the medians is less
+/// than this fraction of the difference of the means.
 inline constexpr double kMaxFewRunsRatio = 0.25;
 
 /// Minimum number of passages for which a 95th percentile is given.

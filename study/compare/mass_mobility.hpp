@@ -28,7 +28,7 @@ struct DepositMobility {
   double start_distance = 0.0;  ///< horizontal distance between the mean start positions, m
   /// Mean mass of the persistent blocks divided by that of the single blocks.
   double mass_ratio = 1.0;
-  /// Expected largest runout of as many single blocks as a realisation has at rest, m.
+  /// Expected largest runout of n single-block runs, m; n is `blocks` per realisation.
   double alone_toe = NAN;
 };
 

@@ -32,8 +32,7 @@ struct DepositMeasures {
   double area = NAN;         ///< covered area in plan, m^2
   double bulk_volume = NAN;  ///< volume between ground and block tops, m^3
   double thickness = NAN;    ///< largest height of a block top above the ground, m
-  // Of all blocks where a rock mass started, held or settled; not a number for blocks that were
-  // released one after the other.
+  // Volumes before a simultaneous release; NaN for blocks released one after the other.
   double start_volume = NAN;       ///< solid volume at the start, without voids, m^3
   double start_bulk_volume = NAN;  ///< volume between ground and block tops at the start, m^3
   /// Fractions of the dissipated energy by mechanism; empty if not stored.
@@ -46,7 +45,7 @@ double height_length_ratio(const Vec3& from, const Vec3& to);
 
 /// Deposits of all realisations of a comparison.
 struct DepositResults {
-  /// Deposits, ordered by file; empty if no file has persistent blocks.
+  /// One deposit per realisation, ordered by file; empty without blocks that stay on the terrain.
   std::vector<DepositMeasures> realisations;
   /// Raster layers of deposit thickness (mean and maximum over the realisations) and of the
   /// fraction of realisations with a block in the cell.

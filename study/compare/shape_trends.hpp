@@ -22,12 +22,12 @@ struct ShapeTrend {
   double corrected_p = 1.0;  ///< p-value of the trend, Holm-corrected for the number of properties
   /// Median of the property, which divides the blocks into a lower and an upper half.
   double limit = 0.0;
-  /// Difference of the mean outcomes of both halves, upper minus lower.
+  /// Difference in mean outcome between the two halves of the blocks, upper minus lower.
   CrossedDifference halves;
-  /// Smallest difference between the halves that is detected with 80 % power.
+  /// Smallest difference between the two halves that is detected with 80 % power.
   double detectable_difference = 0.0;
-  /// P-value of the test that the runouts of both halves are equivalent within the margin. Empty
-  /// for other outcomes or without a margin.
+  /// P-value of the test that the mean runouts of the two halves differ by less than the margin.
+  /// Empty for outcomes other than runout, or without a margin.
   std::optional<double> equivalence;
   std::optional<double> runs_needed;
 };

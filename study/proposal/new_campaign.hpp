@@ -11,7 +11,7 @@
 
 namespace clast {
 
-/// Line in map coordinates, with ground heights, m.
+/// Proposed release line or barrier: end points on the ground in map coordinates, m.
 struct ProposedLine {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };

@@ -78,7 +78,7 @@ struct EnergyRecord {
   }
 };
 
-/// Settings of persistent blocks. Runs are ordered by realisation, then by release.
+/// Settings of blocks that stay on the terrain. Runs are ordered by realisation, then by release.
 struct PersistentBlocksSettings {
   std::uint32_t blocks_per_realisation = 1;  ///< number of blocks per realisation
   GroundParameters between_blocks;
@@ -95,7 +95,7 @@ struct GroundParameterSet {
 /// Trajectory of one run: states at equal intervals of time.
 struct Trajectory {
   std::vector<double> time;        ///< s
-  std::vector<RigidState> states;  ///< barriers in the local frame
+  std::vector<RigidState> states;  ///< states in the local frame
 };
 
 struct StoredRun {
@@ -143,7 +143,7 @@ struct CampaignHeader {
 
   /// True if contact data (penetration, impacts, dissipation) are available.
   bool has_contacts() const { return engine.empty(); }
-  /// Returns the number of runs of a realisation; 1 without persistent blocks.
+  /// Returns the number of blocks that are simulated together; 1 if each run simulates one block.
   std::uint32_t runs_per_realisation() const {
     return persistent_blocks ? persistent_blocks->blocks_per_realisation : 1;
   }
@@ -152,7 +152,7 @@ struct CampaignHeader {
 /// Contents of a results file without its trajectories.
 struct CampaignResults : CampaignHeader {
   std::vector<RunRecord> runs;      ///< runs, in ascending order of their indices
-  std::vector<Crossing> crossings;  ///< barrier crossings, impacts, ordered by run, then time
+  std::vector<Crossing> crossings;  ///< barrier crossings, ordered by run, then time
   std::vector<Impact> impacts;      ///< ordered by run, then time
   /// Records of persistent blocks, ordered by run.
   std::vector<PersistentBlockRecord> persistent_block_records;

@@ -241,7 +241,7 @@ std::vector<StoredRun> realisation(const CampaignPlan& prepared, std::span<const
     message = not_settled(prepared, planned, error, settings.settle_time);
   } catch (const std::exception& error) {
     if (from && !from->at_end()) throw InputError(error.what());  // it could not be restored
-    message = "the realisation failed (its blocks are bodies, from 0, in the order of release): " +
+    message = "the realisation failed (body numbers start at 0, in the order of release): " +
               std::string(error.what());
   }
   std::vector<StoredRun> runs;

@@ -16,9 +16,9 @@ namespace clast::study_detail {
 ///                          and depth
 void plan_runs(CampaignPlan& prepared);
 
-/// Plans single runs of a campaign again, with its present settings.
-/// @param prepared  planned campaign without persistent blocks; since then, blocks and starts may
-///                  have changed, but not their numbers
+/// Plans the given runs again, after blocks or starts of the campaign have changed.
+/// @param prepared  planned campaign in which each run simulates one block; the number of blocks
+///                  and the number of starts must be unchanged
 /// @throws SimulationError  if a start is inside the ground
 std::vector<RunRecord> plan_selected_runs(CampaignPlan& prepared,
                                           std::span<const std::uint32_t> numbers);

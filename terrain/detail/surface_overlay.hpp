@@ -9,7 +9,7 @@
 
 namespace clast::terrain_detail {
 
-/// Common plan triangulation of two surfaces, with both heights at each vertex.
+/// Two surfaces on a common triangulation in plan view, with both heights at each vertex.
 struct SurfaceOverlay {
   std::vector<Vec2> plan;                         ///< m
   std::vector<double> top, base;                  ///< heights per vertex, m

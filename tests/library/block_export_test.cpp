@@ -50,7 +50,7 @@ TEST_F(BlockExport, ThePrincipalFrameHasNoUp) {
   EXPECT_LT((extents(folder_ / "B1.glb") - extents(folder_ / "B1.obj")).norm(), 1e-6);
   EXPECT_TRUE(contains(
       refusal<InputError>([&] { exported({.frame = ExportFrame::kPrincipal, .up = "y"}); }),
-      "has no up"));
+      "has no upward axis"));
 }
 
 TEST_F(BlockExport, FilesAreThoseThatWereAskedFor) {

@@ -59,7 +59,7 @@ TEST(RealScans, AreSimplifiedToAtMostTheVerticesAskedFor) {
         ++made;
       } catch (const GeometryError& error) {
         const std::string message = error.what();
-        const std::size_t at = message.find("ask for ");
+        const std::size_t at = message.find("request ");
         ASSERT_NE(at, std::string::npos) << message;
         const std::size_t enough = std::stoul(message.substr(at + 8));
         EXPECT_LE(simplify_mesh(scan.mesh, {.target_vertices = enough}).vertices.size(), enough);
@@ -99,8 +99,7 @@ TEST(RealScans, AnOpenPhoneScanBecomesABlockThatSaysWhatWasInvented) {
   EXPECT_LT(scan.report.filled_fraction, 0.05);
   std::string notes;
   for (const std::string& note : scan.notes) notes += note + "\n";
-  EXPECT_NE(notes.find("% of the surface was not scanned but filled in"), std::string::npos)
-      << notes;
+  EXPECT_NE(notes.find("% of the surface was filled without data"), std::string::npos) << notes;
 }
 
 TEST(RealScans, GroundAndCloudsAreNoBlocks) {
@@ -134,8 +133,7 @@ TEST(RealScans, AuthumeBlocksAreClosedAndOnlySp1aNeedsATriangle) {
       EXPECT_EQ(scan.report.as_read.boundary_edges, 3u);
       ASSERT_EQ(scan.notes.size(), 2u);
       EXPECT_NE(scan.notes[0].find("closed by a fan"), std::string::npos);
-      EXPECT_NE(scan.notes[1].find("% of the surface was not scanned but filled in"),
-                std::string::npos);
+      EXPECT_NE(scan.notes[1].find("% of the surface was filled without data"), std::string::npos);
     } else {
       EXPECT_TRUE(scan.notes.empty());
     }

@@ -295,7 +295,7 @@ TEST(Scan, TunnelsAreCounted) {
   }
   const Scan scan = clean_scan(box, "B017");
   EXPECT_NEAR(enclosed_volume(scan.mesh), 8.0 / 9.0, 1e-14);
-  EXPECT_HAS(all_notes(scan), "1 tunnel passes through");
+  EXPECT_HAS(all_notes(scan), "1 tunnel (a hole through the block) was kept");
 }
 
 TEST(Scan, TwoSidedExportAndFoldedSliversAreMended) {
@@ -335,7 +335,7 @@ TEST(Scan, OneSidedSurfaceIsRefused) {
     moebius.triangles.push_back({a, c, b});
     moebius.triangles.push_back({b, c, d});
   }
-  EXPECT_HAS(scan_refusal(moebius), "one-sided");
+  EXPECT_HAS(scan_refusal(moebius), "non-orientable");
 }
 
 TEST(Scan, FilesAreNamedInRefusals) {

@@ -377,8 +377,8 @@ TEST(Underside, ASurfaceThatFacesInwardsIsRefused) {
 
 TEST(Underside, OptionsOutOfRangeAreNamed) {
   const TriangleMesh mesh = open_frustum(0.5, 0.4, 0.6);
-  EXPECT_TRUE(
-      contains(refusal([&] { close_underside(mesh, {.max_depth_fraction = -1.0}); }), "deepest"));
+  EXPECT_TRUE(contains(refusal([&] { close_underside(mesh, {.max_depth_fraction = -1.0}); }),
+                       "max_depth_fraction"));
   EXPECT_TRUE(contains(refusal([&] {
                          close_underside(mesh, {.ground = Plane{Vec3(0.0, 0.0, 2.0), 0.0}});
                        }),

@@ -92,7 +92,7 @@ struct WorldBody {
   double resting_time = 0.0;       ///< time for which it has been slow and in contact, s
   bool asleep = false;             ///< true if it and all bodies that it touches are at rest
   SleepDetector sleep_detector;    ///< active while the body is slow enough to rest
-  /// Number of touching pairs in which it is the block, summed over all steps.
+  /// Number of touching pairs of which this body is not the reference body, summed over all steps.
   std::uint64_t pair_steps = 0;
 };
 

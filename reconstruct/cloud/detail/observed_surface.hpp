@@ -1,5 +1,5 @@
 #pragma once
-/// Observed part of a closed surface through points.
+/// Distinction of observed parts and holes of a closed surface through measured points.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,10 +15,11 @@ struct ObservedSurface {
   Vec3 gap_position = Vec3::Zero();  ///< position in the largest gap, m
 };
 
-/// Finds the observed part of a surface by the radius of the empty ball of each triangle. For
-/// randomly scattered points, the largest radius is about two spacings. A patch of triangles with
-/// larger balls is a hole, unless the points around it are equally sparse. The hole extends to the
-/// triangles whose balls have the usual size.
+/// Finds the observed part of a surface. Each triangle has an empty ball, which touches its
+/// vertices and contains no point. A large ball indicates a hole. For randomly scattered points,
+/// the largest radius is about two spacings. A patch of triangles with larger balls is a hole,
+/// unless the points around it are equally sparse. The hole extends to the triangles whose balls
+/// have the usual size.
 /// @param closed  closed surface, whose vertices are the points
 /// @param spacings  local point spacings (`compute_local_spacings`), m
 /// @param ball_radius  radius of empty balls above which triangles belong to a hole, in spacings

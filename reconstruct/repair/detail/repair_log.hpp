@@ -15,9 +15,8 @@ class RepairLog {
  public:
   /// Starts an empty log.
   /// @param origin  origin of the working coordinates
-  /// @param to_reported_position  converts positions of the mesh as read for the report; if empty,
-  /// they
-  ///                        are unchanged
+  /// @param to_reported_position  converts positions to the frame of the report; if empty, they are
+  ///                              unchanged
   RepairLog(const Vec3& origin, const std::function<Vec3(const Vec3&)>& to_reported_position)
       : origin_(origin), reported_place_(to_reported_position) {}
 

@@ -1,10 +1,11 @@
 #pragma once
-/// Alpha wrapping as the last repair method.
+/// Alpha wrapping, which encloses a faulty surface in a new closed mesh if other repairs fail.
 #include "mesh/triangle_mesh.hpp"
 
 namespace clast::reconstruct_detail {
 
-/// Wrap parameters as fractions of the diagonal. The time is proportional to their inverse square.
+/// Parameters of the wrap, as fractions of the diagonal of the bounding box. The computing time is
+/// proportional to their inverse square.
 struct WrapParameters {
   double alpha;   ///< maximum width of cavities that the wrap bridges
   double offset;  ///< distance of the wrap from the surface

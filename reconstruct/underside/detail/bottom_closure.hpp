@@ -1,5 +1,5 @@
 #pragma once
-/// Closure of a hole by a surface that is lowered to the possible bottom of a block.
+/// Surface that closes the hole under a block and is lowered to model the unobserved bottom.
 #include <cstddef>
 #include <utility>
 
@@ -22,8 +22,9 @@ class BottomClosure {
   static constexpr double kMinPower = 0.05;  ///< minimum of `ClosureDisplacement::power`
 
   /// Constructs the closure of a mesh.
-  /// @param closed  mesh with the closure; must outlive this object
-  /// @param patch  closure; its vertices in `closed` begin at `first_vertex`
+  /// @param closed  mesh whose hole is closed by `patch`; must outlive this object
+  /// @param patch  triangles that close the hole; their new vertices in `closed` begin at
+  ///               `first_vertex`
   /// @param down  direction in which the closure is lowered, unit vector
   BottomClosure(const TriangleMesh& closed, HolePatch patch, std::size_t first_vertex,
                 const Vec3& down)
@@ -35,7 +36,7 @@ class BottomClosure {
   /// the depth is at most `deepest` (m), if possible.
   ClosureDisplacement displacement_for_volume(double added, double power, double deepest) const;
   /// Returns the displacement that adds the volume `added` and reaches the ground, because a block
-  /// does not float. The power of `blunt` is increased up to `max_power`.
+  /// does not float. It starts from `blunt` and makes the bottom more pointed, up to `max_power`.
   ClosureDisplacement displacement_touching_ground(const Plane& ground,
                                                    const ClosureDisplacement& blunt, double added,
                                                    double max_power) const;

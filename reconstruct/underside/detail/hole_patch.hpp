@@ -1,9 +1,9 @@
 #pragma once
-/// Filling of a hole by a membrane refined to the density of its rim.
+/// Filling of a hole by a membrane, a smooth surface of nearly minimum area within the rim.
 ///
-/// `fill_holes` (holes.hpp), in contrast, continues the slope of the rim. This is the most probable
-/// surface of a gap, but it may change the volume by tens of per cent for a whole underside. A
-/// volume bracket needs a membrane that adds nothing beyond the rim.
+/// `fill_holes` (holes.hpp) continues the slope of the surface at the rim instead. That is more
+/// probable for a small gap, but may change the volume by tens of per cent for a whole underside.
+/// Volume bounds need a membrane, which adds nothing beyond the rim.
 #include <cstdint>
 #include <vector>
 

@@ -11,7 +11,7 @@
 
 namespace clast::reconstruct_detail {
 
-/// Possible cavity or tunnel at a closure whose rim turns into the body. In units of the mesh.
+/// Possible cavity or tunnel behind a closed hole whose rim bends inwards. Units of the mesh.
 struct PossibleHollow {
   Vec3 position = Vec3::Zero();  ///< centre of the opening
   double width = 0.0;            ///< width of the opening
@@ -19,9 +19,9 @@ struct PossibleHollow {
   std::optional<Vec3> other_opening;  ///< centre of the other opening, for a tunnel
 };
 
-/// Bounds of the volume and box sides of a body whose unobserved part continues the observed
-/// flanks, in units of the mesh. For the lower volume, closures are indented like the observed
-/// surface and cavities excluded.
+/// Bounds of volume and box sides, in units of the mesh. For the upper bounds, the unobserved part
+/// continues the observed flanks. For the lower volume, it has indentations like the observed
+/// surface, and possible cavities are excluded.
 struct UnobservedPartBounds : VolumeBracket {
   std::vector<PossibleHollow> hollows;
 };

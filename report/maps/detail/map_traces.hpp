@@ -6,7 +6,7 @@
 
 namespace clast::report_detail {
 
-/// Mark of the traces that are hidden while a raster is shown.
+/// Value of `meta` for traces of stops. The script of the map hides them while a raster is shown.
 inline constexpr const char* kStopsTraceName = "stops";
 
 /// Adds the traces of simulated stops, drawn singly or as a density, and of observed stops.

@@ -33,7 +33,7 @@ using StoredType =
 template <class Row>
 inline constexpr std::type_identity<Row> kRowType{};
 
-/// Visits the columns of a rigid-body state: position, orientation, velocity and angular velocity.
+/// Calls `visit` for each column of a rigid-body state: position, orientation and velocities.
 template <class Visit>
 void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
   const char* place = "position of the centre of mass";
@@ -58,7 +58,7 @@ void visit_columns(std::type_identity<RigidState>, const Visit& visit) {
         [](auto& s) -> decltype(auto) { return (s.angular_velocity.z()); });
 }
 
-/// Visits the columns of contact stiffness, time step and depths of a run.
+/// Calls `visit` for the columns of contact stiffness, time step and depths of a run.
 template <class Visit>
 void visit_stiffness(const Visit& visit) {
   const char* used = "k_n and k_t as used, determined for the run or given";
@@ -81,9 +81,9 @@ void visit_stiffness(const Visit& visit) {
         &RunRecord::impact_depth);
 }
 
-/// Visits the columns of the start or final state of a run.
+/// Calls `visit` for the columns of the start or final state of a run.
 /// @param prefix  prefix of the column names
-/// @param when  prefix of the column descriptions, such as "at the start: "
+/// @param when  suffix of the column descriptions, such as " at the start"
 /// @param state  function that returns the state of a run
 template <class Visit, class State>
 void visit_state(const Visit& visit, const std::string& prefix, const std::string& when,
@@ -279,7 +279,7 @@ void visit_columns(std::type_identity<EnergyRecord>, const Visit& visit) {
         [](auto& e) -> decltype(auto) { return (e.energy.reassigned); });
 }
 
-/// Returns the number of rows of a trajectory dataset: time and state.
+/// Returns the number of rows of a trajectory dataset: one for time and one per state column.
 inline std::size_t trajectory_row_count() {
   std::size_t rows = 1;
   visit_columns(kRowType<RigidState>, [&](const auto&...) { ++rows; });
