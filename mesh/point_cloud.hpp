@@ -33,7 +33,7 @@ struct CloudSummary {
 /// (.xyz, .txt, .csv, .pts, .asc), .las (1.0 to 1.4), .pcd (ascii, binary, compressed), and the
 /// vertices of .ply and other meshes.
 ///
-/// In text, columns are separated by semicolons, tabs, commas or blanks, as in the first line of
+/// Columns of text are separated by semicolons, tabs, commas or blanks, as in the first line of
 /// points. Decimal commas are accepted unless commas separate the columns. A heading, which may be
 /// in a comment, names x, y and z (`find_coordinate_columns`). Without heading, they are the first
 /// three columns. Comments (# or //) and point counts before scans are skipped.

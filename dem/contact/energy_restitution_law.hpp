@@ -21,7 +21,7 @@ struct EnergyRestitutionLaw {
   }
 
   double static_stiffness() const { return unloading_stiffness; }
-  double stored_energy(double overlap, double /*dent*/) const {
+  double stored_energy(double overlap, double /*residual_indentation*/) const {
     return 0.5 * unloading_stiffness * overlap * overlap;
   }
   NormalForceState initial_state(double overlap, double /*rate*/, double /*effective_mass*/,

@@ -20,7 +20,7 @@ struct SpringDashpotLaw {
   static SpringDashpotLaw on_ground(double stiffness, const GroundParameters& ground);
 
   double static_stiffness() const { return stiffness; }
-  double stored_energy(double overlap, double /*dent*/) const {
+  double stored_energy(double overlap, double /*residual_indentation*/) const {
     return 0.5 * stiffness * overlap * overlap;
   }
   NormalForceState initial_state(double overlap, double rate, double effective_mass,

@@ -13,8 +13,9 @@ namespace {
 
 /// Cell size over the diagonal; sets are separated on a decimated cloud.
 constexpr double kSetDecimationCell = 1.0 / 150.0;
-constexpr double kSetReach = 3.0;  ///< cells from one point of a set to the next,
-/// or so many spacings of the sparsest points, those at this quantile.
+/// Maximum distance between neighbouring points of a set: 3 cells, or 4 times the 0.98 quantile of
+/// the point spacings.
+constexpr double kSetReach = 3.0;
 constexpr double kSetSpacings = 4.0, kThinnestSet = 0.98;
 constexpr double kNear = 0.25;  ///< of the largest set's diagonal
 

@@ -15,7 +15,7 @@ std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh);
 
 /// Finds the border loop of each hole, in the direction of the edges of filling triangles.
 ///
-/// In torn surfaces, a vertex may have several disjoint fans of triangles. A border then continues
+/// A vertex of a torn surface may have several disjoint fans of triangles. A border then continues
 /// from one fan to the next. Such a loop encloses adjacent missing triangles and may visit a vertex
 /// several times. If fans overlap, two sheets touch, and the border stays with its fan.
 /// @param mesh  manifold edges, consistently oriented

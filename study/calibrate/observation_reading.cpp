@@ -32,7 +32,7 @@ constexpr MeasuredQuantity kQuantities[] = {
 
 bool is_fitted(const std::string& use) { return use == "fit"; }
 
-/// The numbers of a list, which is there.
+/// Reads the numbers of a required list.
 std::vector<double> numbers_of(const DeclaredTable& table, const std::string& key,
                                const std::string& expected) {
   const ValueFormat& form = table.value_format(key);
@@ -40,8 +40,8 @@ std::vector<double> numbers_of(const DeclaredTable& table, const std::string& ke
                             expected, form.innermost_format().range);
 }
 
-/// Returns the only one of the mutually exclusive keys.
-/// @throws InputError  none or several of them are, or a key that has no meaning beside it
+/// Returns the one of the mutually exclusive keys that is given.
+/// @throws InputError  if none or several are given, or a key that does not apply to it
 std::string source_of(const DeclaredTable& table) {
   std::string source;
   for (const std::string& one : observation_keys().exactly_one_of) {
@@ -70,7 +70,7 @@ std::string source_of(const DeclaredTable& table) {
   return source;
 }
 
-/// "mean", "std", "aside", or "p10" for a percentile.
+/// Parses the name of a statistic: "mean", "std", "aside", or "p10" for a percentile.
 SummaryStatistic figure_named(const TomlTable& table, const TomlNode& node,
                               const std::string& name) {
   if (name == "mean")
@@ -124,7 +124,7 @@ bool is_of(const MeasuredStop& stop, const Observation& observation) {
          (observation.block.empty() || stop.block == observation.block);
 }
 
-/// Field releases that share a start, and whether all stops have one.
+/// Counts the field releases of each start, and notes whether all stops have a start.
 void read_starts(const std::vector<MeasuredStop>& stops, Observation& observation) {
   std::map<std::pair<double, double>, std::size_t> starts;
   for (const MeasuredStop& stop : stops) {
@@ -178,8 +178,8 @@ std::vector<SummaryStatistic> stated_figures(const DeclaredTable& table) {
   return statistics;
 }
 
-/// One impact, or the mean of several: how the blocks hit is known no better than the campaign has
-/// it, so that the scatter of as many simulated ones comes on top of the error of measuring.
+/// Reads one impact, or the mean of several. The states before impact are those of the campaign, so
+/// the scatter of as many simulated impacts is added to the measurement error.
 void read_impact(const DeclaredTable& table, Observation& observation) {
   observation.moment = {ObservedMoment::Kind::kImpact,
                         static_cast<double>(*table.value<std::uint64_t>("impact"))};
@@ -192,7 +192,7 @@ void read_impact(const DeclaredTable& table, Observation& observation) {
   }
 }
 
-/// The figures of trajectories at each time: places along the path, speed and spin.
+/// Returns the statistics of trajectories at each time: positions along the path, speed and spin.
 std::vector<SummaryStatistic> trajectory_figures(const DeclaredTable& table) {
   std::vector<SummaryStatistic> statistics;
   const auto add = [&](const std::string& name, const auto& place) {
@@ -337,7 +337,7 @@ bool overlap(const std::string& a, const std::string& b) {
   return a.empty() || b.empty() || a == b;
 }
 
-/// Number of the impact; 0 of what is of none.
+/// Returns the number of the impact; 0 if the observation is not of an impact.
 double impact_of(const Observation& observation) {
   const std::optional<ObservedMoment>& moment = observation.moment;
   return moment && moment->kind == ObservedMoment::Kind::kImpact ? moment->value : 0.0;

@@ -1,4 +1,4 @@
-/// What is told of photos: which see what, which were left out, what the scale is based on.
+/// Summary of photos: views of each point, photos that were left out, source of the scale.
 #include "reconstruct/photos/photo_summary.hpp"
 
 #include <gtest/gtest.h>
