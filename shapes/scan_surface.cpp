@@ -1,6 +1,7 @@
 #include "shapes/scan_surface.hpp"
 
 #include "core/error.hpp"
+#include "mesh/triangle_neighbours.hpp"
 #include "mesh/triangle_tree.hpp"
 
 namespace clast {
@@ -10,6 +11,7 @@ ScanSurface::ScanSurface(const TriangleMesh& mesh) : mesh_(&mesh) {
     throw GeometryError("the scan has no triangles, so nothing can be compared with it");
   }
   tree_ = std::make_unique<TriangleTree>(mesh);
+  neighbours_ = std::make_unique<TriangleNeighbours>(triangle_neighbours(mesh));
 }
 
 ScanSurface::~ScanSurface() = default;

@@ -6,12 +6,14 @@
 
 namespace clast {
 
+struct TriangleNeighbours;
 class TriangleTree;
 
-/// Distance tree of a scan, shared by all bodies compared with it. The mesh must outlive it.
+/// Distance tree and neighbours of a scan, shared by all bodies compared with it. The mesh must
+/// outlive it.
 class ScanSurface {
  public:
-  /// Builds the tree. The conversion is implicit, so that a mesh can be passed as a scan surface.
+  /// Builds the tree and finds the neighbours. The conversion is implicit, so that a mesh can be passed as a scan surface.
   /// @param mesh  closed, outward
   /// @throws GeometryError  if the mesh has no triangles
   ScanSurface(const TriangleMesh& mesh);  // NOLINT(google-explicit-constructor)
@@ -21,10 +23,12 @@ class ScanSurface {
 
   const TriangleMesh& mesh() const { return *mesh_; }
   const TriangleTree& tree() const { return *tree_; }
+  const TriangleNeighbours& neighbours() const { return *neighbours_; }
 
  private:
   const TriangleMesh* mesh_;
   std::unique_ptr<TriangleTree> tree_;
+  std::unique_ptr<TriangleNeighbours> neighbours_;
 };
 
 }  // namespace clast

@@ -29,6 +29,8 @@ constexpr double kOnCoreSkin = 1e-9, kNearCoreSkin = 1e-6;
 constexpr std::size_t kBatch = 1024, kDivided = 32;
 constexpr std::size_t kChunk = 32;       ///< patches or points that one thread takes at a time
 constexpr std::size_t kMaxDistant = 64;  ///< points returned for each surface
+/// Ratio of the squared lengths of the longest and shortest side above which a patch is thin.
+constexpr double kThin = 4.0;
 
 /// Unit directions of the edges that leave each vertex.
 std::vector<std::vector<Vec3>> edge_directions(const TriangleMesh& core) {
@@ -71,40 +73,63 @@ struct DeviationSearch::Patch {
 
   Vec3 foot() const { return (points[0] + points[1] + points[2]) / 3.0; }
   Vec3 direction() const { return (directions[0] + directions[1] + directions[2]).normalized(); }
+  /// Returns the corners of the flat triangle that the patch is near.
+  std::array<Vec3, 3> corners(double radius) const {
+    return {points[0] + radius * directions[0], points[1] + radius * directions[1],
+            points[2] + radius * directions[2]};
+  }
   double spread_of_directions() const {
     const Vec3 middle = direction();
     double result = 0.0;
     for (const Vec3& d : directions) result = std::max(result, (d - middle).norm());
     return result;
   }
-  /// No point of the patch is farther from its centre.
-  double reach(double radius) const {
-    const Vec3 middle = foot();
-    double result = 0.0;
-    for (const Vec3& p : points) result = std::max(result, (p - middle).norm());
-    return radius > 0.0 ? result + radius * spread_of_directions() : result;
+  /// Returns the largest distance of the patch from its flat triangle.
+  double sagitta(double radius) const {
+    if (radius == 0.0) return 0.0;
+    const double spread = spread_of_directions();
+    return 0.5 * radius * spread * spread;
   }
-  /// No point of the patch is farther from triangle `t` of `tree`: a distance to something convex
-  /// is largest at a corner of the flat triangle, which the patch leaves by at most its sagitta.
+  /// Returns an upper bound of the distances of the patch from `centre`.
+  double reach(const Vec3& centre, double radius) const {
+    double result = 0.0;
+    for (const Vec3& corner : corners(radius)) result = std::max(result, (corner - centre).norm());
+    return result + sagitta(radius);
+  }
+  /// Returns an upper bound of the distances of the patch from triangle `t` of `tree`. The distance
+  /// from something convex is largest at a corner of the flat triangle.
   double farthest_from(const TriangleTree& tree, std::uint32_t t, double radius) const {
     double result = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      result = std::max(result, tree.distance_to(t, points[k] + radius * directions[k]));
-    }
-    if (radius == 0.0) return result;
-    const double spread = spread_of_directions();
-    return result + 0.5 * radius * spread * spread;
+    for (const Vec3& corner : corners(radius))
+      result = std::max(result, tree.distance_to(t, corner));
+    return result + sagitta(radius);
   }
-  std::array<Patch, 4> quarters() const {
-    std::array<Vec3, 3> p, d;  // middle of the side from corner k to k + 1
+  /// Appends the parts of the patch: halves if it is long and thin, quarters otherwise.
+  void append_parts(double radius, std::vector<Patch>& parts) const {
+    const std::array<Vec3, 3> corner = corners(radius);
+    std::array<Vec3, 3> p, d;         // middle of the side from corner k to k + 1
+    std::array<double, 3> lengths{};  // squared
     for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = 0.5 * (points[k] + points[(k + 1) % 3]);
-      d[k] = (directions[k] + directions[(k + 1) % 3]).normalized();
+      const std::size_t next = (k + 1) % 3;
+      p[k] = 0.5 * (points[k] + points[next]);
+      d[k] = (directions[k] + directions[next]).normalized();
+      lengths[k] = (corner[next] - corner[k]).squaredNorm();
     }
-    return {{{{points[0], p[0], p[2]}, {directions[0], d[0], d[2]}, vertex, near, most},
-             {{points[1], p[1], p[0]}, {directions[1], d[1], d[0]}, vertex, near, most},
-             {{points[2], p[2], p[1]}, {directions[2], d[2], d[1]}, vertex, near, most},
-             {{p[0], p[1], p[2]}, {d[0], d[1], d[2]}, vertex, near, most}}};
+    const auto append = [&](const std::array<Vec3, 3>& feet, const std::array<Vec3, 3>& ways) {
+      parts.push_back({feet, ways, vertex, near, most});
+    };
+    const auto longest = std::max_element(lengths.begin(), lengths.end());
+    if (*longest > kThin * *std::min_element(lengths.begin(), lengths.end())) {
+      const auto k = static_cast<std::size_t>(longest - lengths.begin());
+      const std::size_t next = (k + 1) % 3, other = (k + 2) % 3;
+      append({points[k], p[k], points[other]}, {directions[k], d[k], directions[other]});
+      append({p[k], points[next], points[other]}, {d[k], directions[next], directions[other]});
+      return;
+    }
+    append({points[0], p[0], p[2]}, {directions[0], d[0], d[2]});
+    append({points[1], p[1], p[0]}, {directions[1], d[1], d[0]});
+    append({points[2], p[2], p[1]}, {directions[2], d[2], d[1]});
+    append(p, d);
   }
 };
 
@@ -129,11 +154,13 @@ DeviationSearch::DeviationSearch(const ScanSurface& scan, const TriangleMesh& co
       radius_(radius),
       threads_(threads),
       tree_(core),
-      surface_(tree_, radius, [&] {
-        Bounds both = bounds(scan.mesh());
-        for (const Vec3& vertex : core.vertices) both.include(vertex);
-        return both.diagonal() + radius;
-      }()) {
+      surface_(tree_, radius,
+               [&] {
+                 Bounds both = bounds(scan.mesh());
+                 for (const Vec3& vertex : core.vertices) both.include(vertex);
+                 return both.diagonal() + radius;
+               }()),
+      scan_over_(scan) {
   Bounds both = bounds(scan.mesh());
   gap_ = kGap * both.diagonal();
   for (const Vec3& vertex : core.vertices) both.include(vertex);
@@ -154,8 +181,9 @@ std::vector<SurfaceDistance> DeviationSearch::distances_from_body(std::span<cons
 
 /// Divides the patches with the largest upper bounds.
 template <typename Bound>
-DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, double known,
-                                                 const Limits& limits, const Bound& bound) {
+DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, double radius,
+                                                 double known, const Limits& limits,
+                                                 const Bound& bound) {
   struct Open {
     double most;
     std::size_t index;
@@ -198,9 +226,9 @@ DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, dou
   while (is_open() && patches.size() < kMaxPatches) {
     const std::size_t first = patches.size();
     for (std::size_t i = 0; i < kDivided && is_open(); ++i) {
-      const std::array<Patch, 4> quarters = patches[open.top().index].quarters();
+      const Patch divided = patches[open.top().index];
       open.pop();
-      patches.insert(patches.end(), quarters.begin(), quarters.end());
+      divided.append_parts(radius, patches);
     }
     bound_from(first);
   }
@@ -222,7 +250,8 @@ std::optional<double> DeviationSearch::bound_by_plane(const Patch& patch) const 
   }
   const Vec3 centre = patch.foot();
   const Vec3 raised = centre + (radius_ - (normal.dot(centre) - height)) * normal;
-  if (tree_.has_point_above(normal, height + in_plane_, raised, patch.reach(0.0) + radius_)) {
+  if (tree_.has_point_above(normal, height + in_plane_, raised,
+                            patch.reach(centre, 0.0) + radius_)) {
     return std::nullopt;
   }
   const double outside = patch.farthest_from(tree_, patch.near, 0.0) - radius_;
@@ -237,9 +266,9 @@ DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits
     const std::vector<Vec3>& vertices = scan_.mesh().vertices;
     patches.push_back({{vertices[a], vertices[b], vertices[c]}, {none, none, none}});
   }
-  return search(std::move(patches), known, limits, [&](Patch& patch, double) {
+  return search(std::move(patches), 0.0, known, limits, [&](Patch& patch, double) {
     const double distance = surface_(patch.foot(), patch.near).value;
-    const double reach = patch.reach(0.0);
+    const double reach = patch.reach(patch.foot(), 0.0);
     double most = std::abs(distance) + reach;
     if (distance >= reach || radius_ == 0.0) {  // outside of the body everywhere
       most = std::min(most, patch.farthest_from(tree_, patch.near, 0.0) - radius_);
@@ -248,6 +277,18 @@ DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits
     }
     return PatchBound{patch.foot(), std::abs(distance), most};
   });
+}
+
+/// Returns an upper bound of the distance of a patch of the body from the scan, from the heights of
+/// the scan over the patch; `most` if that is no better.
+double DeviationSearch::bound_by_height(const Patch& patch, double most) const {
+  std::array<Vec3, 3> corners = patch.corners(radius_);
+  const auto normal = [&] { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); };
+  if (normal().dot(patch.direction()) < 0.0) std::swap(corners[1], corners[2]);
+  const double sagitta = patch.sagitta(radius_), length = normal().norm();
+  if (!(length > 0.0) || sagitta >= most) return most;
+  const auto height = scan_over_(corners, normal() / length, patch.near, most - sagitta);
+  return height ? *height + sagitta : most;
 }
 
 /// Patches that hold the skin of a body: faces moved out, strips over edges, balls over vertices.
@@ -296,7 +337,7 @@ std::vector<DeviationSearch::Patch> DeviationSearch::body_patches() const {
 
 DeviationSearch::Outcome DeviationSearch::search_body(const Limits& limits) {
   const std::vector<std::vector<Vec3>> edges = edge_directions(core_);
-  return search(body_patches(), 0.0, limits, [&](Patch& patch, double ignored) {
+  return search(body_patches(), radius_, 0.0, limits, [&](Patch& patch, double ignored) {
     const PatchBound none{Vec3::Zero(), 0.0, -1.0, false};
     if (patch.vertex != Patch::kNoVertex) {
       // The vertex is the closest core point only in directions that lead away from all its edges.
@@ -307,13 +348,14 @@ DeviationSearch::Outcome DeviationSearch::search_body(const Limits& limits) {
       }
     }
     const Vec3 centre = patch.foot() + radius_ * patch.direction();
-    const double reach = patch.reach(radius_);
+    const double reach = patch.reach(centre, radius_);
     const TriangleTree::Closest on_scan = scan_.tree().closest_point(centre, patch.near);
     patch.near = on_scan.triangle;
     const double distance = std::sqrt(on_scan.squared_distance);
-    double most = distance + reach;
+    double most = std::min(patch.most, distance + reach);
     if (most <= ignored) return none;
     most = std::min(most, patch.farthest_from(scan_.tree(), patch.near, radius_));
+    if (most > limits.accepted) most = std::min(most, bound_by_height(patch, most));
     if (most <= ignored || radius_ == 0.0) return PatchBound{centre, distance, most};
     const double from_core = tree_.signed_distance(centre);
     if (from_core + reach < (1.0 - kOnCoreSkin) * radius_) return none;

@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "mesh/triangle_tree.hpp"
+#include "shapes/detail/covering_height.hpp"
 #include "shapes/detail/rounded_surface_distance.hpp"
 #include "shapes/scan_surface.hpp"
 
@@ -55,12 +56,13 @@ class DeviationSearch {
   struct PatchBound;
   struct Outcome;
   template <typename Bound>
-  Outcome search(std::vector<Patch> patches, double known, const Limits& limits,
+  Outcome search(std::vector<Patch> patches, double radius, double known, const Limits& limits,
                  const Bound& bound);
   Outcome search_scan(double known, const Limits& limits);
   Outcome search_body(const Limits& limits);
   std::vector<Patch> body_patches() const;
   std::optional<double> bound_by_plane(const Patch& patch) const;
+  double bound_by_height(const Patch& patch, double most) const;
 
   const ScanSurface& scan_;
   const TriangleMesh& core_;
@@ -70,6 +72,7 @@ class DeviationSearch {
   ThreadPool& threads_;
   TriangleTree tree_;
   RoundedSurfaceDistance surface_;
+  CoveringHeight scan_over_;
 };
 
 }  // namespace clast::shapes_detail
