@@ -66,6 +66,7 @@ std::vector<Vec3> select_spaced(std::vector<std::pair<double, Vec3>> points, dou
 struct DeviationSearch::Patch {
   std::array<Vec3, 3> points, directions;
   std::uint32_t vertex = kNoVertex;  ///< of the core, for patches of the ball about it
+  std::uint32_t core_triangle = 0;   ///< near the patch, for patches of a body
   std::uint32_t near = 0;            ///< a triangle of the other surface that was closest
   double most = 1e300;               ///< bound of the patch that this is a quarter of, m
 
@@ -116,7 +117,7 @@ struct DeviationSearch::Patch {
       lengths[k] = (corner[next] - corner[k]).squaredNorm();
     }
     const auto append = [&](const std::array<Vec3, 3>& feet, const std::array<Vec3, 3>& ways) {
-      parts.push_back({feet, ways, vertex, near, most});
+      parts.push_back({feet, ways, vertex, core_triangle, near, most});
     };
     const auto longest = std::max_element(lengths.begin(), lengths.end());
     if (*longest > kThin * *std::min_element(lengths.begin(), lengths.end())) {
@@ -296,18 +297,21 @@ double DeviationSearch::bound_by_height(const Patch& patch, double most) const {
 std::vector<DeviationSearch::Patch> DeviationSearch::body_patches() const {
   std::vector<Patch> patches;
   std::vector<Vec3> normals;
-  for (const TriangleMesh::Triangle& t : core_.triangles) {
-    const Vec3 n = unit_normal(core_, t);
+  constexpr std::uint32_t kNoVertex = Patch::kNoVertex;
+  for (std::uint32_t t = 0; t < core_.triangles.size(); ++t) {
+    const auto& [a, b, c] = core_.triangles[t];
+    const Vec3 n = unit_normal(core_, core_.triangles[t]);
     normals.push_back(n);
     if (n.isZero()) continue;
     patches.push_back(
-        {{core_.vertices[t[0]], core_.vertices[t[1]], core_.vertices[t[2]]}, {n, n, n}});
+        {{core_.vertices[a], core_.vertices[b], core_.vertices[c]}, {n, n, n}, kNoVertex, t});
   }
   if (radius_ == 0.0) return patches;
 
-  const auto strip = [&](const Vec3& p, const Vec3& q, const Vec3& n1, const Vec3& n2) {
-    patches.push_back({{p, q, q}, {n1, n1, n2}});
-    patches.push_back({{p, q, p}, {n1, n2, n2}});
+  const auto strip = [&](const Vec3& p, const Vec3& q, const Vec3& n1, const Vec3& n2,
+                         std::uint32_t triangle) {
+    patches.push_back({{p, q, q}, {n1, n1, n2}, kNoVertex, triangle});
+    patches.push_back({{p, q, p}, {n1, n2, n2}, kNoVertex, triangle});
   };
   const std::vector<HalfEdge> sorted = sorted_half_edges(core_);
   for_each_edge(sorted, [&](std::span<const HalfEdge> sides) {
@@ -319,8 +323,8 @@ std::vector<DeviationSearch::Patch> DeviationSearch::body_patches() const {
     const Vec3 along = (q - p).normalized();
     if (n1.isZero() || n2.isZero() || along.dot(n1.cross(n2)) < 0.0) return;  // reflex
     const Vec3 middle = (n1 + n2 + 1e-6 * along.cross(n1)).normalized();
-    strip(p, q, n1, middle);
-    strip(p, q, middle, n2);
+    strip(p, q, n1, middle, sides[0].triangle);
+    strip(p, q, middle, n2, sides[1].triangle);
   });
 
   for (std::uint32_t v = 0; v < core_.vertices.size(); ++v) {
@@ -357,9 +361,15 @@ DeviationSearch::Outcome DeviationSearch::search_body(const Limits& limits) {
     most = std::min(most, patch.farthest_from(scan_.tree(), patch.near, radius_));
     if (most > limits.accepted) most = std::min(most, bound_by_height(patch, most));
     if (most <= ignored || radius_ == 0.0) return PatchBound{centre, distance, most};
-    const double from_core = tree_.signed_distance(centre);
-    if (from_core + reach < (1.0 - kOnCoreSkin) * radius_) return none;
-    return PatchBound{centre, distance, most, from_core >= (1.0 - kNearCoreSkin) * radius_};
+    const TriangleTree::SignedClosest on_core =
+        tree_.signed_closest_point(centre, patch.core_triangle);
+    const double exposed = (1.0 - kOnCoreSkin) * radius_;
+    if (on_core.distance + reach < exposed) return none;
+    if (on_core.distance < exposed &&
+        patch.farthest_from(tree_, on_core.triangle, radius_) < exposed) {
+      return none;
+    }
+    return PatchBound{centre, distance, most, on_core.distance >= (1.0 - kNearCoreSkin) * radius_};
   });
 }
 
