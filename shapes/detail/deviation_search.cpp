@@ -281,15 +281,15 @@ DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits
 }
 
 /// Returns an upper bound of the distance of a patch of the body from the scan, from the heights of
-/// the scan over the patch; `most` if that is no better.
-double DeviationSearch::bound_by_height(const Patch& patch, double most) const {
+/// the scan over the patch. Returns nothing if that is above `limit`.
+std::optional<double> DeviationSearch::bound_by_height(const Patch& patch, double limit) const {
   std::array<Vec3, 3> corners = patch.corners(radius_);
   const auto normal = [&] { return (corners[1] - corners[0]).cross(corners[2] - corners[0]); };
   if (normal().dot(patch.direction()) < 0.0) std::swap(corners[1], corners[2]);
   const double sagitta = patch.sagitta(radius_), length = normal().norm();
-  if (!(length > 0.0) || sagitta >= most) return most;
-  const auto height = scan_over_(corners, normal() / length, patch.near, most - sagitta);
-  return height ? *height + sagitta : most;
+  if (!(length > 0.0) || sagitta >= limit) return std::nullopt;
+  const auto height = scan_over_(corners, normal() / length, patch.near, limit - sagitta);
+  return height ? std::optional(*height + sagitta) : std::nullopt;
 }
 
 /// Patches that hold the skin of a body: faces moved out, strips over edges, balls over vertices.
@@ -359,7 +359,8 @@ DeviationSearch::Outcome DeviationSearch::search_body(const Limits& limits) {
     double most = std::min(patch.most, distance + reach);
     if (most <= ignored) return none;
     most = std::min(most, patch.farthest_from(scan_.tree(), patch.near, radius_));
-    if (most > limits.accepted) most = std::min(most, bound_by_height(patch, most));
+    const double small = std::max(ignored + gap_, limits.accepted);
+    if (most > small) most = std::min(most, bound_by_height(patch, small).value_or(most));
     if (most <= ignored || radius_ == 0.0) return PatchBound{centre, distance, most};
     const TriangleTree::SignedClosest on_core =
         tree_.signed_closest_point(centre, patch.core_triangle);

@@ -62,7 +62,7 @@ class DeviationSearch {
   Outcome search_body(const Limits& limits);
   std::vector<Patch> body_patches() const;
   std::optional<double> bound_by_plane(const Patch& patch) const;
-  double bound_by_height(const Patch& patch, double most) const;
+  std::optional<double> bound_by_height(const Patch& patch, double limit) const;
 
   const ScanSurface& scan_;
   const TriangleMesh& core_;
