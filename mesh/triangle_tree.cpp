@@ -203,9 +203,19 @@ bool TriangleTree::has_point_above(const Vec3& normal, double height, const Vec3
         open[size++] = content;
         continue;
       }
-      for (const std::uint32_t v : mesh_.triangles[order_[content - kLeaf]]) {
-        if (normal.dot(mesh_.vertices[v]) > height) return true;
-      }
+      const Corners& corners = corners_[content - kLeaf];
+      const double highest_corner =
+          std::max({normal.dot(corners.a), normal.dot(corners.b), normal.dot(corners.c)});
+      if (!(highest_corner > height)) continue;
+      const Vec3& face = face_normals_[corners.triangle];
+      const double above_face = face.dot(centre - corners.a);
+      const double squared_disc = radius * radius - above_face * above_face;
+      if (squared_disc < 0.0) continue;
+      // The ball cuts the plane of the triangle in a disc.
+      const double slope = (normal - normal.dot(face) * face).norm();
+      const double highest_of_disc =
+          normal.dot(centre - above_face * face) + std::sqrt(squared_disc) * slope;
+      if (highest_of_disc > height) return true;
     }
   }
   return false;

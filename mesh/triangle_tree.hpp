@@ -38,8 +38,8 @@ class TriangleTree {
     return feature_normal(triangle, feature).normalized();
   }
 
-  /// True if some triangle near `centre` reaches above the plane normal . x = height. A triangle is
-  /// near if its bounding box is partly within `radius`.
+  /// False if no part of the surface within `radius` of `centre` is above the plane
+  /// normal . x = height. It may be true if only parts a little farther away are.
   bool has_point_above(const Vec3& normal, double height, const Vec3& centre, double radius) const;
 
   /// Returns the signed distance, negative inside. The sign follows from the angle-weighted normal

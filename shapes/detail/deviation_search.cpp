@@ -238,25 +238,23 @@ DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, dou
   return outcome;
 }
 
-/// Upper bound of the distance of a flat patch of the scan from the rounded surface, from the plane
-/// of the core face nearest to the patch centre. If no part of the core nearby is above that plane,
-/// the rounded surface over it is exposed: a point inside the body is at most its depth below the
-/// raised plane away from it.
-std::optional<double> DeviationSearch::bound_by_plane(const Patch& patch) const {
+/// Returns true if no point of a flat patch of the scan is farther than `limit` from the rounded
+/// surface. The test uses the plane of the core face nearest to the patch centre, raised by the
+/// radius and by what remains of `limit` below it. If no part of the core nearby is within a radius
+/// of that plane, it is outside the body over the patch, and a point inside the body is at most its
+/// depth below the plane away from the rounded surface.
+bool DeviationSearch::is_near_plane(const Patch& patch, double limit) const {
   const Vec3& normal = tree_.face_normal(patch.near);
   const double height = normal.dot(tree_.first_vertex(patch.near));
-  double deepest = 0.0;
-  for (const Vec3& point : patch.points) {
-    deepest = std::max(deepest, radius_ - (normal.dot(point) - height));
-  }
+  double lowest = height + radius_;
+  for (const Vec3& point : patch.points) lowest = std::min(lowest, normal.dot(point));
+  const double rise = limit - (height + radius_ - lowest);
+  if (rise < 0.0) return false;
+  if (patch.farthest_from(tree_, patch.near, 0.0) - radius_ > limit) return false;
   const Vec3 centre = patch.foot();
   const Vec3 raised = centre + (radius_ - (normal.dot(centre) - height)) * normal;
-  if (tree_.has_point_above(normal, height + in_plane_, raised,
-                            patch.reach(centre, 0.0) + radius_)) {
-    return std::nullopt;
-  }
-  const double outside = patch.farthest_from(tree_, patch.near, 0.0) - radius_;
-  return std::max(deepest + in_plane_, outside);
+  return !tree_.has_point_above(normal, height + rise - in_plane_, raised,
+                                patch.reach(centre, 0.0) + radius_ + rise);
 }
 
 DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits& limits) {
@@ -267,15 +265,15 @@ DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits
     const std::vector<Vec3>& vertices = scan_.mesh().vertices;
     patches.push_back({{vertices[a], vertices[b], vertices[c]}, {none, none, none}});
   }
-  return search(std::move(patches), 0.0, known, limits, [&](Patch& patch, double) {
+  return search(std::move(patches), 0.0, known, limits, [&](Patch& patch, double ignored) {
     const double distance = surface_(patch.foot(), patch.near).value;
     const double reach = patch.reach(patch.foot(), 0.0);
     double most = std::abs(distance) + reach;
     if (distance >= reach || radius_ == 0.0) {  // outside of the body everywhere
       most = std::min(most, patch.farthest_from(tree_, patch.near, 0.0) - radius_);
-    } else if (const auto flat = bound_by_plane(patch)) {
-      most = std::min(most, *flat);
     }
+    const double small = std::max(ignored + gap_, limits.accepted);
+    if (std::min(most, patch.most) > small && is_near_plane(patch, small)) most = small;
     return PatchBound{patch.foot(), std::abs(distance), most};
   });
 }

@@ -61,7 +61,7 @@ class DeviationSearch {
   Outcome search_scan(double known, const Limits& limits);
   Outcome search_body(const Limits& limits);
   std::vector<Patch> body_patches() const;
-  std::optional<double> bound_by_plane(const Patch& patch) const;
+  bool is_near_plane(const Patch& patch, double limit) const;
   std::optional<double> bound_by_height(const Patch& patch, double limit) const;
 
   const ScanSurface& scan_;
