@@ -30,6 +30,8 @@ constexpr double kMaxRadiusFraction =
 constexpr double kMaxMassGap = 0.05;  ///< relative; scales and densities are not that far off
 constexpr double kLightestRock = 500.0, kMaxRockMass = 8000.0;  ///< kg/m^3
 constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
+/// Relative accuracy of volumes that are compared; and of those that a fit is scaled by.
+constexpr double kComparedVolume = 1e-2, kScaledVolume = 1e-3;
 /// Fractions of the tolerance: at which a fit ends, since the scaling to the volume takes the rest;
 /// and that the scaled body keeps, since L changes a little.
 constexpr double kFitFraction = 0.93, kKeptFraction = 0.99;
@@ -87,6 +89,15 @@ MeasuredBody with_volume(const SpheroPolyhedron& body, double target, double acc
   return best;
 }
 
+/// The largest distance between corresponding vertices, which no point of the surface exceeds.
+double largest_move(const SpheroPolyhedron& from, const SpheroPolyhedron& to) {
+  double largest = 0.0;
+  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
+    largest = std::max(largest, (to.vertices[v] - from.vertices[v]).norm());
+  }
+  return largest;
+}
+
 /// The largest relative difference of a principal moment.
 double moments_gap(const MassProperties& body, const MassProperties& scan) {
   const Vec3 ours = principal_frame(body).moments, theirs = principal_frame(scan).moments;
@@ -112,10 +123,9 @@ SpheroPolyhedron first_core(const TriangleMesh& surface, double radius, bool adv
 }
 
 /// Refuses a radius that swells the body too much.
-void check_volume_gap(const SpheroPolyhedron& body, const TriangleMesh& surface, double volume,
+/// @param gap  relative difference of the volume from that of the scan
+void check_volume_gap(double gap, double radius, const TriangleMesh& surface,
                       const BlockOptions& options) {
-  const double radius = body.radius;
-  const double gap = sphero_mass_properties(body, 1.0, 1e-2).volume / volume - 1.0;
   if (std::abs(gap) > kMaxVolumeGap) {
     // Says what is wrong in nearly all cases; else the surface is not the scan's.
     if (options.suggest_radius) inset_core(surface, radius);
@@ -139,8 +149,10 @@ CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
     const auto with_scan_volume = [&](SpheroPolyhedron fitted) {
-      if (radius > 0.0) check_volume_gap(fitted, surface, volume, options);
-      return with_volume(fitted, volume, options.accuracy).body;
+      const MassProperties unit = sphero_mass_properties(fitted, 1.0, kScaledVolume);
+      const double gap = unit.volume / volume - 1.0;
+      if (radius > 0.0) check_volume_gap(gap, radius, surface, options);
+      return with_scaled_core(std::move(fitted), unit.centre, 1.0 - gap / 3.0);
     };
     fit = fit_core(scan, std::move(body),
                    {.target_distance = kFitFraction * largest_distance,
@@ -151,7 +163,10 @@ CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double
   if (options.convex) {
     fit = {make_sphero_polyhedron(convex_hull(body.vertices), radius)};
   }
-  if (radius > 0.0) check_volume_gap(body, surface, volume, options);
+  if (radius > 0.0) {
+    const double fitted = sphero_mass_properties(body, 1.0, kComparedVolume).volume;
+    check_volume_gap(fitted / volume - 1.0, radius, surface, options);
+  }
   return fit;
 }
 
@@ -282,8 +297,9 @@ Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface&
     deviation.samples = 1;
     deviation.limit = options.tolerance * smallest_box(measured.body).lengths[0];
   }
-  if (deviation.limit && fit.distance_bound <= *deviation.limit) {
-    block.deviation.hausdorff = fit.distance_bound;
+  const double bound = fit.distance_bound + largest_move(fit.body, measured.body);
+  if (deviation.limit && bound <= *deviation.limit) {
+    block.deviation.hausdorff = bound;
   } else {
     block.deviation = measure_surface_deviation(scan, measured.body, deviation);
   }

@@ -16,6 +16,8 @@ constexpr std::size_t kMinVertices = 8, kFirstVertices = 120, kMaxVertices = 200
 /// The search ends when a tenth fewer vertices are known not to do.
 constexpr double kRefinement = 1.1;
 constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
+/// More vertices are in vain if this many times the number of the closest block is no closer.
+constexpr double kInVain = 2.0;
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
@@ -85,6 +87,8 @@ std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& 
       if (block && ratio < least_ratio) {
         least_ratio = ratio;
         first = count;
+      } else if (block && static_cast<double>(count) >= kInVain * static_cast<double>(first)) {
+        break;
       }
       if (block) keep_nearest(std::move(*block));
     }

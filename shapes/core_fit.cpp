@@ -30,7 +30,7 @@ using Vec9 = Eigen::Matrix<double, 9, 1>;
 /// Number of points on either surface for each core vertex, and its limits.
 constexpr std::size_t kPointsPerVertex = 12, kMinFitPoints = 2000, kMaxFitPoints = 12000;
 /// Searches for points that the samples missed, and rounds that follow each at least.
-constexpr int kMaxSearches = 8, kRoundsAfterSearch = 8;
+constexpr int kMaxSearches = 20, kRoundsAfterSearch = 8;
 constexpr std::size_t kChunk = 64;  ///< points that one thread takes at a time
 /// A fit that didn't get this much nearer in so many rounds has ended.
 constexpr double kProgress = 0.99;

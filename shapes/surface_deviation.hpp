@@ -25,7 +25,7 @@ struct DeviationOptions {
   std::size_t samples = 20000;  ///< points of the scan for the mean distance
   /// If given, the largest distances are only compared with this limit, m. Both are then upper
   /// bounds that are at most `limit`, or one is a distance above it.
-  std::optional<double> limit;
+  std::optional<double> limit = {};
   unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
 };
 
