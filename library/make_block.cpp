@@ -31,12 +31,14 @@ constexpr double kMaxMassGap = 0.05;  ///< relative; scales and densities are no
 constexpr double kLightestRock = 500.0, kMaxRockMass = 8000.0;  ///< kg/m^3
 constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
 /// Relative accuracy of volumes that are compared; and of those that a fit is scaled by.
-constexpr double kComparedVolume = 1e-2, kScaledVolume = 1e-3;
+constexpr double kComparedVolume = 1e-2, kScaledVolume = 3e-4;
 /// Fractions of the tolerance: at which a fit ends, since the scaling to the volume takes the rest;
 /// and that the scaled body keeps, since L changes a little.
 constexpr double kFitFraction = 0.93, kKeptFraction = 0.99;
 /// Fractions of the radius by which a scan with thin walls is offset; the fit does the rest.
 constexpr double kShallower[] = {0.7, 0.5, 0.35};
+/// Maximum relative difference between the principal moments of a block and its scan.
+constexpr double kMomentsTolerance = 5e-3;
 /// Largest relative difference of the volume before scaling. Too large a radius swells it by more.
 constexpr double kMaxVolumeGap = 0.03;
 
@@ -87,15 +89,6 @@ MeasuredBody with_volume(const SpheroPolyhedron& body, double target, double acc
     best = measured(with_scaled_core(body, centre, factor));
   }
   return best;
-}
-
-/// The largest distance between corresponding vertices, which no point of the surface exceeds.
-double largest_move(const SpheroPolyhedron& from, const SpheroPolyhedron& to) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
-    largest = std::max(largest, (to.vertices[v] - from.vertices[v]).norm());
-  }
-  return largest;
 }
 
 /// The largest relative difference of a principal moment.
@@ -279,35 +272,34 @@ Block block_of_body(Block block, const SpheroPolyhedron& body, BlockSource sourc
   return finished(std::move(block), std::move(measured), std::move(source), options);
 }
 
-Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface& scan,
-                    BlockSource source, const BlockOptions& options) {
-  options.check();
-  block.surface = surface;
-  if (options.core) {
-    const SpheroPolyhedron body = make_sphero_polyhedron(surface, *options.radius);
-    return block_of_body(std::move(block), body, std::move(source), options);
-  }
-  const Vec3 lengths = smallest_box(surface.vertices).lengths;
-  const double radius = options.radius ? *options.radius : options.radius_fraction * lengths[2];
+double suitable_radius(const TriangleMesh& surface, const BlockOptions& options) {
+  return options.radius ? *options.radius
+                        : options.radius_fraction * smallest_box(surface.vertices).lengths[2];
+}
+
+Block block_of_fit(Block block, const FittedBody& fitted, const ScanSurface& scan,
+                   BlockSource source, const BlockOptions& options) {
+  block.surface = fitted.surface;
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
-  const CoreFit fit = fitted_body(surface, scan, target.volume, radius, options);
-  MeasuredBody measured = with_volume(fit.body, target.volume, options.accuracy);
-  DeviationOptions deviation{.threads = options.threads};
-  if (options.quick_deviation) {
-    deviation.samples = 1;
-    deviation.limit = options.tolerance * smallest_box(measured.body).lengths[0];
-  }
-  const double bound = fit.distance_bound + largest_move(fit.body, measured.body);
-  if (deviation.limit && bound <= *deviation.limit) {
-    block.deviation.hausdorff = bound;
-  } else {
-    block.deviation = measure_surface_deviation(scan, measured.body, deviation);
-  }
+  MeasuredBody measured = with_volume(fitted.body, target.volume, options.accuracy);
+  block.deviation = measure_surface_deviation(scan, measured.body, {.threads = options.threads});
   block.deviation.volume_relative = measured.unit.volume / target.volume - 1.0;
   block.deviation.moments_relative = moments_gap(measured.unit, target);
   block = finished(std::move(block), std::move(measured), std::move(source), options);
   block.deviation.area_relative = block.area / surface_area(scan.mesh()) - 1.0;
   return block;
+}
+
+Block checked_block(Block block, const TriangleMesh& surface, const ScanSurface& scan,
+                    BlockSource source, const BlockOptions& options) {
+  options.check();
+  if (options.core) {
+    block.surface = surface;
+    const SpheroPolyhedron body = make_sphero_polyhedron(surface, *options.radius);
+    return block_of_body(std::move(block), body, std::move(source), options);
+  }
+  return block_of_fit(std::move(block), fit_body(surface, scan, options), scan, std::move(source),
+                      options);
 }
 
 /// Runs `make` with an empty block of that id, and puts the id before what it refuses.
@@ -347,8 +339,34 @@ void BlockOptions::check() const {
   }
 }
 
-bool is_within_tolerance(const Block& block, const BlockOptions& options) {
-  return near_enough(block, options) && block.deviation.moments_relative <= kMomentsTolerance;
+FittedBody fit_body(const TriangleMesh& surface, const ScanSurface& scan,
+                    const BlockOptions& options) {
+  options.check();
+  const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
+  const double radius = suitable_radius(surface, options);
+  CoreFit fit = fitted_body(surface, scan, target.volume, radius, options);
+  const MassProperties unit = sphero_mass_properties(fit.body, 1.0, kScaledVolume);
+  const double L = smallest_box(fit.body).lengths[0];
+  const double tolerated = options.tolerance * L;
+  // The scaling to the volume moves the surface by no more than this.
+  const double move = L * (std::abs(unit.volume / target.volume - 1.0) + unit.relative_error) / 3.0;
+  FittedBody result{surface, std::move(fit.body), fit.distance_bound + move};
+  if (result.distance > tolerated) {
+    const DeviationOptions comparison{
+        .samples = 1, .limit = std::max(0.0, tolerated - move), .threads = options.threads};
+    result.distance = measure_surface_deviation(scan, result.body, comparison).hausdorff + move;
+  }
+  result.deviation_ratio =
+      std::max(result.distance / tolerated, moments_gap(unit, target) / kMomentsTolerance);
+  return result;
+}
+
+Block make_block(const std::string& id, const FittedBody& fitted, const ScanSurface& scan,
+                 BlockSource source, const BlockOptions& options) {
+  return named_block(id, [&](Block block) {
+    options.check();
+    return block_of_fit(std::move(block), fitted, scan, std::move(source), options);
+  });
 }
 
 Block make_block(const std::string& id, const TriangleMesh& surface, const ScanSurface& scan,

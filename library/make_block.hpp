@@ -23,9 +23,6 @@ struct BlockOptions {
                             ///< added if it is exceeded
   /// If true, errors for an impossible radius state a possible one. The search costs twenty blocks.
   bool suggest_radius = true;
-  /// If true, the largest distances are only compared with the tolerance. The deviation of the
-  /// block is then a bound within the tolerance, or a distance beyond it.
-  bool quick_deviation = false;
   unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the block
 
   void check() const;  ///< throws InputError naming the field and its value
@@ -34,7 +31,7 @@ struct BlockOptions {
 template <class Visit>
 void visit_fields(const BlockOptions& options, Visit&& visit) {
   const auto& [core, radius, radius_fraction, convex, density, density_given, mass, accuracy,
-               tolerance, suggest_radius, quick_deviation, threads] = options;
+               tolerance, suggest_radius, threads] = options;
   visit("core", core);
   visit("radius", radius);
   visit("radius_share", radius_fraction);
@@ -45,19 +42,40 @@ void visit_fields(const BlockOptions& options, Visit&& visit) {
   visit("accuracy", accuracy);
   visit("tolerance", tolerance);
   visit("suggest_radius", ExcludedField{suggest_radius});
-  visit("quick_deviation", ExcludedField{quick_deviation});
   visit("threads", ExcludedField{threads});
 }
 
-/// Maximum relative difference between the principal moments of a block and its scan.
-constexpr double kMomentsTolerance = 5e-3;
+/// Body fitted to a scan, and its deviation as far as a search for the best body needs it.
+struct FittedBody {
+  TriangleMesh surface;  ///< mesh that the core was made from
+  SpheroPolyhedron body;
+  double distance = 0.0;  ///< largest distance from the scan, m: an upper bound within the
+                          ///< tolerance, or a distance beyond it
+  /// Largest of two ratios: distance over tolerance, and relative difference of a principal moment
+  /// over 0.5 %. The body is within tolerance if it is at most 1.
+  double deviation_ratio = 0.0;
 
-/// True if the deviation and moments of the block are within tolerance. Always true for a core.
-bool is_within_tolerance(const Block& block, const BlockOptions& options);
+  bool is_within_tolerance() const { return deviation_ratio <= 1.0; }
+};
+
+/// Fits a body to a scan. Its core is first the mesh offset inwards by the radius. It is moved
+/// until the body is within tolerance or no longer improves, and scaled to about the volume of the
+/// scan.
+/// @param surface  simplified mesh, closed, outward
+/// @param scan  closed scan at full resolution, from which `surface` was simplified
+/// @param options  not with `core`
+/// @throws GeometryError, InputError  if the body cannot be made
+FittedBody fit_body(const TriangleMesh& surface, const ScanSurface& scan,
+                    const BlockOptions& options);
+
+/// Makes a block from a fitted body, which is scaled to the volume of the scan.
+/// @param options  those of the fit
+/// @throws GeometryError, InputError  if the block cannot be made; names its id
+Block make_block(const std::string& id, const FittedBody& fitted, const ScanSurface& scan,
+                 BlockSource source, const BlockOptions& options);
 
 /// Makes a block from a closed mesh. If `options.core`, the mesh is the core, whose coplanar faces
-/// are merged. Otherwise, the core is the mesh offset inwards by the radius. It is fitted to `scan`
-/// until the block is within tolerance or no longer improves, and scaled to the volume of the scan.
+/// are merged. Otherwise, the core is fitted to `scan` by `fit_body`.
 /// @param surface  simplified mesh, closed, outward; outer surface of the rock, or its core
 /// @param scan  closed scan at full resolution, from which `surface` was simplified; reference of
 ///              deviation and volume

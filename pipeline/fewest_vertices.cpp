@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/error_context.hpp"
+#include "core/number_text.hpp"
 #include "reconstruct/simplify.hpp"
-#include "shapes/surface_deviation.hpp"
 
 namespace clast {
 namespace {
@@ -31,11 +32,6 @@ TriangleMesh simplify_for_trials(const TriangleMesh& scan) {
   }
 }
 
-double distance_ratio(const Block& block, const BlockOptions& options) {
-  return std::max(block.deviation.hausdorff / (options.tolerance * block.box.lengths[0]),
-                  block.deviation.moments_relative / kMomentsTolerance);
-}
-
 }  // namespace
 
 FewestVerticesSearch::FewestVerticesSearch(const std::string& id, const ScanSurface& scan,
@@ -46,8 +42,8 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
   BlockOptions tried = options;
   std::size_t first = kFirstVertices;
   for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
-    if (std::optional<Block> block = search_at_radius(tried, first)) {
-      Block lightest = with_accurate_measures(std::move(*block), tried);
+    if (const std::optional<Trial> trial = search_at_radius(tried, first)) {
+      Block lightest = block_of(*trial);
       if (halving > 0) {
         lightest.warnings.push_back(
             "the radius is " + format_rounded(100.0 * tried.radius_fraction, 3) + " % of S: with " +
@@ -59,7 +55,8 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
     if (radius_given) break;
     tried.radius_fraction /= 2.0;
   }
-  Block kept = nearest_block(options);
+  if (!nearest_) throw GeometryError(refusal_);
+  Block kept = block_of(*nearest_);
   kept.warnings.push_back(
       "no block of up to " + std::to_string(kMaxVertices) +
       " vertices is within the tolerance of this scan; this is the closest block");
@@ -67,30 +64,31 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
 }
 
 /// @param first  number of vertices to begin with; if no block is within tolerance, set to the
-/// number
-///               that came closest
-std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& options,
-                                                            std::size_t& first) {
-  std::optional<Block> lightest;
+///               number that came closest
+std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radius(
+    const BlockOptions& options, std::size_t& first) {
+  std::optional<Trial> lightest;
   const std::size_t most = std::min(kMaxVertices, fine_.vertices.size());
   std::size_t enough = most + 1, too_few = std::min(kMinVertices, most) - 1;
   std::size_t count = std::min(first, most);
   double least_ratio = 1e300;
   while (too_few < count && count < enough) {
-    std::optional<Block> block = try_vertex_count(count, options);
-    const double ratio = block ? distance_ratio(*block, options) : kMaxLeap;
-    if (block && is_within_tolerance(*block, options)) {
+    std::optional<Trial> trial = try_vertex_count(count, options);
+    const double ratio = trial ? trial->fitted.deviation_ratio : kMaxLeap;
+    if (trial && trial->fitted.is_within_tolerance()) {
       enough = count;
-      lightest = std::move(block);
+      lightest = std::move(trial);
     } else {
       too_few = count;
-      if (block && ratio < least_ratio) {
+      const bool is_in_vain =
+          enough > most && static_cast<double>(count) >= kInVain * static_cast<double>(first);
+      if (trial && ratio < least_ratio) {
         least_ratio = ratio;
         first = count;
-      } else if (block && static_cast<double>(count) >= kInVain * static_cast<double>(first)) {
+      } else if (trial && is_in_vain) {
         break;
       }
-      if (block) keep_nearest(std::move(*block));
+      if (trial) keep_nearest(std::move(*trial));
     }
     const auto low = static_cast<double>(too_few), high = static_cast<double>(enough);
     if (enough > most) {  // distances fall about as 1 over the number of vertices
@@ -107,53 +105,30 @@ std::optional<Block> FewestVerticesSearch::search_at_radius(const BlockOptions& 
   return lightest;
 }
 
-std::optional<Block> FewestVerticesSearch::try_vertex_count(std::size_t count,
-                                                            const BlockOptions& options) {
+std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::try_vertex_count(
+    std::size_t count, const BlockOptions& options) {
+  BlockOptions tried = options;
+  tried.suggest_radius = refusal_.empty();  // the first refusal is the one that is reported
   try {
-    // Volumes to a millionth take longer than a fit, and are wanted once.
-    BlockOptions quick = options;
-    quick.accuracy = std::max(options.accuracy, BlockOptions().accuracy);
-    quick.quick_deviation = true;
-    quick.suggest_radius = refusal_.empty();  // the first refusal is the one that is reported
-    return make_block(id_, simplify_mesh(fine_, {.target_vertices = count}), scan_,
-                      source_with_vertices(count), quick);
+    const TriangleMesh surface = simplify_mesh(fine_, {.target_vertices = count});
+    return with_error_context("block " + id_, [&] {
+      return Trial{count, fit_body(surface, scan_, tried), options};
+    });
   } catch (const GeometryError& error) {
     if (refusal_.empty()) refusal_ = error.what();
     return std::nullopt;
   }
 }
 
-Block FewestVerticesSearch::nearest_block(const BlockOptions& options) {
-  if (!nearest_) throw GeometryError(refusal_);
-  BlockOptions as_tried = options;
-  as_tried.radius = nearest_->body.radius;
-  return remade(*nearest_, as_tried);
+void FewestVerticesSearch::keep_nearest(Trial trial) {
+  if (nearest_ && nearest_->fitted.distance <= trial.fitted.distance) return;
+  nearest_ = std::move(trial);
 }
 
-Block FewestVerticesSearch::with_accurate_measures(Block block, const BlockOptions& options) const {
-  if (options.accuracy < BlockOptions().accuracy) return remade(block, options);
-  const SurfaceDeviation measured =
-      measure_surface_deviation(scan_, block.body, {.threads = options.threads});
-  block.deviation.hausdorff = measured.hausdorff;
-  block.deviation.scan_to_body = measured.scan_to_body;
-  block.deviation.body_to_scan = measured.body_to_scan;
-  return block;
-}
-
-Block FewestVerticesSearch::remade(const Block& block, const BlockOptions& options) const {
-  return make_block(id_, block.surface, scan_, source_with_vertices(block.surface.vertices.size()),
-                    options);
-}
-
-BlockSource FewestVerticesSearch::source_with_vertices(std::size_t count) const {
+Block FewestVerticesSearch::block_of(const Trial& trial) const {
   BlockSource source = source_;
-  source.options += " vertices=" + std::to_string(count);
-  return source;
-}
-
-void FewestVerticesSearch::keep_nearest(Block block) {
-  if (nearest_ && nearest_->deviation.hausdorff <= block.deviation.hausdorff) return;
-  nearest_ = std::move(block);
+  source.options += " vertices=" + std::to_string(trial.vertices);
+  return make_block(id_, trial.fitted, scan_, source, trial.options);
 }
 
 }  // namespace clast

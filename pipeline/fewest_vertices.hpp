@@ -22,22 +22,23 @@ class FewestVerticesSearch {
   Block find_block(const BlockOptions& options, bool radius_given);
 
  private:
-  std::optional<Block> search_at_radius(const BlockOptions& options, std::size_t& first);
-  std::optional<Block> try_vertex_count(std::size_t count, const BlockOptions& options);
-  /// Returns the block with the smallest deviation so far. Throws the reason if there is none.
-  Block nearest_block(const BlockOptions& options);
-  /// Returns the block with its mass properties and deviation computed to the requested accuracy.
-  Block with_accurate_measures(Block block, const BlockOptions& options) const;
-  Block remade(const Block& block, const BlockOptions& options) const;
-  BlockSource source_with_vertices(std::size_t count) const;
-  void keep_nearest(Block block);
+  /// A body fitted with some number of vertices, and the options that it was fitted with.
+  struct Trial {
+    std::size_t vertices;
+    FittedBody fitted;
+    BlockOptions options;
+  };
+  std::optional<Trial> search_at_radius(const BlockOptions& options, std::size_t& first);
+  std::optional<Trial> try_vertex_count(std::size_t count, const BlockOptions& options);
+  void keep_nearest(Trial trial);
+  Block block_of(const Trial& trial) const;
 
   const std::string& id_;
   const ScanSurface& scan_;
   const BlockSource& source_;
   TriangleMesh fine_;
-  std::optional<Block> nearest_;
-  std::string refusal_;  ///< first error message
+  std::optional<Trial> nearest_;  ///< trial with the smallest distance beyond the tolerance
+  std::string refusal_;           ///< first error message
 };
 
 }  // namespace clast
