@@ -31,10 +31,11 @@ constexpr double kMaxMassGap = 0.05;  ///< relative; scales and densities are no
 constexpr double kLightestRock = 500.0, kMaxRockMass = 8000.0;  ///< kg/m^3
 constexpr int kVolumeSteps = 4;  ///< the volume is close to a cubic; two or three do
 /// Relative accuracy of volumes that are compared; and of those that a fit is scaled by.
-constexpr double kComparedVolume = 1e-2, kScaledVolume = 3e-4;
+constexpr double kComparedVolume = 1e-2, kScaledVolume = 1e-4;
 /// Fractions of the tolerance: at which a fit ends, since the scaling to the volume takes the rest;
-/// and that the scaled body keeps, since L changes a little.
-constexpr double kFitFraction = 0.93, kKeptFraction = 0.99;
+/// that the scaled body keeps; and that it may reach if L has decreased.
+constexpr double kFitFraction = 0.93, kKeptFraction = 0.99, kScaledFraction = 0.995;
+constexpr int kFitAttempts = 3;  ///< each with the L of the last body
 /// Fractions of the radius by which a scan with thin walls is offset; the fit does the rest.
 constexpr double kShallower[] = {0.7, 0.5, 0.35};
 /// Maximum relative difference between the principal moments of a block and its scan.
@@ -135,9 +136,7 @@ CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double
                     double radius, const BlockOptions& options) {
   CoreFit fit{first_core(surface, radius, options.suggest_radius)};
   SpheroPolyhedron& body = fit.body;
-  const double L =
-      std::min(smallest_box(surface.vertices).lengths[0], smallest_box(body).lengths[0]);
-  const double largest_distance = options.tolerance * L;
+  double L = std::min(smallest_box(surface.vertices).lengths[0], smallest_box(body).lengths[0]);
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
@@ -147,11 +146,18 @@ CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double
       if (radius > 0.0) check_volume_gap(gap, radius, surface, options);
       return with_scaled_core(std::move(fitted), unit.centre, 1.0 - gap / 3.0);
     };
-    fit = fit_core(scan, std::move(body),
-                   {.target_distance = kFitFraction * largest_distance,
-                    .max_distance = kKeptFraction * largest_distance,
-                    .correct = with_scan_volume,
-                    .threads = options.threads});
+    for (int attempt = 0; attempt < kFitAttempts; ++attempt) {
+      const double largest_distance = options.tolerance * L;
+      fit = fit_core(scan, std::move(body),
+                     {.target_distance = kFitFraction * largest_distance,
+                      .max_distance = kKeptFraction * largest_distance,
+                      .correct = with_scan_volume,
+                      .threads = options.threads});
+      const double fitted_L = smallest_box(body).lengths[0];
+      const bool has_bound = fit.distance_bound <= kKeptFraction * largest_distance;
+      if (!has_bound || fit.distance_bound <= kScaledFraction * options.tolerance * fitted_L) break;
+      L = fitted_L;
+    }
   }
   if (options.convex) {
     fit = {make_sphero_polyhedron(convex_hull(body.vertices), radius)};
