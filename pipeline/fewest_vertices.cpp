@@ -18,7 +18,7 @@ constexpr std::size_t kMinVertices = 8, kFirstVertices = 120, kMaxVertices = 200
 constexpr double kRefinement = 1.1;
 constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
 /// More vertices are in vain if this many times the number of the closest block is no closer.
-constexpr double kInVain = 2.0;
+constexpr double kInVain = 1.5;
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
