@@ -34,7 +34,7 @@ constexpr int kMaxSearches = 20, kRoundsAfterSearch = 8;
 constexpr std::size_t kChunk = 64;  ///< points that one thread takes at a time
 /// A fit that didn't get this much nearer in so many rounds has ended.
 constexpr double kProgress = 0.99;
-constexpr int kRoundsWithoutProgress = 8;
+constexpr int kRoundsWithoutProgress = 5;
 constexpr double kMaxPower = 8.0, kPowerPerRound = 0.5;
 /// Damping over the mean diagonal: unobserved vertices stay in place, neighbours move together.
 constexpr double kDamping = 1e-3, kSmoothing = 0.3;

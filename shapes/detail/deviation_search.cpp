@@ -220,8 +220,10 @@ DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, dou
     }
   };
   bound_from(0);
+  const std::size_t first_patches = patches.size();
   const auto is_open = [&] {
-    return !open.empty() && known <= limits.refused &&
+    const bool is_refused = known > limits.refused && (limits.noted==1e300||patches.size() >= 2 * first_patches);
+    return !open.empty() && !is_refused &&
            open.top().most > std::max(known + gap_, limits.accepted);
   };
   while (is_open() && patches.size() < kMaxPatches) {
