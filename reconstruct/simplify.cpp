@@ -38,18 +38,15 @@ std::optional<TriangleMesh> refilled(const TriangleMesh& mesh, const Vec3& origi
   const std::vector<std::uint32_t> component = triangle_components(mesh);
   if (*std::max_element(component.begin(), component.end()) > 0) return std::nullopt;
   const TriangleMesh start = reconstruct_detail::snapped_to_grid(mesh, origin);
-  std::optional<reconstruct_detail::IntersectionFreeSurface> freed =
-      reconstruct_detail::repair_self_intersections(start, origin);
-  if (!freed || freed->relative_wrap_excess ||
-      static_cast<double>(freed->mesh.vertices.size()) >
-          kMaxRefill * static_cast<double>(mesh.vertices.size())) {
+  std::optional<TriangleMesh> freed =
+      reconstruct_detail::repair_self_intersections_locally(start, origin);
+  if (!freed || static_cast<double>(freed->vertices.size()) >
+                    kMaxRefill * static_cast<double>(mesh.vertices.size())) {
     return std::nullopt;
   }
   const double volume = signed_volume(start);
-  if (std::abs(signed_volume(freed->mesh) - volume) > kRefillVolume * volume) {
-    return std::nullopt;
-  }
-  return std::move(freed->mesh);
+  if (std::abs(signed_volume(*freed) - volume) > kRefillVolume * volume) return std::nullopt;
+  return freed;
 }
 
 /// The cost of collapsing the edges of a fan grows with the third power of its triangles.

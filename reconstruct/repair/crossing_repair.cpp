@@ -32,11 +32,25 @@ class CrossingRepair {
   CrossingRepair(TriangleMesh mesh, const Vec3& origin)
       : mesh_(std::move(mesh)), origin_(origin), volume_(std::abs(signed_volume(mesh_))) {}
 
-  std::optional<IntersectionFreeSurface> free_surface() {
-    if (auto free = by_parting()) return IntersectionFreeSurface{std::move(*free), {}};
-    if (auto free = by_smoothing()) return IntersectionFreeSurface{std::move(*free), {}};
-    if (auto free = by_cutting()) return IntersectionFreeSurface{std::move(*free), {}};
-    return by_wrapping();
+  std::optional<TriangleMesh> locally() {
+    if (auto free = by_parting()) return free;
+    if (auto free = by_smoothing()) return free;
+    return by_cutting();
+  }
+
+  std::optional<IntersectionFreeSurface> by_wrapping() const {
+    const TriangleMesh coarse = wrap_surface(mesh_, kCoarseWrap);
+    const double coarse_ratio = std::abs(signed_volume(coarse)) / volume_;
+    if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
+    std::optional<TriangleMesh> sound = if_sound(wrap_surface(mesh_, kFineWrap), kWrapVolume);
+    if (!sound) return std::nullopt;
+    const double ratio = signed_volume(*sound) / volume_;
+    const Bounds box = bounds(*sound);
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    for (Vec3& v : sound->vertices) v = middle + (v - middle) / std::cbrt(ratio);
+    sound = if_sound(std::move(*sound), kMaxIntersectionVolumeChange);
+    if (!sound) return std::nullopt;
+    return IntersectionFreeSurface{std::move(*sound), ratio - 1.0};
   }
 
  private:
@@ -103,21 +117,6 @@ class CrossingRepair {
     return std::nullopt;
   }
 
-  std::optional<IntersectionFreeSurface> by_wrapping() const {
-    const TriangleMesh coarse = wrap_surface(mesh_, kCoarseWrap);
-    const double coarse_ratio = std::abs(signed_volume(coarse)) / volume_;
-    if (!(std::abs(coarse_ratio - 1.0) <= kCoarseWrapVolume)) return std::nullopt;
-    std::optional<TriangleMesh> sound = if_sound(wrap_surface(mesh_, kFineWrap), kWrapVolume);
-    if (!sound) return std::nullopt;
-    const double ratio = signed_volume(*sound) / volume_;
-    const Bounds box = bounds(*sound);
-    const Vec3 middle = 0.5 * (box.low + box.high);
-    for (Vec3& v : sound->vertices) v = middle + (v - middle) / std::cbrt(ratio);
-    sound = if_sound(std::move(*sound), kMaxIntersectionVolumeChange);
-    if (!sound) return std::nullopt;
-    return IntersectionFreeSurface{std::move(*sound), ratio - 1.0};
-  }
-
   TriangleMesh mesh_;
   const Vec3 origin_;
   const double volume_;
@@ -133,9 +132,16 @@ TriangleMesh snapped_to_grid(TriangleMesh mesh, const Vec3& origin) {
   return mesh;
 }
 
+std::optional<TriangleMesh> repair_self_intersections_locally(const TriangleMesh& mesh,
+                                                              const Vec3& origin) {
+  return CrossingRepair(mesh, origin).locally();
+}
+
 std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh,
                                                                  const Vec3& origin) {
-  return CrossingRepair(mesh, origin).free_surface();
+  CrossingRepair repair(mesh, origin);
+  if (auto free = repair.locally()) return IntersectionFreeSurface{std::move(*free), {}};
+  return repair.by_wrapping();
 }
 
 }  // namespace clast::reconstruct_detail

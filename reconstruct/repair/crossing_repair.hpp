@@ -21,13 +21,18 @@ struct IntersectionFreeSurface {
   std::optional<double> relative_wrap_excess;
 };
 
-/// Repairs self-intersections. Touching sheets are separated by a small distance. If intersections
-/// remain, intersecting triangles are smoothed, or they and their neighbours are removed and the
-/// holes filled. If this fails, the surface is wrapped and the wrap scaled to its volume.
+/// Repairs self-intersections where they are. Touching sheets are separated by a small distance. If
+/// intersections remain, intersecting triangles are smoothed, or they and their neighbours are
+/// removed and the holes filled.
 /// @param mesh  closed, oriented 2-manifold of one component, already `snapped_to_grid`
 /// @param origin  origin of the vertex coordinates; the result is snapped to the same grid
 /// @return closed, oriented surface of one component without self-intersections; empty if no method
 /// succeeds within `kMaxIntersectionVolumeChange`
+std::optional<TriangleMesh> repair_self_intersections_locally(const TriangleMesh& mesh,
+                                                              const Vec3& origin);
+
+/// Repairs self-intersections like `repair_self_intersections_locally`. If that fails, the whole
+/// surface is wrapped and the wrap scaled to its volume.
 std::optional<IntersectionFreeSurface> repair_self_intersections(const TriangleMesh& mesh,
                                                                  const Vec3& origin);
 
