@@ -30,6 +30,10 @@ namespace clast {
 namespace {
 
 constexpr double kClean = 0.05;  ///< noise over the distance of points that does not matter
+/// Noise over the distance of points that is smoothed before normals have a side, and the
+/// neighbours for normals among such points.
+constexpr double kNoisy = 0.2;
+constexpr int kNoisyNeighbours = 30;
 using reconstruct_detail::NormalPropagation;
 
 /// A way to normals that face outward.
@@ -138,6 +142,17 @@ void smooth(Body& body) {
   std::vector<Vec3> points = local.smoothed_points(noise);
   body.points = std::move(points);
   body.noise = noise;
+}
+
+/// Removes noise that is large compared with the point spacing, and returns its standard deviation;
+/// else 0. Normals from so noisy points, and with them the surface, would be wrong in places.
+double smooth_large_noise(std::vector<Vec3>& points) {
+  const std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, kNoisyNeighbours);
+  const reconstruct_detail::MovingLeastSquares local(points, normals, false);
+  const double noise = local.estimate_noise();
+  if (noise < kNoisy * reconstruct_detail::mean_spacing(points)) return 0.0;
+  points = local.smoothed_points(noise);
+  return noise;
 }
 
 /// Edges where the surface touches itself, as a share of all. Where some normals face in, the
@@ -287,11 +302,15 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   refuse_flat(points, box.diagonal());
   const double cell = options.averaging_cell * box.diagonal();
   const bool dense = cell > kCellSpacings * reconstruct_detail::mean_spacing(points);
-  const Body body = body_through(
-      dense ? reconstruct_detail::decimate_points(points, cell)
-            : std::vector<Vec3>(points.begin(), points.end()),
+  std::vector<Vec3> averaged = dense ? reconstruct_detail::decimate_points(points, cell)
+                                     : std::vector<Vec3>(points.begin(), points.end());
+  const double noise = smooth_large_noise(averaged);
+  fprintf(stderr, "noise %g spacing %g\n", noise, reconstruct_detail::mean_spacing(averaged));
+  Body body = body_through(
+      averaged,
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
       options.hole_ball_radius);
+  body.noise = std::hypot(body.noise, noise);
   const reconstruct_detail::ObservedSurface& observed = body.observed;
   TriangleMesh open = seen_part(body);
   if (open.triangles.empty()) {

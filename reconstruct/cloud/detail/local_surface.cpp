@@ -106,12 +106,13 @@ bool is_one_of_two_outliers(QuadricPatch patch, double least) {
 /// The nearest points that face the way of `normal`.
 QuadricPatch patch_at(const Vec3& position, const Vec3& normal,
                       std::span<const PointTree::Neighbour> near, std::span<const Vec3> points,
-                      std::span<const Vec3> normals) {
+                      std::span<const Vec3> normals, bool is_oriented) {
   const double reach = near.back().distance;
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
   QuadricPatch patch;
   for (const PointTree::Neighbour& n : near) {
-    if (normals[n.point].dot(normal) < kSameSide) continue;
+    const double cosine = normals[n.point].dot(normal);
+    if ((is_oriented ? cosine : std::abs(cosine)) < kSameSide) continue;
     const Vec3 from = points[n.point] - position;
     const double a = from.dot(u) / reach, b = from.dot(v) / reach;
     const double fraction = 0.95 * n.distance / reach;
@@ -126,15 +127,17 @@ QuadricPatch patch_at(const Vec3& position, const Vec3& normal,
 
 }  // namespace
 
-MovingLeastSquares::MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals)
-    : points_(points), normals_(normals), tree_(points) {}
+MovingLeastSquares::MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals,
+                                       bool is_oriented)
+    : points_(points), normals_(normals), is_oriented_(is_oriented), tree_(points) {}
 
 double MovingLeastSquares::estimate_noise() const {
   std::vector<double> deviations;
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kNoiseSamples);
   for (std::size_t i = 0; i < points_.size(); i += step) {
     const auto near = tree_.nearest_neighbours(points_[i], kNoiseNeighbours);
-    const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
+    const QuadricPatch patch =
+        patch_at(points_[i], normals_[i], near, points_, normals_, is_oriented_);
     if (patch.rows.size() >= kMinQuadricPoints) deviations.push_back(fit_of<6>(patch).deviation);
   }
   if (deviations.empty()) return 0.0;
@@ -157,7 +160,8 @@ std::vector<bool> MovingLeastSquares::find_off_surface_points(
     }
     const bool apart = spacings[i] >= kApart * spacing, on_face = facing.norm() > kTangentOneWay;
     if (!(apart || on_face) || facing.norm() < kSameSide) continue;
-    const QuadricPatch patch = patch_at(points_[i], facing.normalized(), near, points_, normals_);
+    const QuadricPatch patch =
+        patch_at(points_[i], facing.normalized(), near, points_, normals_, is_oriented_);
     if (patch.rows.size() < kMinQuadricPoints) continue;
     const Fit fit = fit_of<3>(patch);
     const auto is_beyond = [&](double gaps, double deviations) {
@@ -175,7 +179,8 @@ std::vector<MovingLeastSquares::PlaneDeviation> MovingLeastSquares::plane_deviat
   for (std::size_t i = 0; i < points_.size(); ++i) {
     std::vector<PointTree::Neighbour> near = tree_.nearest_neighbours(points_[i], kNoiseNeighbours);
     std::erase_if(near, [&](const PointTree::Neighbour& n) { return n.point == i; });
-    const QuadricPatch patch = patch_at(points_[i], normals_[i], near, points_, normals_);
+    const QuadricPatch patch =
+        patch_at(points_[i], normals_[i], near, points_, normals_, is_oriented_);
     if (patch.rows.size() < kMinQuadricPoints) {  // nothing is known of a plane
       result[i].deviation = near.back().distance;
       continue;
@@ -195,7 +200,7 @@ std::vector<Vec3> MovingLeastSquares::smoothed_points(double noise) const {
       if (static_cast<std::size_t>(count) > near.size()) break;
       const QuadricPatch patch =
           patch_at(points_[i], normals_[i], std::span(near).first(static_cast<std::size_t>(count)),
-                   points_, normals_);
+                   points_, normals_, is_oriented_);
       if (patch.rows.size() < kMinQuadricPoints) continue;
       const Fit plane = fit_of<3>(patch), quadric = fit_of<6>(patch);
       const Fit& fit = plane.deviation < kFlatEnough * quadric.deviation ? plane : quadric;

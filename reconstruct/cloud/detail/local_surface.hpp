@@ -14,8 +14,11 @@ class MovingLeastSquares {
  public:
   /// Constructs the method for a set of points.
   /// @param points  must outlive this object
-  /// @param normals  unit, outward, one per point; must outlive this object
-  MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals);
+  /// @param normals  unit, one per point; must outlive this object
+  /// @param is_oriented  true if all normals are outward; otherwise, sides of a thin plate are not
+  ///                     told apart
+  MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals,
+                     bool is_oriented = true);
 
   /// Estimates the noise, m: the median over up to 2,000 points of the standard deviation of their
   /// neighbours about a fitted quadric.
@@ -41,6 +44,7 @@ class MovingLeastSquares {
  private:
   std::span<const Vec3> points_;
   std::span<const Vec3> normals_;
+  bool is_oriented_;
   PointTree tree_;
 };
 
