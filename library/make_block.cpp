@@ -289,6 +289,12 @@ Block block_of_fit(Block block, const FittedBody& fitted, const ScanSurface& sca
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
   MeasuredBody measured = with_volume(fitted.body, target.volume, options.accuracy);
   block.deviation = measure_surface_deviation(scan, measured.body, {.threads = options.threads});
+  if (fitted.is_within_tolerance()) {
+    SurfaceDeviation& deviation = block.deviation;
+    for (double* bound : {&deviation.hausdorff, &deviation.scan_to_body, &deviation.body_to_scan}) {
+      *bound = std::min(*bound, fitted.distance);
+    }
+  }
   block.deviation.volume_relative = measured.unit.volume / target.volume - 1.0;
   block.deviation.moments_relative = moments_gap(measured.unit, target);
   block = finished(std::move(block), std::move(measured), std::move(source), options);
