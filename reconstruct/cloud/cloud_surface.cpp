@@ -34,6 +34,7 @@ constexpr double kClean = 0.05;  ///< noise over the distance of points that doe
 /// neighbours for normals among such points.
 constexpr double kNoisy = 0.2;
 constexpr int kNoisyNeighbours = 30;
+constexpr double kCellNoises = 4.0;  ///< side of the cells in which smoothed points are averaged
 using reconstruct_detail::NormalPropagation;
 
 /// A way to normals that face outward.
@@ -144,14 +145,16 @@ void smooth(Body& body) {
   body.noise = noise;
 }
 
-/// Removes noise that is large compared with the point spacing, and returns its standard deviation;
-/// else 0. Normals from so noisy points, and with them the surface, would be wrong in places.
+/// Smooths noise that is large compared with the point spacing, and averages the points at
+/// distances where it is small. Returns its standard deviation; 0 if there is no such noise, and
+/// the points are unchanged. Normals from so noisy points, and with them the surface, would be
+/// wrong in places.
 double smooth_large_noise(std::vector<Vec3>& points) {
   const std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, kNoisyNeighbours);
   const reconstruct_detail::MovingLeastSquares local(points, normals, false);
   const double noise = local.estimate_noise();
   if (noise < kNoisy * reconstruct_detail::mean_spacing(points)) return 0.0;
-  points = local.smoothed_points(noise);
+  points = reconstruct_detail::decimate_points(local.smoothed_points(noise), kCellNoises * noise);
   return noise;
 }
 
@@ -305,7 +308,6 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   std::vector<Vec3> averaged = dense ? reconstruct_detail::decimate_points(points, cell)
                                      : std::vector<Vec3>(points.begin(), points.end());
   const double noise = smooth_large_noise(averaged);
-  fprintf(stderr, "noise %g spacing %g\n", noise, reconstruct_detail::mean_spacing(averaged));
   Body body = body_through(
       averaged,
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
