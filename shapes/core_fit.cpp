@@ -31,7 +31,7 @@ using Vec9 = Eigen::Matrix<double, 9, 1>;
 constexpr std::size_t kPointsPerVertex = 12, kMinFitPoints = 2000, kMaxFitPoints = 12000;
 /// Searches for points that the samples missed, and rounds that follow each at least.
 constexpr int kMaxSearches = 20, kRoundsAfterSearch = 8;
-constexpr std::size_t kChunk = 64;  ///< points that one thread takes at a time
+constexpr std::size_t kPointChunk = 64;  ///< points that one thread takes at a time
 /// A fit that didn't get this much nearer in so many rounds has ended.
 constexpr double kProgress = 0.99;
 constexpr int kRoundsWithoutProgress = 5;
@@ -152,8 +152,9 @@ class Fit {
 
   template <typename Body>
   void for_each_in_chunks(std::size_t count, const Body& body) {
-    threads_.run((count + kChunk - 1) / kChunk, 1, [&](std::size_t chunk) {
-      for (std::size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) body(i);
+    threads_.run((count + kPointChunk - 1) / kPointChunk, 1, [&](std::size_t chunk) {
+      for (std::size_t i = chunk * kPointChunk; i < std::min(count, (chunk + 1) * kPointChunk); ++i)
+        body(i);
     });
   }
 

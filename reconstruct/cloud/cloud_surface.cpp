@@ -34,6 +34,9 @@ constexpr double kClean = 0.05;  ///< noise over the distance of points that doe
 /// neighbours for normals among such points.
 constexpr double kNoisy = 0.2;
 constexpr int kNoisyNeighbours = 30;
+/// The scatter of points is noise if twice the neighbours scatter by no more than this ratio, else
+/// it is curvature; and if its kurtosis is no smaller than this, else it is that of a thin plate.
+constexpr double kNoiseGrowth = 1.2, kNoiseKurtosis = 2.0;
 constexpr double kCellNoises = 4.0;  ///< side of the cells in which smoothed points are averaged
 using reconstruct_detail::NormalPropagation;
 
@@ -151,9 +154,13 @@ void smooth(Body& body) {
 /// wrong in places.
 double smooth_large_noise(std::vector<Vec3>& points) {
   const std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, kNoisyNeighbours);
-  const reconstruct_detail::MovingLeastSquares local(points, normals, false);
+  using reconstruct_detail::MovingLeastSquares;
+  const MovingLeastSquares local(points, normals, false);
   const double noise = local.estimate_noise();
   if (noise < kNoisy * reconstruct_detail::mean_spacing(points)) return 0.0;
+  const MovingLeastSquares::Scatter wider =
+      local.estimate_scatter(2 * MovingLeastSquares::kNoiseNeighbours);
+  if (wider.deviation > kNoiseGrowth * noise || wider.kurtosis < kNoiseKurtosis) return 0.0;
   points = reconstruct_detail::decimate_points(local.smoothed_points(noise), kCellNoises * noise);
   return noise;
 }

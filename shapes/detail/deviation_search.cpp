@@ -15,7 +15,9 @@ namespace clast::shapes_detail {
 namespace {
 
 /// Accuracy of the bounds, as a fraction of the scan's diagonal.
-constexpr double kGap = 2e-4;
+constexpr double kGap = 2e-5;
+/// Part of that accuracy that patches are settled with.
+constexpr double kSettled = 0.5;
 /// Height above the plane of a core face up to which a point lies in it, as a fraction of the
 /// diagonal.
 constexpr double kInFacePlane = 1e-9;
@@ -222,7 +224,8 @@ DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, dou
   bound_from(0);
   const std::size_t first_patches = patches.size();
   const auto is_open = [&] {
-    const bool is_refused = known > limits.refused && (limits.noted==1e300||patches.size() >= 2 * first_patches);
+    const bool is_refused =
+        known > limits.refused && (limits.noted == 1e300 || patches.size() >= 2 * first_patches);
     return !open.empty() && !is_refused &&
            open.top().most > std::max(known + gap_, limits.accepted);
   };
@@ -274,7 +277,7 @@ DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits
     if (distance >= reach || radius_ == 0.0) {  // outside of the body everywhere
       most = std::min(most, patch.farthest_from(tree_, patch.near, 0.0) - radius_);
     }
-    const double small = std::max(ignored + gap_, limits.accepted);
+    const double small = std::max(ignored + kSettled * gap_, limits.accepted);
     if (std::min(most, patch.most) > small && is_near_plane(patch, small)) most = small;
     return PatchBound{patch.foot(), std::abs(distance), most};
   });
@@ -359,7 +362,7 @@ DeviationSearch::Outcome DeviationSearch::search_body(const Limits& limits) {
     double most = std::min(patch.most, distance + reach);
     if (most <= ignored) return none;
     most = std::min(most, patch.farthest_from(scan_.tree(), patch.near, radius_));
-    const double small = std::max(ignored + gap_, limits.accepted);
+    const double small = std::max(ignored + kSettled * gap_, limits.accepted);
     if (most > small) most = std::min(most, bound_by_height(patch, small).value_or(most));
     if (most <= ignored || radius_ == 0.0) return PatchBound{centre, distance, most};
     const TriangleTree::SignedClosest on_core =

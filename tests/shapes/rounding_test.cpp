@@ -274,7 +274,9 @@ TEST(SurfaceDeviation, ALimitDecidesAsTheWholeSearchDoes) {
     const double limit = factor * whole;
     const double quick = measure_surface_deviation(rock, body, {.limit = limit}).hausdorff;
     EXPECT_EQ(quick <= limit, whole <= limit) << factor;
-    if (quick > limit) EXPECT_LE(quick, whole) << factor;
+    if (quick > limit) {
+      EXPECT_LE(quick, whole) << factor;
+    }
   }
 }
 

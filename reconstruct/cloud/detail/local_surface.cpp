@@ -15,7 +15,6 @@ namespace {
 constexpr double kSameSide = 0.4;
 constexpr std::size_t kMinQuadricPoints = 9;  ///< points for the six coefficients of a quadric
 constexpr double kFarthestMove = 3.0;         ///< noises that a point is moved at most
-constexpr int kNoiseNeighbours = 24;          ///< for the noise
 constexpr std::size_t kNoiseSamples = 2000;
 /// Numbers of neighbours a point is smoothed over: the most that one quadric, or plane, fits as
 /// well as the noise lets it.
@@ -45,6 +44,7 @@ struct QuadricPatch {
 struct Fit {
   double height = 0.0;     ///< at the place, m
   double deviation = 0.0;  ///< of the points about it, m
+  double kurtosis = 0.0;   ///< of these deviations
 };
 
 template <int Terms>
@@ -67,14 +67,16 @@ Coefficients<Terms> coefficients_of(const QuadricPatch& patch) {
 template <int Terms>
 Fit fit_of(const QuadricPatch& patch) {
   const Coefficients<Terms> found = coefficients_of<Terms>(patch);
-  double squares = 0.0, weight = 0.0;
+  double squares = 0.0, fourths = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < patch.rows.size(); ++i) {
     const double off = patch.heights[i] - found.dot(patch.rows[i].template head<Terms>());
     squares += patch.weights[i] * off * off;
+    fourths += patch.weights[i] * off * off * off * off;
     weight += patch.weights[i];
   }
   const auto used = static_cast<double>(patch.rows.size());
-  return {found[0], std::sqrt(squares / (weight * std::max(1.0, used - Terms) / used))};
+  return {found[0], std::sqrt(squares / (weight * std::max(1.0, used - Terms) / used)),
+          squares > 0.0 ? fourths * weight / (squares * squares) : 0.0};
 }
 
 /// True if the patch's position is this far off the plane of its points, and one of these is as
@@ -131,19 +133,25 @@ MovingLeastSquares::MovingLeastSquares(std::span<const Vec3> points, std::span<c
                                        bool is_oriented)
     : points_(points), normals_(normals), is_oriented_(is_oriented), tree_(points) {}
 
-double MovingLeastSquares::estimate_noise() const {
-  std::vector<double> deviations;
+MovingLeastSquares::Scatter MovingLeastSquares::estimate_scatter(int neighbours) const {
+  std::vector<double> deviations, kurtoses;
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kNoiseSamples);
   for (std::size_t i = 0; i < points_.size(); i += step) {
-    const auto near = tree_.nearest_neighbours(points_[i], kNoiseNeighbours);
+    const auto near = tree_.nearest_neighbours(points_[i], neighbours);
     const QuadricPatch patch =
         patch_at(points_[i], normals_[i], near, points_, normals_, is_oriented_);
-    if (patch.rows.size() >= kMinQuadricPoints) deviations.push_back(fit_of<6>(patch).deviation);
+    if (patch.rows.size() < kMinQuadricPoints) continue;
+    const Fit fit = fit_of<6>(patch);
+    deviations.push_back(fit.deviation);
+    kurtoses.push_back(fit.kurtosis);
   }
-  if (deviations.empty()) return 0.0;
-  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
-  return *middle;
+  const auto median = [](std::vector<double>& values) {
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  return {median(deviations), median(kurtoses)};
 }
 
 std::vector<bool> MovingLeastSquares::find_off_surface_points(

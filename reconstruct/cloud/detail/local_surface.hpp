@@ -12,6 +12,8 @@ namespace clast::reconstruct_detail {
 /// @cite levin2004
 class MovingLeastSquares {
  public:
+  static constexpr int kNoiseNeighbours = 24;
+
   /// Constructs the method for a set of points.
   /// @param points  must outlive this object
   /// @param normals  unit, one per point; must outlive this object
@@ -20,9 +22,17 @@ class MovingLeastSquares {
   MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals,
                      bool is_oriented = true);
 
-  /// Estimates the noise, m: the median over up to 2,000 points of the standard deviation of their
-  /// neighbours about a fitted quadric.
-  double estimate_noise() const;
+  /// Scatter of neighbours about a fitted quadric.
+  struct Scatter {
+    double deviation = 0.0;  ///< standard deviation, m
+    /// Fourth moment over the squared variance: 3 for Gaussian noise, 1 for two parallel planes.
+    double kurtosis = 0.0;
+  };
+  /// Estimates the scatter: medians over up to 2,000 points.
+  /// @param neighbours  number of neighbours of each point
+  Scatter estimate_scatter(int neighbours) const;
+  /// Estimates the noise, m: the standard deviation of 24 neighbours.
+  double estimate_noise() const { return estimate_scatter(kNoiseNeighbours).deviation; }
 
   /// Finds outliers close to the surface. They are slightly isolated, and farther from the surface
   /// fitted to their neighbours than their spacing and scatter allow.
