@@ -101,7 +101,8 @@ FieldScanOptions reading_options(const ScanToBlockOptions& options) {
   return {.scan = options.scan,
           .up_given = options.up_given,
           .find_ground = options.find_ground,
-          .split = options.split};
+          .split = options.split,
+          .surface = {.threads = options.block.threads}};
 }
 
 ScanOptions core_options(const ScanToBlockOptions& options) {

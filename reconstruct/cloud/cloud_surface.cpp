@@ -56,8 +56,9 @@ constexpr double kGood = 5e-4;
 /// A point is missed where the surface is so many spacings away; where missed points stand for more
 /// than this share of the area, the surface found is not that of the block.
 constexpr double kMissed = 1.5, kMaxMissed = 0.01;
-constexpr int kSurfaceRounds = 3;      ///< of surface and normals
-constexpr double kCellSpacings = 2.0;  ///< a cell holds about four points at least
+constexpr int kSurfaceRounds = 3;        ///< of surface and normals
+constexpr std::size_t kFewWrong = 1000;  ///< points of which one normal may be wrong at first
+constexpr double kCellSpacings = 2.0;    ///< a cell holds about four points at least
 /// Points that lie closer about a plane than this share of their diagonal bound no body.
 constexpr double kFlatCloud = 1e-3;
 
@@ -112,14 +113,15 @@ struct Body {
 
 /// Alternates between both: the surface shows wrong normals, and corrected normals improve it.
 /// @param spacings  of points without noise, to take in thin parts; else empty
-void find_surface(Body& body, std::span<const double> spacings = {}) {
+/// @param wrong  normals that may be corrected without another surface
+void find_surface(Body& body, std::span<const double> spacings, std::size_t wrong) {
   for (int round = 0; round < kSurfaceRounds; ++round) {
     body.indicator =
         std::make_unique<reconstruct_detail::IndicatorFunction>(body.points, body.normals);
     if (!body.indicator->is_solved()) refuse_no_surface(body.points.size());
     body.surface = reconstruct_detail::extract_surface(body.points, *body.indicator, spacings);
     if (body.surface.triangles.empty()) refuse_no_surface(body.points.size());
-    if (reconstruct_detail::correct_normals(body.normals, body.surface) == 0) return;
+    if (reconstruct_detail::correct_normals(body.normals, body.surface) <= wrong) return;
   }
 }
 
@@ -139,11 +141,11 @@ void remove_off_surface(Body& body) {
 }
 
 /// Removes noise that is visible between neighbours, and with it real roughness of that size.
-void smooth(Body& body) {
+void smooth(Body& body, unsigned threads) {
   const reconstruct_detail::MovingLeastSquares local(body.points, body.normals);
   const double noise = local.estimate_noise();
   if (noise < kClean * reconstruct_detail::mean_spacing(body.points)) return;
-  std::vector<Vec3> points = local.smoothed_points(noise);
+  std::vector<Vec3> points = local.smoothed_points(noise, threads);
   body.points = std::move(points);
   body.noise = noise;
 }
@@ -152,7 +154,7 @@ void smooth(Body& body) {
 /// distances where it is small. Returns its standard deviation; 0 if there is no such noise, and
 /// the points are unchanged. Normals from so noisy points, and with them the surface, would be
 /// wrong in places.
-double smooth_large_noise(std::vector<Vec3>& points) {
+double smooth_large_noise(std::vector<Vec3>& points, unsigned threads) {
   const std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, kNoisyNeighbours);
   using reconstruct_detail::MovingLeastSquares;
   const MovingLeastSquares local(points, normals, false);
@@ -161,7 +163,8 @@ double smooth_large_noise(std::vector<Vec3>& points) {
   const MovingLeastSquares::Scatter wider =
       local.estimate_scatter(2 * MovingLeastSquares::kNoiseNeighbours);
   if (wider.deviation > kNoiseGrowth * noise || wider.kurtosis < kNoiseKurtosis) return 0.0;
-  points = reconstruct_detail::decimate_points(local.smoothed_points(noise), kCellNoises * noise);
+  points = reconstruct_detail::decimate_points(local.smoothed_points(noise, threads),
+                                               kCellNoises * noise);
   return noise;
 }
 
@@ -212,9 +215,8 @@ double unseen_share(const Body& body) {
 
 /// The surface through the points with their noise smoothed; of those that the ways to normals
 /// give, the first that is as good as a surface, or the best.
-/// @param hole_ball_radius  as `CloudSurfaceOptions::hole_ball_radius`
 Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> ways,
-                  double hole_ball_radius) {
+                  const CloudSurfaceOptions& options) {
   Body best;
   Missed missed;
   double least = std::numeric_limits<double>::infinity();
@@ -222,13 +224,13 @@ Body body_through(const std::vector<Vec3>& points, std::span<const NormalsBy> wa
     std::vector<Vec3> normals = reconstruct_detail::estimate_normals(points, way.neighbours);
     reconstruct_detail::orient_outward(normals, points, way.propagation);
     Body body{points, std::move(normals), {}, 0, 0.0, {}, {}, {}};
-    find_surface(body);
+    find_surface(body, {}, points.size() / kFewWrong);  // only its normals are used
     remove_off_surface(body);
-    smooth(body);
+    smooth(body, options.threads);
     body.spacings = reconstruct_detail::compute_local_spacings(body.points);
-    find_surface(body, body.spacings);
-    body.observed =
-        reconstruct_detail::find_observed_surface(body.surface, body.spacings, hole_ball_radius);
+    find_surface(body, body.spacings, 0);
+    body.observed = reconstruct_detail::find_observed_surface(body.surface, body.spacings,
+                                                              options.hole_ball_radius);
     const Missed left = missed_points(body.surface, points);
     const double defects = touching_share(body.surface) + left.fraction;
     // Wrong normals also make the surface span parts that it should follow.
@@ -314,11 +316,11 @@ CloudSurface fit_cloud_surface(std::span<const Vec3> points, const CloudSurfaceO
   const bool dense = cell > kCellSpacings * reconstruct_detail::mean_spacing(points);
   std::vector<Vec3> averaged = dense ? reconstruct_detail::decimate_points(points, cell)
                                      : std::vector<Vec3>(points.begin(), points.end());
-  const double noise = smooth_large_noise(averaged);
+  const double noise = smooth_large_noise(averaged, options.threads);
   Body body = body_through(
       averaged,
       dense ? std::span<const NormalsBy>(kManyFirst) : std::span<const NormalsBy>(kFewFirst),
-      options.hole_ball_radius);
+      options);
   body.noise = std::hypot(body.noise, noise);
   const reconstruct_detail::ObservedSurface& observed = body.observed;
   TriangleMesh open = seen_part(body);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/parallel.hpp"
+
 namespace clast::reconstruct_detail {
 
 namespace {
@@ -16,6 +18,7 @@ constexpr double kSameSide = 0.4;
 constexpr std::size_t kMinQuadricPoints = 9;  ///< points for the six coefficients of a quadric
 constexpr double kFarthestMove = 3.0;         ///< noises that a point is moved at most
 constexpr std::size_t kNoiseSamples = 2000;
+constexpr std::size_t kPointChunk = 64;  ///< points that one thread takes at a time
 /// Numbers of neighbours a point is smoothed over: the most that one quadric, or plane, fits as
 /// well as the noise lets it.
 constexpr std::array<int, 4> kScales = {24, 48, 96, 192};
@@ -199,25 +202,28 @@ std::vector<MovingLeastSquares::PlaneDeviation> MovingLeastSquares::plane_deviat
   return result;
 }
 
-std::vector<Vec3> MovingLeastSquares::smoothed_points(double noise) const {
-  std::vector<Vec3> result(points_.begin(), points_.end());
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto near = tree_.nearest_neighbours(points_[i], kScales.back());
-    std::optional<double> off;
-    for (const int count : kScales) {
-      if (static_cast<std::size_t>(count) > near.size()) break;
-      const QuadricPatch patch =
-          patch_at(points_[i], normals_[i], std::span(near).first(static_cast<std::size_t>(count)),
-                   points_, normals_, is_oriented_);
-      if (patch.rows.size() < kMinQuadricPoints) continue;
-      const Fit plane = fit_of<3>(patch), quadric = fit_of<6>(patch);
-      const Fit& fit = plane.deviation < kFlatEnough * quadric.deviation ? plane : quadric;
-      if (off && fit.deviation > kFitsQuadric * noise) break;
-      off = fit.height;
-    }
-    if (off)
-      result[i] += std::clamp(*off, -kFarthestMove * noise, kFarthestMove * noise) * normals_[i];
+Vec3 MovingLeastSquares::smoothed_point(std::size_t i, double noise) const {
+  const auto near = tree_.nearest_neighbours(points_[i], kScales.back());
+  std::optional<double> off;
+  for (const int count : kScales) {
+    if (static_cast<std::size_t>(count) > near.size()) break;
+    const QuadricPatch patch =
+        patch_at(points_[i], normals_[i], std::span(near).first(static_cast<std::size_t>(count)),
+                 points_, normals_, is_oriented_);
+    if (patch.rows.size() < kMinQuadricPoints) continue;
+    const Fit plane = fit_of<3>(patch), quadric = fit_of<6>(patch);
+    const Fit& fit = plane.deviation < kFlatEnough * quadric.deviation ? plane : quadric;
+    if (off && fit.deviation > kFitsQuadric * noise) break;
+    off = fit.height;
   }
+  if (!off) return points_[i];
+  return points_[i] + std::clamp(*off, -kFarthestMove * noise, kFarthestMove * noise) * normals_[i];
+}
+
+std::vector<Vec3> MovingLeastSquares::smoothed_points(double noise, unsigned threads) const {
+  std::vector<Vec3> result(points_.size());
+  ThreadPool(threads).run(points_.size(), kPointChunk,
+                          [&](std::size_t i) { result[i] = smoothed_point(i, noise); });
   return result;
 }
 

@@ -49,9 +49,12 @@ class MovingLeastSquares {
   /// Returns the points projected along their normals onto a local plane or quadric. It is that of
   /// the largest neighbourhood that is fitted to within `noise` (m). Edges are preserved, because
   /// there is no such fit near them.
-  std::vector<Vec3> smoothed_points(double noise) const;
+  /// @param threads  number of threads; does not affect the result
+  std::vector<Vec3> smoothed_points(double noise, unsigned threads) const;
 
  private:
+  Vec3 smoothed_point(std::size_t i, double noise) const;
+
   std::span<const Vec3> points_;
   std::span<const Vec3> normals_;
   bool is_oriented_;
