@@ -32,7 +32,7 @@ struct DeviationOptions {
 /// Measures the distances between rounded surface and scan in both directions. Volume, area and
 /// moments are left 0 for the caller.
 ///
-/// The largest distances are upper bounds by branch and bound, at most 2e-4 of the diagonal above
+/// The largest distances are upper bounds by branch and bound, at most 2e-5 of the diagonal above
 /// an attained value. The gap is larger only if a million patches do not suffice, as for a constant
 /// distance. Under a crease, the distance to a near exposed point counts. The mean is over
 /// `samples` points of the scan.

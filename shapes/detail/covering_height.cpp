@@ -60,6 +60,18 @@ class FlatTriangle {
   Coordinates offsets_;
 };
 
+/// True if no point of an edge projects onto the flat triangle.
+bool is_beside(const Coordinates& from, const Coordinates& to) {
+  double first = 0.0, last = 1.0;  // of the part that was not cut off, as fractions of the edge
+  for (int side = 0; side < 3; ++side) {
+    const double start = from[side], end = to[side];
+    if (start < 0.0 && end < 0.0) return true;
+    if (start < 0.0) first = std::max(first, start / (start - end));
+    if (end < 0.0) last = std::min(last, start / (start - end));
+  }
+  return first > last;
+}
+
 /// Returns the largest height or depth of the part of a triangle that projects onto the flat one;
 /// negative if there is none.
 double clipped_height(const std::array<Coordinates, 3>& triangle) {
@@ -116,14 +128,15 @@ std::optional<double> CoveringHeight::operator()(const std::array<Vec3, 3>& corn
     if (above[0].cwiseMax(above[1]).cwiseMax(above[2]).head<3>().minCoeff() < 0.0) continue;
     double height =
         above[0].cwiseAbs().cwiseMax(above[1].cwiseAbs()).cwiseMax(above[2].cwiseAbs())[3];
-    if (height > limit) height = clipped_height(above);
+    const bool covers = surface_.tree().face_normal(triangle).dot(outward) > 0.0;
+    if (height > limit || !covers) height = clipped_height(above);
     if (height < 0.0) continue;
-    if (height > limit || !(surface_.tree().face_normal(triangle).dot(outward) > 0.0)) {
-      return std::nullopt;
-    }
+    if (height > limit || !covers) return std::nullopt;
     largest = std::max(largest, height);
     is_centre_covered = is_centre_covered || projects_onto(points, centre, outward);
-    for (const std::uint32_t next : surface_.neighbours().neighbour[triangle]) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (is_beside(above[side], above[(side + 1) % 3])) continue;
+      const std::uint32_t next = surface_.neighbours().neighbour[triangle][side];
       if (next == kNoIndex) return std::nullopt;
       reached.add(next);
     }

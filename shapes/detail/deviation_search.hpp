@@ -34,7 +34,7 @@ class DeviationSearch {
     double noted = 1e300;    ///< points with larger distances are noted
   };
   /// Returns an upper bound of the distances of the scan from the rounded surface, m. It exceeds
-  /// the largest distance by at most 2e-4 of the diagonal of the scan, if a million patches
+  /// the largest distance by at most 2e-5 of the diagonal of the scan, if a million patches
   /// suffice. If the search ended early, it is at most `accepted`, or a distance above `refused`.
   /// @param known  a distance that occurs, m
   double scan_to_body(double known, const Limits& limits);
