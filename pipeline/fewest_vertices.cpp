@@ -19,6 +19,8 @@ constexpr double kRefinement = 1.1;
 constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
 /// More vertices are in vain if this many times the number of the closest block is no closer.
 constexpr double kInVain = 1.5;
+/// Multiples of the tolerance with which the closest block is sought if none is within it.
+constexpr double kRelaxations[] = {1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.5, 8.0, 10.0};
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
@@ -42,7 +44,8 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
   BlockOptions tried = options;
   std::size_t first = kFirstVertices;
   for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
-    if (const std::optional<Trial> trial = search_at_radius(tried, first)) {
+    const bool is_last = radius_given || halving == kRadiusHalvings;
+    if (const std::optional<Trial> trial = search_at_radius(tried, first, is_last)) {
       Block lightest = block_of(*trial);
       if (halving > 0) {
         lightest.warnings.push_back(
@@ -52,9 +55,10 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
       }
       return lightest;
     }
-    if (radius_given) break;
+    if (is_last) break;
     tried.radius_fraction /= 2.0;
   }
+  approach(tried);
   if (!nearest_) throw GeometryError(refusal_);
   Block kept = block_of(*nearest_);
   kept.warnings.push_back(
@@ -65,8 +69,9 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
 
 /// @param first  number of vertices to begin with; if no block is within tolerance, set to the
 ///               number that came closest
+/// @param is_last  true if no smaller radius will be tried, so that more vertices are never in vain
 std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radius(
-    const BlockOptions& options, std::size_t& first) {
+    const BlockOptions& options, std::size_t& first, bool is_last) {
   std::optional<Trial> lightest;
   const std::size_t most = std::min(kMaxVertices, fine_.vertices.size());
   std::size_t enough = most + 1, too_few = std::min(kMinVertices, most) - 1;
@@ -80,8 +85,8 @@ std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radiu
       lightest = std::move(trial);
     } else {
       too_few = count;
-      const bool is_in_vain =
-          enough > most && static_cast<double>(count) >= kInVain * static_cast<double>(first);
+      const bool is_in_vain = !is_last && enough > most &&
+                              static_cast<double>(count) >= kInVain * static_cast<double>(first);
       if (trial && ratio < least_ratio) {
         least_ratio = ratio;
         first = count;
@@ -105,9 +110,22 @@ std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radiu
   return lightest;
 }
 
+/// Tries larger tolerances for the body that is kept if none is within tolerance: a fit is given up
+/// where it cannot be, and may then be far from the closest.
+void FewestVerticesSearch::approach(const BlockOptions& options) {
+  for (const double relaxation : kRelaxations) {
+    std::optional<Trial> trial =
+        try_vertex_count(std::min(kMaxVertices, fine_.vertices.size()), options, relaxation);
+    const bool is_near = trial && trial->fitted.is_within_tolerance();
+    if (trial) keep_nearest(std::move(*trial));
+    if (is_near) return;
+  }
+}
+
 std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::try_vertex_count(
-    std::size_t count, const BlockOptions& options) {
+    std::size_t count, const BlockOptions& options, double relaxation) {
   BlockOptions tried = options;
+  tried.tolerance = std::min(1.0, relaxation * options.tolerance);
   tried.suggest_radius = refusal_.empty();  // the first refusal is the one that is reported
   try {
     const TriangleMesh surface = simplify_mesh(fine_, {.target_vertices = count});

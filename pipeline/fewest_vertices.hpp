@@ -28,8 +28,12 @@ class FewestVerticesSearch {
     FittedBody fitted;
     BlockOptions options;
   };
-  std::optional<Trial> search_at_radius(const BlockOptions& options, std::size_t& first);
-  std::optional<Trial> try_vertex_count(std::size_t count, const BlockOptions& options);
+  std::optional<Trial> search_at_radius(const BlockOptions& options, std::size_t& first,
+                                        bool is_last);
+  void approach(const BlockOptions& options);
+  /// @param relaxation  factor of the tolerance
+  std::optional<Trial> try_vertex_count(std::size_t count, const BlockOptions& options,
+                                        double relaxation = 1.0);
   void keep_nearest(Trial trial);
   Block block_of(const Trial& trial) const;
 
