@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <set>
+#include <string>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "massprops/solid.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/triangle_tree.hpp"
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/detail/cloud_normals.hpp"
 #include "reconstruct/cloud/detail/poisson.hpp"
@@ -168,6 +171,42 @@ TEST(CloudSurface, TheMissingEdgeOfALensIsUnseen) {
   if (surface.gaps == 1) {
     EXPECT_LT(surface.gap_position.x(), -0.44);
   }
+}
+
+/// Root mean square distance of the points of a surface from `truth`, m.
+double roughness(const TriangleMesh& surface, const TriangleMesh& truth) {
+  const TriangleTree tree(truth);
+  double squares = 0.0;
+  for (const Vec3& v : surface.vertices) squares += tree.closest_point(v).squared_distance;
+  return std::sqrt(squares / static_cast<double>(surface.vertices.size()));
+}
+
+TEST(CloudSurface, LargeNoiseIsSmoothedWhateverTheDensity) {
+  const TriangleMesh rock = rock_mesh(16, {0.5, 0.4, 0.3}, 3);
+  const double truth = solid_mass_properties(rock, 1.0).volume;
+  for (const std::size_t count : {6000u, 20000u}) {
+    for (const double noise : {0.003, 0.005}) {  // 0.3 and 0.5 % of L
+      SCOPED_TRACE(std::to_string(count) + " points, noise " + std::to_string(noise));
+      const CloudSurface cloud =
+          fit_cloud_surface(sampled_cloud(rock, {.points = count, .noise = noise}, 5));
+      EXPECT_NEAR(signed_volume(cloud.mesh), truth, 0.01 * truth);
+      EXPECT_LT(roughness(cloud.mesh, rock), 0.5 * noise);
+      EXPECT_LT(cloud.mesh.vertices.size(), count);
+      EXPECT_GE(cloud.uncertainty.extent_error, noise) << "the noise is not forgotten";
+    }
+  }
+}
+
+TEST(CloudSurface, CurvatureAndThicknessAreNoNoise) {
+  // Points as far apart as the plate is thick scatter about any plane through them.
+  const TriangleMesh plate = rock_mesh(16, {0.5, 0.4, 0.03}, 3);
+  const CloudSurface of_plate = fit_cloud_surface(sampled_cloud(plate, {.points = 6000}, 4));
+  const double truth = solid_mass_properties(plate, 1.0).volume;
+  EXPECT_NEAR(signed_volume(of_plate.mesh), truth, 0.03 * truth);
+  EXPECT_EQ(of_plate.mesh.vertices.size() + of_plate.outliers, 6000u);
+  const TriangleMesh coarse = rock_mesh(16, {0.5, 0.4, 0.3}, 3);
+  const CloudSurface of_few = fit_cloud_surface(sampled_cloud(coarse, {.points = 1000}, 4));
+  EXPECT_EQ(of_few.mesh.vertices.size() + of_few.outliers, 1000u);
 }
 
 TEST(CloudSurface, PointsTooFarApartForAThinBodyAreRefused) {
