@@ -19,8 +19,9 @@ constexpr double kRefinement = 1.1;
 constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
 /// More vertices are in vain if this many times the number of the closest block is no closer.
 constexpr double kInVain = 1.5;
-/// Multiples of the tolerance with which the closest block is sought if none is within it.
-constexpr double kRelaxations[] = {1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.5, 8.0, 10.0};
+/// Factor by which the tolerance is raised repeatedly to find the closest block if none is within
+/// it, and the largest multiple of the tolerance that is tried.
+constexpr double kRelaxation = 1.15, kMaxRelaxation = 10.0;
 /// A corner of a cube loses 0.73 radii, one of a tetrahedron 2: 0.0025 of S keeps even that.
 constexpr int kRadiusHalvings = 3;
 
@@ -113,7 +114,7 @@ std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radiu
 /// Tries larger tolerances for the body that is kept if none is within tolerance: a fit is given up
 /// where it cannot be, and may then be far from the closest.
 void FewestVerticesSearch::approach(const BlockOptions& options) {
-  for (const double relaxation : kRelaxations) {
+  for (double relaxation = kRelaxation; relaxation <= kMaxRelaxation; relaxation *= kRelaxation) {
     std::optional<Trial> trial =
         try_vertex_count(std::min(kMaxVertices, fine_.vertices.size()), options, relaxation);
     const bool is_near = trial && trial->fitted.is_within_tolerance();
