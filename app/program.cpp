@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/option_flags.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
 #include "core/printable.hpp"
 #include "core/version.hpp"
@@ -75,6 +76,25 @@ int checked(int exit_code) {
   return kFailed;
 }
 
+const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  for (const std::string& word : words) {
+    std::vector<std::string> known;
+    const CLI::App* found = nullptr;
+    for (const CLI::App* part : command->get_subcommands({})) {
+      known.push_back(part->get_name());
+      if (part->get_name() == word) found = part;
+    }
+    if (!found) {
+      throw CLI::ValidationError("\"" + word + "\" is not a command" +
+                                 (known.empty() ? " below " + command->get_name()
+                                                : "; there are " + comma_separated(known)));
+    }
+    command = found;
+  }
+  return *command;
+}
+
 }  // namespace
 
 std::string full_command_name(const CLI::App& command) {
@@ -99,6 +119,13 @@ int run_program(int argc, char** argv, const std::function<void(CLI::App&)>& add
               << escape_nonprintable(error.what()) << "\n";
   }
   return kFailed;
+}
+
+void print_command_help(const CLI::App& app, const std::vector<std::string>& words) {
+  // Not `help` of the command: that follows the commands that were typed, and so explains itself.
+  const CLI::App& command = find_command(app, words);
+  std::cout << command.get_formatter()->make_help(&command, full_command_name(command),
+                                                  CLI::AppFormatMode::Normal);
 }
 
 }  // namespace clast

@@ -38,6 +38,17 @@ function(clast_compile_together target)
   endforeach()
 endfunction()
 
+# clast_compile_apart(group sources...): compiles sources of the library that is defined next together
+# with each other, and not with its other sources.
+function(clast_compile_apart group)
+  set(count 0)
+  foreach(source IN LISTS ARGN)
+    math(EXPR part "${count} / ${CLAST_FILES_TOGETHER}")
+    math(EXPR count "${count} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group}_${part})
+  endforeach()
+endfunction()
+
 # clast_optimise(target level): the level of optimisation of a release.
 function(clast_optimise target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)

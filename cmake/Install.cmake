@@ -7,6 +7,8 @@ install(TARGETS ${clast_libraries} EXPORT clastTargets
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clast COMPONENT dev)
 # The program alone is the components program and reconstruct.
 install(TARGETS clast RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS clast-simulate RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/clast
+        COMPONENT program)
 install(TARGETS clast-reconstruct RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/clast
         COMPONENT reconstruct)
 install(EXPORT clastTargets NAMESPACE clast:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clast

@@ -5,5 +5,5 @@ find_path(CLAST_PROJ_FOLDER proj.db PATHS /usr/share PATH_SUFFIXES proj DOC "Dat
 add_custom_target(tarball
   COMMAND ${PROJECT_SOURCE_DIR}/cmake/packages/tarball.sh ${PROJECT_BINARY_DIR} ${PROJECT_VERSION}
           ${CLAST_GDAL_FOLDER} ${CLAST_PROJ_FOLDER} ${CLAST_THREE_FOLDER} ${CLAST_PLOTLY_FOLDER}
-  DEPENDS clast clast-reconstruct help_files
+  DEPENDS clast clast-simulate clast-reconstruct help_files
   COMMENT "Tarball" VERBATIM USES_TERMINAL)

@@ -9,6 +9,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/shared_runs.hpp"
+#include "app/companion.hpp"
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
@@ -124,8 +125,7 @@ void calibrate_study(const CalibrateArgs& args) {
 
 void add_calibrate_command(CLI::App& app) {
   const auto args = std::make_shared<CalibrateArgs>();
-  CLI::App* command = app.add_subcommand(
-      "calibrate", "Estimate ground parameters from field observations, with their uncertainty");
+  CLI::App* command = &add_companion_command(app, "calibrate");
   command
       ->add_option("study", args->study, "Study file (TOML); docs/formats.md describes every key")
       ->required()

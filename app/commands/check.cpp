@@ -6,6 +6,7 @@
 
 #include "app/commands/campaign_summary.hpp"
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/option_flags.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -90,8 +91,7 @@ void check_one(const CheckArgs& args) {
 
 void add_check_command(CLI::App& app) {
   const auto args = std::make_shared<CheckArgs>();
-  CLI::App* command = app.add_subcommand(
-      "check", "List all errors in a campaign or calibration study, without running it");
+  CLI::App* command = &add_companion_command(app, "check");
   CLI::Option* file =
       command->add_option("file", args->file, "Campaign, or study of a calibration (TOML)")
           ->type_name("FILE");

@@ -4,9 +4,6 @@
 ///
 /// Commands throw clast::Error on failure (exit code 1), CLI::ValidationError on misuse (2).
 #include <CLI/CLI.hpp>
-#include <functional>
-
-#include "app/command_tree.hpp"
 
 namespace clast {
 
@@ -25,13 +22,9 @@ void add_compare_command(CLI::App& app);
 void add_import_command(CLI::App& app);
 void add_calibrate_command(CLI::App& app);
 
-/// Functions that give the help of the command `reconstruct`, which is a separate executable.
-struct ReconstructHelp {
-  std::function<void()> show;             ///< prints the help of the command to stdout
-  std::function<CommandEntry()> options;  ///< returns the options of the command
-};
-/// Adds the command `help`.
+/// Adds the command `help`, which also explains the commands of companion executables.
 /// @param app  must outlive the parsing
-void add_help_command(CLI::App& app, const ReconstructHelp& reconstruct);
+/// @param argv  arguments of the program, for the companion executable
+void add_help_command(CLI::App& app, char** argv);
 
 }  // namespace clast

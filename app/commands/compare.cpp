@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
@@ -99,8 +100,7 @@ void print_summary(const CompareArgs& args) {
 
 void add_compare_command(CLI::App& app) {
   const auto args = std::make_shared<CompareArgs>();
-  CLI::App* command = app.add_subcommand(
-      "compare", "Compare runs by block shape and class: tables, map layers and an HTML report");
+  CLI::App* command = &add_companion_command(app, "compare");
   command->add_option("results", args->results, "Results files of one or more campaigns")
       ->required()
       ->type_name("RESULTS");

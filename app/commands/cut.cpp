@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
@@ -307,7 +308,7 @@ void add_block_making_options(CLI::App& command, RockMassOptions& options) {
 void add_cut_command(CLI::App& app) {
   const auto args = std::make_shared<CutArgs>();
   RockMassOptions& options = args->options;
-  CLI::App* command = app.add_subcommand("cut", "Cut a rock mass into its blocks by joint sets");
+  CLI::App* command = &add_companion_command(app, "cut");
   CLI::Option* mass =
       command->add_option("mass", args->mass, "Closed mesh of the mass, such as a scar")
           ->type_name("MESH");

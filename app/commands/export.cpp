@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/scene_export.hpp"
+#include "app/companion.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/error.hpp"
@@ -107,7 +108,7 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
 
 void add_export_command(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
-  CLI::App* command = app.add_subcommand("export", "Export blocks, or a campaign, for other tools");
+  CLI::App* command = &add_companion_command(app, "export");
   command->add_option("library", args->library, "Block library; with --to, a campaign file")
       ->required()
       ->type_name("LIB");

@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/program.hpp"
 #include "app/shell_completion.hpp"
-#include "core/comma_separated.hpp"
 
 namespace clast {
 
@@ -15,52 +15,33 @@ struct HelpArgs {
   std::string completion;
 };
 
-/// The tables of all commands, with those of `reconstruct` from where they are.
-CommandEntry whole_tree(const CLI::App& app, const ReconstructHelp& reconstruct) {
+/// The tables of all commands, with those of companion executables from where they are.
+CommandEntry whole_tree(const CLI::App& app) {
   CommandEntry root = build_command_tree(app);
   for (CommandEntry& part : root.commands) {
-    if (part.name == "reconstruct") part = reconstruct.options();
+    const CompanionCommand* const command = find_companion_command(part.name);
+    if (command) part = read_companion_options(*command);
   }
   return root;
 }
 
-const CLI::App& find_command(const CLI::App& app, const std::vector<std::string>& words) {
-  const CLI::App* command = &app;
-  for (const std::string& word : words) {
-    std::vector<std::string> known;
-    const CLI::App* found = nullptr;
-    for (const CLI::App* part : command->get_subcommands({})) {
-      known.push_back(part->get_name());
-      if (part->get_name() == word) found = part;
-    }
-    if (!found) {
-      throw CLI::ValidationError("\"" + word + "\" is not a command" +
-                                 (known.empty() ? " below " + command->get_name()
-                                                : "; there are " + comma_separated(known)));
-    }
-    command = found;
-  }
-  return *command;
-}
-
-void help(const CLI::App& app, const ReconstructHelp& reconstruct, const HelpArgs& args) {
+void help(const CLI::App& app, char** argv, const HelpArgs& args) {
+  const CompanionCommand* const elsewhere =
+      args.command.empty() ? nullptr : find_companion_command(args.command.front());
   if (args.completion == "bash") {
-    std::cout << make_bash_completion(whole_tree(app, reconstruct));
+    std::cout << make_bash_completion(whole_tree(app));
   } else if (args.completion == "zsh") {
-    std::cout << make_zsh_completion(whole_tree(app, reconstruct));
-  } else if (!args.command.empty() && args.command.front() == "reconstruct") {
-    reconstruct.show();
+    std::cout << make_zsh_completion(whole_tree(app));
+  } else if (elsewhere) {
+    run_companion(*elsewhere, argv);
   } else {
-    // Not `help` of the command: that follows the commands that were typed, and so explains itself.
-    const CLI::App& command = find_command(app, args.command);
-    std::cout << command.get_formatter()->make_help(&command, full_command_name(command),
-                                                    CLI::AppFormatMode::Normal);
+    print_command_help(app, args.command);
   }
 }
 
 }  // namespace
 
-void add_help_command(CLI::App& app, const ReconstructHelp& reconstruct) {
+void add_help_command(CLI::App& app, char** argv) {
   const auto args = std::make_shared<HelpArgs>();
   CLI::App* command = app.add_subcommand("help", "Explain a command; print shell completion");
   CLI::Option* words = command->add_option("command", args->command, "Command, one or two words")
@@ -76,7 +57,7 @@ void add_help_command(CLI::App& app, const ReconstructHelp& reconstruct) {
       "Examples:\n"
       "  clast help simulate\n"
       "  clast help --completion bash > ~/.local/share/bash-completion/completions/clast");
-  command->callback([&app, reconstruct, args] { help(app, reconstruct, *args); });
+  command->callback([&app, argv, args] { help(app, argv, *args); });
 }
 
 }  // namespace clast

@@ -5,6 +5,7 @@
 
 #include "app/commands/campaign_summary.hpp"
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/interruption.hpp"
 #include "app/progress_bar.hpp"
 #include "core/error.hpp"
@@ -53,9 +54,7 @@ void import_results(ImportArgs& args) {
 
 void add_import_command(CLI::App& app) {
   const auto args = std::make_shared<ImportArgs>();
-  CLI::App* command = app.add_subcommand(
-      "import",
-      "Convert the results of another engine for exported scenes to a results file for compare");
+  CLI::App* command = &add_companion_command(app, "import");
   command->add_option("engine", args->options.engine, "Engine that ran the scenes: rockable")
       ->required()
       ->check(CLI::IsMember(importable_engines()))

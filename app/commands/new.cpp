@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/option_flags.hpp"
 #include "core/angle.hpp"
 #include "core/files/output_file.hpp"
@@ -63,7 +64,7 @@ void write_campaign(const NewCampaignArgs& args) {
 
 void add_new_command(CLI::App& app) {
   const auto args = std::make_shared<NewCampaignArgs>();
-  CLI::App* parent = app.add_subcommand("new", "Write a first campaign file to edit");
+  CLI::App* parent = &add_companion_command(app, "new");
   parent->require_subcommand(1);
   CLI::App* command = parent->add_subcommand(
       "campaign", "Write a complete, commented campaign file from a block library and a terrain");

@@ -237,7 +237,7 @@ void add_batch_options(CLI::App& command, ReconstructArgs& args) {
 
 void add_reconstruct_command(CLI::App& app) {
   const auto args = std::make_shared<ReconstructArgs>();
-  CLI::App* command = app.add_subcommand("reconstruct", kReconstructSummary);
+  CLI::App* command = &add_companion_command(app, "reconstruct");
   command
       ->add_option("scans", args->scans,
                    "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "

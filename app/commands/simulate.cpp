@@ -10,6 +10,7 @@
 #include "app/commands/campaign_summary.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/shared_runs.hpp"
+#include "app/companion.hpp"
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
@@ -228,7 +229,7 @@ void simulate(const SimulateArgs& args) {
 
 void add_simulate_command(CLI::App& app) {
   const auto args = std::make_shared<SimulateArgs>();
-  CLI::App* command = app.add_subcommand("simulate", "Run a campaign of releases");
+  CLI::App* command = &add_companion_command(app, "simulate");
   CLI::Option* campaign =
       command
           ->add_option("campaign", args->campaign,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/companion.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
 #include "core/comma_separated.hpp"
@@ -355,8 +356,7 @@ void add_fit_options(CLI::App& command, TerrainArgs& args) {
 
 void add_terrain_command(CLI::App& app) {
   const auto args = std::make_shared<TerrainArgs>();
-  CLI::App* command = app.add_subcommand(
-      "terrain", "Check a surveyed terrain with its zones and prepare it for simulation");
+  CLI::App* command = &add_companion_command(app, "terrain");
   command
       ->add_option("inputs", args->inputs,
                    "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds (las, pcd, "

@@ -23,7 +23,7 @@ done
 mv "$root/program/share/"* "$root/share/"
 rmdir "$root/program/share"
 install -m 755 "$here/clast.sh" "$root/bin/clast"
-programs=("$root/program/bin/clast" "$root/program/libexec/clast/clast-reconstruct")
+programs=("$root/program/bin/clast" "$root/program/libexec/clast/"clast-{simulate,reconstruct})
 
 # What every system has of the same C library that it has itself.
 of_system='^(ld-linux.*|libc|libm|libdl|librt|libpthread|libresolv|libutil|libnsl|libanl|libmvec)\.so'
@@ -33,7 +33,7 @@ libraries=$(ldd "${programs[@]}" | awk '/=> \// { print $1, $3 }' | sort -u | gr
 while read -r library file; do install -m 644 "$file" "$root/lib/$library"; done <<<"$libraries"
 for file in "$root"/lib/*; do patchelf --set-rpath '$ORIGIN' "$file"; done
 patchelf --set-rpath '$ORIGIN/../../lib' "${programs[0]}"
-patchelf --set-rpath '$ORIGIN/../../../lib' "${programs[1]}"
+patchelf --set-rpath '$ORIGIN/../../../lib' "${programs[@]:1}"
 
 cp -rL "$gdal" "$root/share/gdal"
 mkdir -p "$root/share/proj" "$root/share/three/examples/js/controls" "$root/share/plotly"
