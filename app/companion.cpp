@@ -56,7 +56,7 @@ fs::path find_executable(const CompanionCommand& command) {
   const std::string package = command.program == kReconstruct ? kReconstruct : "clast";
   throw InputError(beside.string() + ": is missing, also in " + installed.parent_path().string() +
                    "; clast " + command.name + " needs this program: install the package " +
-                   package + ", or move both programs together");
+                   package + ", or keep the programs in one folder");
 }
 
 [[noreturn]] void refuse_start(const fs::path& path) {

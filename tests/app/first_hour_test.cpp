@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -234,7 +235,34 @@ TEST(Help, BashCompletesCommandsOptionsValuesAndFiles) {
   EXPECT_EQ(completed(folder, {"clast", "simulate", "x", "-o", "comp"}), Words({"completion"}));
 }
 
-// The tables of the companion come over whole.
+// Loading them takes longer than showing blocks.
+TEST(Program, LoadsNoLibraryOfMapsScansOrProcesses) {
+  if (std::system("command -v readelf > /dev/null") != 0) GTEST_SKIP() << "no readelf";
+  const ScratchFolder folder;
+  const std::string needed =
+      RunningProgram({"readelf", "--dynamic", CLAST_PROGRAM}, folder.path()).wait().out;
+  ASSERT_NE(needed.find("libhdf5"), std::string::npos) << needed;
+  for (const char* library : {"libgdal", "libmpi", "libpcl", "libopencv"}) {
+    EXPECT_EQ(needed.find(library), std::string::npos) << library;
+  }
+}
+
+TEST(Program, NamesTheExecutableThatIsMissing) {
+  const ScratchFolder folder;
+  std::filesystem::copy_file(CLAST_PROGRAM, folder / "clast");
+  for (const std::string command : {"simulate", "reconstruct"}) {
+    const ProgramRun run =
+        RunningProgram({(folder / "clast").string(), command}, folder.path()).wait();
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find("clast-" + command + ": is missing"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("clast " + command + " needs this program"), std::string::npos);
+  }
+  const ProgramRun shown =
+      RunningProgram({(folder / "clast").string(), "help", "show"}, folder.path()).wait();
+  EXPECT_EQ(shown.exit_code, 0) << "the program's own commands need no other";
+}
+
+// The tables of a companion come over whole.
 TEST(Help, TablesSurviveTheWayThroughJson) {
   CommandEntry command{"a", "does", {}, {}};
   command.options.push_back({{"-x", "--xx"}, false, true, "N", {"1", "2"}, "how many"});
