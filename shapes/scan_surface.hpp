@@ -13,7 +13,8 @@ class TriangleTree;
 /// outlive it.
 class ScanSurface {
  public:
-  /// Builds the tree and finds the neighbours. The conversion is implicit, so that a mesh can be passed as a scan surface.
+  /// Builds the tree and finds the neighbours. The conversion is implicit, so that a mesh can be
+  /// passed as a scan surface.
   /// @param mesh  closed, outward
   /// @throws GeometryError  if the mesh has no triangles
   ScanSurface(const TriangleMesh& mesh);  // NOLINT(google-explicit-constructor)

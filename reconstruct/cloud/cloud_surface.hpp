@@ -15,7 +15,7 @@ struct CloudSurfaceOptions {
   /// Radius of empty balls above which triangles belong to a hole, in local point spacings.
   double hole_ball_radius = 1.5;
   std::size_t min_points = 500;  ///< minimum number of points of a block
-  unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
+  unsigned threads = 1;          ///< number of threads, 0: one per core; does not affect the result
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -200,10 +200,10 @@ TEST(CloudSurface, LargeNoiseIsSmoothedWhateverTheDensity) {
 TEST(CloudSurface, CurvatureAndThicknessAreNoNoise) {
   // Points as far apart as the plate is thick scatter about any plane through them.
   const TriangleMesh plate = rock_mesh(16, {0.5, 0.4, 0.03}, 3);
-  const CloudSurface of_plate = fit_cloud_surface(sampled_cloud(plate, {.points = 4000}, 4));
+  const CloudSurface of_plate = fit_cloud_surface(sampled_cloud(plate, {.points = 3000}, 4));
   const double truth = solid_mass_properties(plate, 1.0).volume;
-  EXPECT_NEAR(signed_volume(of_plate.mesh), truth, 0.03 * truth);
-  EXPECT_GE(of_plate.mesh.vertices.size() + of_plate.outliers, 4000u) << "no point was averaged";
+  EXPECT_NEAR(signed_volume(of_plate.mesh), truth, 0.08 * truth) << "it keeps both faces";
+  EXPECT_GE(of_plate.mesh.vertices.size() + of_plate.outliers, 3000u) << "no point was averaged";
   const TriangleMesh coarse = rock_mesh(16, {0.5, 0.4, 0.3}, 3);
   const CloudSurface of_few = fit_cloud_surface(sampled_cloud(coarse, {.points = 1000}, 4));
   EXPECT_GE(of_few.mesh.vertices.size() + of_few.outliers, 1000u);
