@@ -59,9 +59,10 @@ Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_
     if (is_last) break;
     tried.radius_fraction /= 2.0;
   }
-  approach(tried);
-  if (!nearest_) throw GeometryError(refusal_);
-  Block kept = block_of(*nearest_);
+  std::optional<Trial> closest = find_closest(tried);
+  if (!closest) closest = std::move(nearest_);
+  if (!closest) throw GeometryError(refusal_);
+  Block kept = block_of(*closest);
   kept.warnings.push_back(
       "no block of up to " + std::to_string(kMaxVertices) +
       " vertices is within the tolerance of this scan; this is the closest block");
@@ -111,16 +112,16 @@ std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radiu
   return lightest;
 }
 
-/// Tries larger tolerances for the body that is kept if none is within tolerance: a fit is given up
-/// where it cannot be, and may then be far from the closest.
-void FewestVerticesSearch::approach(const BlockOptions& options) {
+/// Finds the body with the most vertices within the smallest multiple of the tolerance. A fit is
+/// given up where it can't be within the tolerance, and may then be far from the closest.
+std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::find_closest(
+    const BlockOptions& options) {
   for (double relaxation = kRelaxation; relaxation <= kMaxRelaxation; relaxation *= kRelaxation) {
     std::optional<Trial> trial =
         try_vertex_count(std::min(kMaxVertices, fine_.vertices.size()), options, relaxation);
-    const bool is_near = trial && trial->fitted.is_within_tolerance();
-    if (trial) keep_nearest(std::move(*trial));
-    if (is_near) return;
+    if (trial && trial->fitted.is_within_tolerance()) return trial;
   }
+  return std::nullopt;
 }
 
 std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::try_vertex_count(

@@ -30,7 +30,7 @@ class FewestVerticesSearch {
   };
   std::optional<Trial> search_at_radius(const BlockOptions& options, std::size_t& first,
                                         bool is_last);
-  void approach(const BlockOptions& options);
+  std::optional<Trial> find_closest(const BlockOptions& options);
   /// @param relaxation  factor of the tolerance
   std::optional<Trial> try_vertex_count(std::size_t count, const BlockOptions& options,
                                         double relaxation = 1.0);
@@ -41,7 +41,7 @@ class FewestVerticesSearch {
   const ScanSurface& scan_;
   const BlockSource& source_;
   TriangleMesh fine_;
-  std::optional<Trial> nearest_;  ///< trial with the smallest distance beyond the tolerance
+  std::optional<Trial> nearest_;  ///< trial with the smallest distance found beyond the tolerance
   std::string refusal_;           ///< first error message
 };
 
