@@ -112,13 +112,18 @@ std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radiu
   return lightest;
 }
 
-/// Finds the body with the most vertices within the smallest multiple of the tolerance. A fit is
-/// given up where it can't be within the tolerance, and may then be far from the closest.
+/// Finds a body within the smallest multiple of the tolerance, with the number of vertices and the
+/// radius of the nearest trial, or with the most vertices. A fit is given up where it can't be
+/// within the tolerance, and may then be far from the closest.
 std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::find_closest(
     const BlockOptions& options) {
+  const std::size_t most = std::min(kMaxVertices, fine_.vertices.size());
   for (double relaxation = kRelaxation; relaxation <= kMaxRelaxation; relaxation *= kRelaxation) {
     std::optional<Trial> trial =
-        try_vertex_count(std::min(kMaxVertices, fine_.vertices.size()), options, relaxation);
+        nearest_ ? try_vertex_count(nearest_->vertices, nearest_->options, relaxation)
+                 : std::nullopt;
+    if (trial && trial->fitted.is_within_tolerance()) return trial;
+    trial = try_vertex_count(most, options, relaxation);
     if (trial && trial->fitted.is_within_tolerance()) return trial;
   }
   return std::nullopt;
