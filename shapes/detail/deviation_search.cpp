@@ -70,7 +70,7 @@ struct DeviationSearch::Patch {
   std::uint32_t vertex = kNoVertex;  ///< of the core, for patches of the ball about it
   std::uint32_t core_triangle = 0;   ///< near the patch, for patches of a body
   std::uint32_t near = 0;            ///< a triangle of the other surface that was closest
-  double most = 1e300;               ///< bound of the patch that this is a quarter of, m
+  double most = 1e300;               ///< bound of the patch that this is a part of, m
 
   static constexpr std::uint32_t kNoVertex = 0xffffffffu;
 
@@ -225,7 +225,7 @@ DeviationSearch::Outcome DeviationSearch::search(std::vector<Patch> patches, dou
   const std::size_t first_patches = patches.size();
   const auto is_open = [&] {
     const bool is_refused =
-        known > limits.refused && (limits.noted == 1e300 || patches.size() >= 2 * first_patches);
+        known > limits.refused && patches.size() >= limits.least_growth * first_patches;
     return !open.empty() && !is_refused &&
            open.top().most > std::max(known + gap_, limits.accepted);
   };
@@ -277,8 +277,8 @@ DeviationSearch::Outcome DeviationSearch::search_scan(double known, const Limits
     if (distance >= reach || radius_ == 0.0) {  // outside of the body everywhere
       most = std::min(most, patch.farthest_from(tree_, patch.near, 0.0) - radius_);
     }
-    const double small = std::max(ignored + kSettled * gap_, limits.accepted);
-    if (std::min(most, patch.most) > small && is_near_plane(patch, small)) most = small;
+    const double settled = std::max(ignored + kSettled * gap_, limits.accepted);
+    if (std::min(most, patch.most) > settled && is_near_plane(patch, settled)) most = settled;
     return PatchBound{patch.foot(), std::abs(distance), most};
   });
 }
@@ -362,8 +362,10 @@ DeviationSearch::Outcome DeviationSearch::search_body(const Limits& limits) {
     double most = std::min(patch.most, distance + reach);
     if (most <= ignored) return none;
     most = std::min(most, patch.farthest_from(scan_.tree(), patch.near, radius_));
-    const double small = std::max(ignored + kSettled * gap_, limits.accepted);
-    if (most > small) most = std::min(most, bound_by_height(patch, small).value_or(most));
+    const double settled = std::max(ignored + kSettled * gap_, limits.accepted);
+    if (most > settled) {
+      most = std::min(most, bound_by_height(patch, settled).value_or(most));
+    }
     if (most <= ignored || radius_ == 0.0) return PatchBound{centre, distance, most};
     const TriangleTree::SignedClosest on_core =
         tree_.signed_closest_point(centre, patch.core_triangle);
@@ -384,7 +386,7 @@ double DeviationSearch::scan_to_body(double known, const Limits& limits) {
 double DeviationSearch::body_to_scan(const Limits& limits) { return search_body(limits).largest; }
 
 DeviationSearch::DistantPoints DeviationSearch::find_distant_points(double limit, double distance) {
-  const Limits limits{.accepted = limit, .refused = limit, .noted = distance};
+  const Limits limits{.accepted = limit, .refused = limit, .noted = distance, .least_growth = 2};
   Outcome scan = search_scan(0.0, limits), body = search_body(limits);
   if (std::max(scan.largest, body.largest) <= limit) return {};
   return {select_spaced(std::move(scan.noted), distance),

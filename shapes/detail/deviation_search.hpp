@@ -32,6 +32,8 @@ class DeviationSearch {
     double accepted = 0.0;   ///< the search ends if no distance can be larger
     double refused = 1e300;  ///< the search ends if a larger distance was found
     double noted = 1e300;    ///< points with larger distances are noted
+    /// Number of patches, over that of the first, from which a refused search ends.
+    std::size_t least_growth = 1;
   };
   /// Returns an upper bound of the distances of the scan from the rounded surface, m. It exceeds
   /// the largest distance by at most 2e-5 of the diagonal of the scan, if a million patches
