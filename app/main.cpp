@@ -8,7 +8,7 @@ void add_commands(CLI::App& app, char** argv) {
   const auto add_companion_commands = [&](std::initializer_list<const char*> names) {
     for (const char* name : names) clast::add_companion_command(app, name);
   };
-  // In the order of the help.
+  // The help lists the commands in this order.
   add_companion_commands({"reconstruct", "cut"});
   clast::add_vary_command(app);
   clast::add_show_command(app);

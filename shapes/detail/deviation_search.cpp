@@ -295,8 +295,8 @@ std::optional<double> DeviationSearch::bound_by_height(const Patch& patch, doubl
   return height ? std::optional(*height + sagitta) : std::nullopt;
 }
 
-/// Patches that hold the skin of a body: faces moved out, strips over edges, balls over vertices.
-/// What of them is buried in the body is left to the search.
+/// Returns patches that contain the surface of the body: faces moved out, strips over edges, balls
+/// over vertices. The search excludes the parts that are buried in the body.
 std::vector<DeviationSearch::Patch> DeviationSearch::body_patches() const {
   std::vector<Patch> patches;
   std::vector<Vec3> normals;

@@ -57,14 +57,43 @@ TEST_P(TriangleTrees, FindTheNearestTriangleOfLowestIndexWithAnyHint) {
   }
 }
 
+Vec3 random_direction(Random& random) {
+  return Vec3(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5).normalized();
+}
+
+TEST_P(TriangleTrees, MissNoPointAboveAPlaneInABall) {
+  const TriangleMesh mesh = rock(4, GetParam() * Vec3(1.0, -2.0, 0.3));
+  const TriangleTree tree(mesh);
+  Random random(8);
+  int above = 0, none = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const TriangleMesh::Triangle& t = mesh.triangles[random.uniform_index(mesh.triangles.size())];
+    const double a = random.uniform(), b = (1.0 - a) * random.uniform();
+    const Vec3 point =
+        a * mesh.vertices[t[0]] + b * mesh.vertices[t[1]] + (1.0 - a - b) * mesh.vertices[t[2]];
+    const Vec3 normal = random_direction(random);
+    const double radius = random.uniform(0.01, 0.3), away = random.uniform(0.0, 2.0) * radius;
+    const Vec3 centre = point + away * random_direction(random);
+    const double height = normal.dot(point) - 1e-6;
+    const bool found = tree.has_point_above(normal, height, centre, radius);
+    if (away < 0.999 * radius) {
+      EXPECT_TRUE(found);
+      ++above;
+    } else if (!found) {
+      ++none;
+    }
+  }
+  EXPECT_GT(above, 500);
+  EXPECT_GT(none, 100) << "a tree that always says yes would pass";
+}
+
 TEST_P(TriangleTrees, FindVerticesAbovePlanes) {
   const Vec3 centre = GetParam() * Vec3(1.0, -2.0, 0.3);
   const TriangleMesh mesh = rock(4, centre);
   const TriangleTree tree(mesh);
   Random random(7);
   for (int i = 0; i < 200; ++i) {
-    const Vec3 normal =
-        Vec3(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5).normalized();
+    const Vec3 normal = random_direction(random);
     double highest = -std::numeric_limits<double>::infinity();
     for (const Vec3& vertex : mesh.vertices) highest = std::max(highest, normal.dot(vertex));
     const double margin = 1e-3;
@@ -80,8 +109,7 @@ TEST_P(TriangleTrees, RaysLeaveThroughTheFirstOutwardTriangle) {
   const TriangleTree tree(mesh);
   Random random(9);
   for (int i = 0; i < 200; ++i) {
-    const Vec3 direction =
-        Vec3(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5).normalized();
+    const Vec3 direction = random_direction(random);
     const auto hit = tree.first_exit(centre, direction, 0xffffffffu);
     ASSERT_TRUE(hit.has_value());
     const Vec3 exit = centre + hit->distance * direction;

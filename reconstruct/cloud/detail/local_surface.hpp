@@ -17,8 +17,8 @@ class MovingLeastSquares {
   /// Constructs the method for a set of points.
   /// @param points  must outlive this object
   /// @param normals  unit, one per point; must outlive this object
-  /// @param is_oriented  true if all normals are outward; otherwise, sides of a thin plate are not
-  ///                     told apart
+  /// @param is_oriented  true if all normals are outward; otherwise, the two sides of a thin plate
+  ///                     are not distinguished
   MovingLeastSquares(std::span<const Vec3> points, std::span<const Vec3> normals,
                      bool is_oriented = true);
 
