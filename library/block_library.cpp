@@ -51,6 +51,12 @@ void write_unseen(Hdf5Group group, const VolumeBracket& unseen) {
   if (unseen.upper_volume) group.set_attribute("volume_upper_m3", *unseen.upper_volume);
   group.set_attribute("invented_share", unseen.filled_fraction);
   group.set_attribute("assumption", unseen.assumption);
+  if (unseen.intervals) {
+    group.set_attribute("volume_lower90_m3", unseen.intervals->lower_volume);
+    group.set_attribute("volume_upper90_m3", unseen.intervals->upper_volume);
+    write_matrix(group, "axes_lower90", unseen.intervals->sides.lower, "m");
+    write_matrix(group, "axes_upper90", unseen.intervals->sides.upper, "m");
+  }
   if (!unseen.sides) return;
   write_matrix(group, "axes_lower", unseen.sides->lower, "m");
   write_matrix(group, "axes_upper", unseen.sides->upper, "m");
@@ -74,10 +80,21 @@ VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
   if (group.has_attribute("assumption")) {
     unseen.assumption = group.read_attribute<std::string>("assumption");
   }
+  const auto side_bounds = [&](const std::string& lower, const std::string& upper) {
+    const BoxSideBounds sides{lengths(lower), lengths(upper)};
+    check_stored_value((sides.lower.array() <= sides.upper.array()).all(), where,
+                       lower + " is above " + upper);
+    return sides;
+  };
+  if (group.has_attribute("volume_lower90_m3")) {
+    SizeIntervals intervals;
+    intervals.lower_volume = read_scalar(group, "volume_lower90_m3", kPositive, where);
+    intervals.upper_volume = read_scalar(group, "volume_upper90_m3", intervals.lower_volume, where);
+    intervals.sides = side_bounds("axes_lower90", "axes_upper90");
+    unseen.intervals = intervals;
+  }
   if (group.contains("axes_lower")) {
-    unseen.sides = BoxSideBounds{lengths("axes_lower"), lengths("axes_upper")};
-    check_stored_value((unseen.sides->lower.array() <= unseen.sides->upper.array()).all(), where,
-                       "axes_lower is above axes_upper");
+    unseen.sides = side_bounds("axes_lower", "axes_upper");
   } else if (group.contains(
                  "box_lower")) {  // files of clast 0.x: boxes of a small and a large shape
     const Vec3 small = lengths("box_lower"), large = lengths("box_upper");

@@ -26,6 +26,7 @@ constexpr std::chrono::seconds kBetweenWrites{60};
 struct Outcome {
   std::vector<Block> blocks;
   std::vector<std::string> failures;
+  std::vector<std::string> notes;
 };
 
 /// A short name of everything that was asked of a scan, for `resume` to know it again.
@@ -103,6 +104,7 @@ class Batch {
         .progress = [&](const ProgressUpdate& step) { report(step); },
         .on_block_made = [&](const Block& block,
                              const BlockOrigin& origin) { observer_.on_block_made(block, origin); },
+        .on_note = [&](const std::string& note) { outcome.notes.push_back(note); },
         .on_block_lost = [&](const std::string&,
                              const std::string& reason) { outcome.failures.push_back(reason); }};
     if (!scan.is_shp()) {
@@ -140,6 +142,7 @@ class Batch {
   void take(const ScanFile& scan, const Outcome& outcome) {
     const std::lock_guard lock(mutex_);
     ++taken_;
+    for (const std::string& note : outcome.notes) observer_.on_note(scan.id + ": " + note);
     for (const Block& block : outcome.blocks) add(scan, block);
     for (const std::string& failure : outcome.failures) fail(scan, failure);
     if (outcome.blocks.empty() && outcome.failures.empty()) keep(scan);

@@ -1,5 +1,6 @@
 #include "pipeline/scan_to_block.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "core/files/digest.hpp"
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
+#include "core/parallel.hpp"
 #include "core/utf8.hpp"
 #include "library/block_bracket.hpp"
 #include "massprops/solid.hpp"
@@ -16,6 +18,7 @@
 #include "pipeline/detail/scan_scale.hpp"
 #include "pipeline/fewest_vertices.hpp"
 #include "shapes/convex_hull.hpp"
+#include "shapes/oriented_box.hpp"
 #include "shapes/surface_deviation.hpp"
 
 namespace clast {
@@ -53,6 +56,13 @@ std::string wide_tolerance_note(const BlockOptions& options, const Block& block)
          " m off its scan; it is not a length or a percentage: 0.01 means 1 %";
 }
 
+/// Tolerance below which the points of a block show no detail, as a fraction of L.
+double resolved_tolerance(const FieldBlock& found) {
+  constexpr double kSpacings = 0.5;
+  if (!(found.spacing > 0.0)) return 0.0;
+  return kSpacings * found.spacing / smallest_box(found.scan.mesh.vertices).lengths[0];
+}
+
 /// Simplifies and measures one block of a scan.
 Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource source,
                       const ScanToBlockOptions& options, const ScanCallbacks& callbacks) {
@@ -63,21 +73,23 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
   }
   if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
   const ScanSurface surface(scan.mesh);
+  BlockOptions making = options.block;
+  making.tolerance = std::max(making.tolerance, resolved_tolerance(found));
   Block block;
   if (options.block.core) {
     callbacks.begin_step("measuring " + id);
-    block = make_block(id, scan.mesh, surface, std::move(source), options.block);
+    block = make_block(id, scan.mesh, surface, std::move(source), making);
   } else if (options.vertices) {
     callbacks.begin_step("simplifying " + id);
     const TriangleMesh light = simplify_mesh(scan.mesh, {.target_vertices = *options.vertices});
     callbacks.begin_step("measuring " + id);
     source.options += " vertices=" + std::to_string(*options.vertices);
-    block = make_block(id, light, surface, std::move(source), options.block);
+    block = make_block(id, light, surface, std::move(source), making);
   } else {
     callbacks.begin_step("simplifying " + id);
     FewestVerticesSearch search(id, surface, source);
     callbacks.begin_step("fitting " + id);
-    block = search.find_block(options.block, options.radius_given);
+    block = search.find_block(making, options.radius_given);
   }
   if (!block.source.unscaled) check_block_mass(block, options);
   // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.
@@ -102,6 +114,7 @@ FieldScanOptions reading_options(const ScanToBlockOptions& options) {
           .up_given = options.up_given,
           .find_ground = options.find_ground,
           .split = options.split,
+          .smallest_axis = options.smallest_axis,
           .surface = {.threads = options.block.threads}};
 }
 
@@ -143,6 +156,8 @@ ReadScan clean_any_mesh(const TriangleMesh& raw, const std::string& name,
   FieldScan found;
   if (options.block.core) {
     found.blocks.push_back({clean_scan(raw, name, core_options(options)), {}, {}});
+  } else if (options.split) {
+    static_cast<FieldDeposit&>(found) = extract_deposit_blocks(raw.vertices, name, reading);
   } else if (raw.triangles.empty()) {
     found.blocks = extract_field_blocks(raw.vertices, name, reading);
   } else {
@@ -152,6 +167,35 @@ ReadScan clean_any_mesh(const TriangleMesh& raw, const std::string& name,
   return {std::move(found), {}};
 }
 
+/// Describes the parts of a deposit that are not among its blocks: a sum for each reason with the
+/// largest parts.
+std::vector<std::string> describe_left_out(std::vector<LeftOutPart> parts) {
+  constexpr std::size_t kNamed = 5;
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const LeftOutPart& a, const LeftOutPart& b) { return a.points > b.points; });
+  const std::vector<std::pair<LeftOutReason, std::string>> reasons = {
+      {LeftOutReason::kTooFewPoints, "too few points for a block"},
+      {LeftOutReason::kTooSmall, "I is less than `smallest_axis`"},
+      {LeftOutReason::kCutByBorder, "the scan ends on them"},
+      {LeftOutReason::kMostlyHidden, "too little of their surface is visible"}};
+  std::vector<std::string> notes;
+  for (const auto& [reason, words] : reasons) {
+    std::size_t count = 0;
+    std::string places;
+    for (const LeftOutPart& part : parts) {
+      if (part.reason != reason) continue;
+      if (++count <= kNamed) {
+        places += (count > 1 ? ", " : "") + format_point(part.centre) + " with " +
+                  format_count(part.points, "point");
+      }
+    }
+    if (count == 0) continue;
+    notes.push_back(format_count(count, "part") + " left out, because " + words + ": " + places +
+                    (count > kNamed ? ", ..." : ""));
+  }
+  return notes;
+}
+
 std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSource source,
                                const std::string& up, const ScanToBlockOptions& options,
                                const ScanCallbacks& callbacks) {
@@ -159,24 +203,39 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
   if (options.scale_points) note_distant_scale_points(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < found.blocks.size(); ++i) {
-    const std::string name = options.split ? id + "_" + std::to_string(i + 1) : id;
+  if (callbacks.on_note) {
+    for (const std::string& note : describe_left_out(found.left_out)) callbacks.on_note(note);
+  }
+  const std::size_t count = found.blocks.size();
+  const auto name_of = [&](std::size_t i) {
+    return options.split ? id + "_" + std::to_string(i + 1) : id;
+  };
+  ScanToBlockOptions one = options;
+  if (count > 1) one.block.threads = 1;  // blocks are made in parallel instead
+  std::vector<std::optional<Block>> made(count);
+  std::vector<std::string> failures(count);
+  parallel_for(count, count > 1 ? options.block.threads : 1, [&](std::size_t i) {
     try {
-      blocks.push_back(make_scan_block(found.blocks[i], name, source, options, callbacks));
+      made[i] = make_scan_block(found.blocks[i], name_of(i), source, one, callbacks);
+      if (callbacks.on_block_made) {
+        callbacks.on_block_made(*made[i], {.raw = &found.raw,
+                                           .field_block = &found.blocks[i],
+                                           .photos = read.photos ? &*read.photos : nullptr,
+                                           .up = up});
+      }
     } catch (const Error& error) {  // of several blocks a bad one never costs the others
-      if (found.blocks.size() == 1 || !callbacks.on_block_lost) throw;
-      callbacks.on_block_lost(name, error.what());
-      found.blocks[i] = {};
-      continue;
+      if (count == 1 || !callbacks.on_block_lost) throw;
+      failures[i] = error.what();
     }
-    if (callbacks.on_block_made) {
-      callbacks.on_block_made(blocks.back(), {.raw = &found.raw,
-                                              .field_block = &found.blocks[i],
-                                              .photos = read.photos ? &*read.photos : nullptr,
-                                              .up = up});
+    found.blocks[i] = {};  // memory is bounded by the blocks in work
+  });
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (made[i]) {
+      blocks.push_back(std::move(*made[i]));
+    } else {
+      callbacks.on_block_lost(name_of(i), failures[i]);
     }
-    found.blocks[i] = {};  // memory is bounded by one block's needs
   }
   return blocks;
 }

@@ -32,8 +32,9 @@ struct ScanToBlockOptions {
   bool allow_any_size = false;  ///< true: blocks of unusual size are accepted
   bool up_given = false;  ///< true if the user gave `scan.up`, which overrides detected ground
   bool find_ground = true;
-  bool split = false;       ///< true: makes all blocks above the ground of a scan
-  PhotoScanOptions photos;  ///< options for folders of photographs
+  bool split = false;          ///< true: makes all blocks of a deposit
+  double smallest_axis = 0.0;  ///< with `split`: least intermediate axis I of a block, m
+  PhotoScanOptions photos;     ///< options for folders of photographs
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -41,7 +42,7 @@ struct ScanToBlockOptions {
 template <class Visit>
 void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   const auto& [scan, units, scale_points, scale_factor, vertices, block, radius_given, any_size,
-               up_given, find_ground, split, photos] = options;
+               up_given, find_ground, split, smallest_axis, photos] = options;
   visit("scan", scan);
   visit("units", units);
   visit("scale_points", scale_points);
@@ -53,6 +54,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("up_given", up_given);
   visit("find_ground", find_ground);
   visit("split", split);
+  visit("smallest_axis", smallest_axis);
   visit("photos", photos);
 }
 
@@ -71,6 +73,7 @@ struct BlockOrigin {
 struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
+  std::function<void(const std::string& note)> on_note = {};  ///< called with notes on the scan
   /// Called for a failed block of a split scan. If it is set, the other blocks are still made.
   std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 

@@ -8,6 +8,7 @@
 #include "mesh/mesh_io.hpp"
 #include "mesh/point_cloud.hpp"
 #include "reconstruct/detail/cloud_blocks.hpp"
+#include "reconstruct/detail/deposit_blocks.hpp"
 #include "reconstruct/detail/mesh_blocks.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
 
@@ -54,6 +55,7 @@ void FieldScanOptions::check() const {
 std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
                                              const FieldScanOptions& options) {
   options.check();
+  if (options.split) return extract_deposit_blocks(raw.vertices, name, options).blocks;
   return reconstruct_detail::extract_mesh_blocks(raw, name, options);
 }
 
@@ -61,7 +63,14 @@ std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
                                              const std::string& name,
                                              const FieldScanOptions& options) {
   options.check();
+  if (options.split) return extract_deposit_blocks(points, name, options).blocks;
   return reconstruct_detail::extract_cloud_blocks(points, name, options);
+}
+
+FieldDeposit extract_deposit_blocks(const std::vector<Vec3>& points, const std::string& name,
+                                    const FieldScanOptions& options) {
+  options.check();
+  return reconstruct_detail::extract_deposit(points, name, options);
 }
 
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
@@ -87,9 +96,14 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
       check_cloud_system(path, summary, bounds(scan.raw), options.scan);
   const std::string note =
       reconstruct_detail::check_coordinate_digits(scan.raw, path, options.scan.unit);
-  scan.blocks = scan.raw.triangles.empty()
-                    ? extract_field_blocks(scan.raw.vertices, path.string(), options)
-                    : extract_field_blocks(scan.raw, path.string(), options);
+  if (options.split) {
+    static_cast<FieldDeposit&>(scan) =
+        extract_deposit_blocks(scan.raw.vertices, path.string(), options);
+  } else if (scan.raw.triangles.empty()) {
+    scan.blocks = extract_field_blocks(scan.raw.vertices, path.string(), options);
+  } else {
+    scan.blocks = extract_field_blocks(scan.raw, path.string(), options);
+  }
   for (FieldBlock& block : scan.blocks) {
     std::vector<std::string>& notes = block.scan.notes;
     if (!note.empty()) notes.push_back(note);

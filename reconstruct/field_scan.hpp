@@ -1,5 +1,6 @@
 #pragma once
 /// Blocks from field scans: removes ground, closes undersides, and bounds the unobserved parts.
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "core/pose.hpp"
 #include "reconstruct/cloud/cloud_surface.hpp"
+#include "reconstruct/deposit/deposit.hpp"
 #include "reconstruct/ground/ground.hpp"
 #include "reconstruct/scan.hpp"
 #include "reconstruct/underside/underside.hpp"
@@ -19,8 +21,8 @@ struct FieldScanOptions {
   bool up_given =
       false;  ///< true if `scan.up` was given; otherwise, z points up from a detected ground
   bool find_ground = true;  ///< false if the scan contains a single block without ground
-  bool split =
-      false;  ///< true: extracts all blocks above the ground; false: the one near the centre
+  bool split = false;  ///< true: extracts all blocks of a deposit; false: the one near the centre
+  double smallest_axis = 0.0;        ///< with `split`: least intermediate axis I of a block, m
   CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
   /// Observed free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
@@ -33,19 +35,28 @@ struct FieldBlock {
   std::optional<Underside> underside;  ///< for an open scan, in the frame of `scan`
   std::optional<VolumeBracket>
       bounds;  ///< bounds of the volume; empty if the scan is practically closed
+  /// Point spacing of a block of a deposit, m, which limits the detail of its body; otherwise 0.
+  double spacing = 0.0;
   /// Transform from file coordinates in metres, z up, to the frame of `scan`.
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };
 
-struct FieldScan {
+/// All blocks of a deposit.
+struct FieldDeposit {
+  std::vector<FieldBlock> blocks = {};     ///< ordered by x, then y
+  std::vector<LeftOutPart> left_out = {};  ///< parts that may be blocks but are not among them
+  /// Block of each point as read, from 1; 0: ground, fines or left out.
+  std::vector<std::uint32_t> block_of_point = {};
+};
+
+/// A scan as read and its blocks. Without `split`, there is one block and nothing else.
+struct FieldScan : FieldDeposit {
   TriangleMesh raw;  ///< mesh as read, in the file's units and axes; without triangles for a cloud
-  std::vector<FieldBlock> blocks;
 };
 
 /// Reads a mesh or cloud and extracts its blocks, at least one. Closed meshes are cleaned as by
 /// `read_scan`. In open meshes, the ground is removed and the underside is closed. For clouds, a
-/// surface is reconstructed first. With `split`, blocks are ordered by x, then y of the file;
-/// otherwise, there is one block.
+/// surface is reconstructed first. With `split`, `extract_deposit_blocks` extracts all blocks.
 /// @throws InputError  if `read_mesh` or `stream_cloud` throws, if a cloud has too few points, or
 ///                     if the file stores too few digits for the shape of the block
 /// @throws GeometryError  if there is only ground, or if `clean_scan` or `close_underside` throws
@@ -57,5 +68,12 @@ std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std:
 std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
                                              const std::string& name,
                                              const FieldScanOptions& options = {});
+
+/// Extracts all blocks of a deposit, apart or touching. The vertices of a mesh are its points.
+/// Blocks are in metres, z up, at their places in the file.
+/// @throws InputError  if a point is out of range, or there are too few points
+/// @throws GeometryError  if no part of the scan is a block
+FieldDeposit extract_deposit_blocks(const std::vector<Vec3>& points, const std::string& name,
+                                    const FieldScanOptions& options = {});
 
 }  // namespace clast

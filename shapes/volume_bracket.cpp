@@ -11,6 +11,12 @@ VolumeBracket scaled(VolumeBracket bracket, double unit) {
     bracket.sides->lower *= unit;
     bracket.sides->upper *= unit;
   }
+  if (bracket.intervals) {
+    bracket.intervals->lower_volume *= cubed;
+    bracket.intervals->upper_volume *= cubed;
+    bracket.intervals->sides.lower *= unit;
+    bracket.intervals->sides.upper *= unit;
+  }
   return bracket;
 }
 

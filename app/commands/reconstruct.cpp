@@ -141,8 +141,15 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       ->type_name("WHICH")
       ->capture_default_str();
   command.add_flag("--split", args.batch.scan.split,
-                   "Make a block of each object on the ground of a scan, as ID_1, ID_2 ... in "
-                   "order of x; default: only of the object near the middle");
+                   "Make all blocks of a deposit, apart or touching, as ID_1, ID_2 ... in order of "
+                   "x; default: only the block near the middle");
+  command
+      .add_option("--smallest", args.batch.scan.smallest_axis,
+                  "With --split: smallest intermediate axis I of a block, m, as a sieve opening; "
+                  "default: all blocks that the point spacing resolves")
+      ->check(number_in_range(kBlockLengthRange))
+      ->type_name("M")
+      ->needs("--split");
   command.add_flag("--any-size", args.batch.scan.allow_any_size,
                    "Also accept blocks over 20 m, over 10,000 t or under 1 mm");
 }

@@ -35,7 +35,12 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
       "finding the surface in " + std::to_string(scan.cloud.points.size()) + " points", true);
   FieldScan found;
   try {
-    found.blocks = extract_field_blocks(scan.cloud.points, folder.string(), reading);
+    if (reading.split) {
+      static_cast<FieldDeposit&>(found) =
+          extract_deposit_blocks(scan.cloud.points, folder.string(), reading);
+    } else {
+      found.blocks = extract_field_blocks(scan.cloud.points, folder.string(), reading);
+    }
   } catch (const Error& error) {  // mostly for want of photos, which points don't know
     throw GeometryError(std::string(error.what()) +
                         ". The points come from photos: " + scan.notes.front() +

@@ -60,7 +60,7 @@ PlaneOf plane_of(std::span<const Vec3> points) {
 
 }  // namespace
 
-std::vector<Vec3> remove_duplicate_points(std::span<const Vec3> points) {
+std::vector<std::uint32_t> find_first_duplicates(std::span<const Vec3> points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto less = [&](std::uint32_t a, std::uint32_t b) {
@@ -68,15 +68,12 @@ std::vector<Vec3> remove_duplicate_points(std::span<const Vec3> points) {
     return p == q ? a < b : std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
   };
   std::sort(order.begin(), order.end(), less);
-  std::vector<bool> is_first(points.size(), true);
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (points[order[i]] == points[order[i - 1]]) is_first[order[i]] = false;
+  std::vector<std::uint32_t> first(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool repeats = i > 0 && points[order[i]] == points[order[i - 1]];
+    first[order[i]] = repeats ? first[order[i - 1]] : order[i];
   }
-  std::vector<Vec3> once;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_first[i]) once.push_back(points[i]);
-  }
-  return once;
+  return first;
 }
 
 std::vector<double> compute_local_spacings(std::span<const Vec3> points) {

@@ -8,8 +8,8 @@
 
 namespace clast::reconstruct_detail {
 
-/// Removes duplicate points. The order of the others is unchanged.
-std::vector<Vec3> remove_duplicate_points(std::span<const Vec3> points);
+/// Returns, for each point, the index of the first point with the same coordinates.
+std::vector<std::uint32_t> find_first_duplicates(std::span<const Vec3> points);
 
 /// Computes the local spacing of each point, m. The spacing is 1/sqrt(n), where the number n of
 /// points per area is estimated from the distance to the sixth nearest point.

@@ -9,7 +9,7 @@
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/outliers.hpp"
 #include "reconstruct/cloud/separate_sets.hpp"
-#include "reconstruct/detail/choose_blocks_on_ground.hpp"
+#include "reconstruct/detail/choose_block_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
 
 namespace clast::reconstruct_detail {
@@ -29,19 +29,6 @@ void refuse_unusable(const std::vector<Vec3>& points, const std::string& name, d
                      " points are too few for a block; at least " + std::to_string(kMinPoints) +
                      " are needed");
   }
-}
-
-/// The points without repeats and outliers; notes how many these are.
-std::vector<Vec3> clean_points(const std::vector<Vec3>& raw, std::vector<std::string>& notes) {
-  std::vector<Vec3> points;
-  const std::vector<Vec3> once = remove_duplicate_points(raw);
-  for (const std::uint32_t i : find_non_isolated_points(once)) points.push_back(once[i]);
-  notes.push_back("made from " + std::to_string(raw.size()) + " points, " +
-                  std::to_string(once.size() - points.size()) + " of them outliers");
-  if (once.size() < raw.size()) {
-    notes.push_back(std::to_string(raw.size() - once.size()) + " duplicate points were left out");
-  }
-  return points;
 }
 
 /// A ground would join what stands on it: without one, far sets are not of one block.
@@ -90,33 +77,53 @@ FieldBlock block_alone(SeparatedPoints sets, std::vector<std::string> notes,
 
 }  // namespace
 
+CleanCloud clean_cloud(const std::vector<Vec3>& raw, const std::string& name, double unit) {
+  refuse_unusable(raw, name, unit);
+  CleanCloud clean;
+  clean.first_duplicates = find_first_duplicates(raw);
+  std::vector<std::uint32_t> unique;
+  std::vector<Vec3> once;
+  for (std::uint32_t i = 0; i < raw.size(); ++i) {
+    if (clean.first_duplicates[i] != i) continue;
+    unique.push_back(i);
+    once.push_back(raw[i]);
+  }
+  for (const std::uint32_t i : find_non_isolated_points(once)) {
+    clean.points.push_back(once[i]);
+    clean.sources.push_back(unique[i]);
+  }
+  clean.notes.push_back("made from " + std::to_string(raw.size()) + " points, " +
+                        std::to_string(once.size() - clean.points.size()) + " of them outliers");
+  if (once.size() < raw.size()) {
+    clean.notes.push_back(std::to_string(raw.size() - once.size()) +
+                          " duplicate points were left out");
+  }
+  return clean;
+}
+
 std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
                                              const FieldScanOptions& options) {
-  refuse_unusable(raw, name, options.scan.unit);
-  std::vector<std::string> notes;
-  const std::vector<Vec3> points = clean_points(raw, notes);
+  CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
+  const std::vector<Vec3>& points = clean.points;
+  std::vector<std::string>& notes = clean.notes;
   SeparatedPoints sets = separate_far_points(points);
   refuse_separate_sets(sets, name);
   std::optional<Ground> ground;
   if (options.find_ground) ground = find_ground(points);
   if (!ground) return {block_alone(std::move(sets), std::move(notes), name, options)};
 
-  const ChosenBlocks chosen = choose_blocks_on_ground(points, *ground, name, options.split);
+  const ChosenBlock chosen = choose_block_on_ground(points, *ground, name);
   notes.insert(notes.end(), chosen.notes.begin(), chosen.notes.end());
-  std::vector<FieldBlock> blocks;
-  for (const ChosenBlock& block : chosen.blocks) {
-    std::vector<std::string> own_notes;
-    CloudSurface surface = surface_of(block.points, name, options.surface, own_notes);
-    blocks.push_back(close_block({.surface = std::move(surface.mesh),
-                                  .ground = block.ground,
-                                  .centre = block.centre,
+  std::vector<std::string> own_notes;
+  CloudSurface surface = surface_of(chosen.points, name, options.surface, own_notes);
+  FieldBlock block = close_block({.surface = std::move(surface.mesh),
+                                  .ground = chosen.ground,
+                                  .centre = chosen.centre,
                                   .uncertainty = &surface.uncertainty,
                                   .notes = notes},
-                                 name, options));
-    std::vector<std::string>& all = blocks.back().scan.notes;
-    all.insert(all.end(), own_notes.begin(), own_notes.end());
-  }
-  return blocks;
+                                 name, options);
+  block.scan.notes.insert(block.scan.notes.end(), own_notes.begin(), own_notes.end());
+  return {std::move(block)};
 }
 
 }  // namespace clast::reconstruct_detail

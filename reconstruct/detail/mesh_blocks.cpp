@@ -9,7 +9,7 @@
 #include "mesh/weld.hpp"
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/cloud/cut_out.hpp"
-#include "reconstruct/detail/choose_blocks_on_ground.hpp"
+#include "reconstruct/detail/choose_block_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/repair/components.hpp"
 #include "reconstruct/repair/hole_loops.hpp"
@@ -127,29 +127,26 @@ std::string left_out(const std::vector<SurfaceComponent>& components) {
          ", was left out; to make both, save each to a separate file";
 }
 
-std::vector<FieldBlock> blocks_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,
-                                         const std::vector<Vec3>& points, const Ground& ground,
-                                         const std::string& name, const FieldScanOptions& options) {
-  const ChosenBlocks chosen = choose_blocks_on_ground(points, ground, name, options.split);
+FieldBlock block_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,
+                           const std::vector<Vec3>& points, const Ground& ground,
+                           const std::string& name, const FieldScanOptions& options) {
+  const ChosenBlock chosen = choose_block_on_ground(points, ground, name);
   const PointTree tree(points);
-  std::vector<FieldBlock> blocks;
-  for (const ChosenBlock& block : chosen.blocks) {
-    std::vector<SurfaceComponent> components =
-        extract_nearest_components(sheet.mesh, tree, block.point_indices);
-    if (components.empty()) throw_only_ground_error(name, 1.0);
-    const std::string others = left_out(components);
-    TriangleMesh rock = std::move(components.front().mesh);
-    split_non_manifold_vertices(rock);
-    blocks.push_back(close_block({.surface = std::move(rock),
-                                  .ground = block.ground,
-                                  .centre = block.centre,
+  std::vector<SurfaceComponent> components =
+      extract_nearest_components(sheet.mesh, tree, chosen.point_indices);
+  if (components.empty()) throw_only_ground_error(name, 1.0);
+  const std::string others = left_out(components);
+  TriangleMesh rock = std::move(components.front().mesh);
+  split_non_manifold_vertices(rock);
+  FieldBlock block = close_block({.surface = std::move(rock),
+                                  .ground = chosen.ground,
+                                  .centre = chosen.centre,
                                   .raw = &raw,
                                   .repaired = sheet.repaired,
                                   .notes = chosen.notes},
-                                 name, options));
-    if (!others.empty()) blocks.back().scan.notes.push_back(others);
-  }
-  return blocks;
+                                 name, options);
+  if (!others.empty()) block.scan.notes.push_back(others);
+  return block;
 }
 
 }  // namespace
@@ -170,7 +167,7 @@ std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::
   if (options.find_ground && !has_only_small_holes(sheet->mesh)) {
     const std::vector<Vec3> points = sample_surface_points(sheet->mesh);
     if (const std::optional<Ground> ground = find_ground(points)) {
-      return blocks_on_ground(*sheet, raw, points, *ground, name, options);
+      return {block_on_ground(*sheet, raw, points, *ground, name, options)};
     }
   }
   double scraps = 0.0;

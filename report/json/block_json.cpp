@@ -51,6 +51,9 @@ Json unseen_json(const Block& block) {
     const Axes& axes = (*range.axes).*end;
     return Json{axes.L, axes.I, axes.S};
   };
+  const auto interval = [&](auto&& value) {
+    return unseen.intervals ? Json(value(*unseen.intervals)) : Json(nullptr);
+  };
   const auto classes = [&](const char* scheme) {
     return range.axes ? Json(range.classes.at(scheme)) : Json(nullptr);
   };
@@ -58,6 +61,12 @@ Json unseen_json(const Block& block) {
           {"volume_lower_m3", unseen.lower_volume},
           {"volume_best_m3", unseen.estimated_volume},
           {"volume_upper_m3", number_or_null(unseen.upper_volume)},
+          {"volume_lower90_m3", interval([](const SizeIntervals& i) { return i.lower_volume; })},
+          {"volume_upper90_m3", interval([](const SizeIntervals& i) { return i.upper_volume; })},
+          {"axes_lower90_m",
+           interval([](const SizeIntervals& i) { return vector_json(i.sides.lower); })},
+          {"axes_upper90_m",
+           interval([](const SizeIntervals& i) { return vector_json(i.sides.upper); })},
           {"mass_lower_kg", range.lower_mass},
           {"mass_upper_kg", number_or_null(range.upper_mass)},
           {"density_lower_kg_m3", number_or_null(range.lower_density)},

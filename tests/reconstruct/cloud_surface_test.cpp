@@ -39,7 +39,7 @@ std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 2000
 }
 
 TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
-  const TriangleMesh surface = fit_cloud_surface(points_on(unit_sphere(20), -1.0), kCoarse).mesh;
+  const TriangleMesh surface = fit_cloud_surface(points_on(geodesic_sphere(20), -1.0), kCoarse).mesh;
   const MeshReport report = inspect_mesh(surface);
   EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
@@ -55,7 +55,7 @@ TEST(CloudSurface, OfAConcaveRockHasItsVolume) {
 
 TEST(CloudSurface, IsOpenWhereNoPointsAre) {
   // A cap within acos 0.6 = 53 degrees of the lowest point has a fifth of the ball.
-  const TriangleMesh surface = fit_cloud_surface(points_on(unit_sphere(20), -0.6), kCoarse).mesh;
+  const TriangleMesh surface = fit_cloud_surface(points_on(geodesic_sphere(20), -0.6), kCoarse).mesh;
   const MeshReport report = inspect_mesh(surface);
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.boundary_loops, 1u);
@@ -101,7 +101,7 @@ TEST(CloudSurface, IndicatorIsTheSameWhereverMemoryLies) {
 }
 
 TEST(CloudSurface, LiesWhereTheCloudLiesOnAMap) {
-  std::vector<Vec3> points = points_on(unit_sphere(10), -1.0, 10000);
+  std::vector<Vec3> points = points_on(geodesic_sphere(10), -1.0, 10000);
   const TriangleMesh here = fit_cloud_surface(points, kCoarse).mesh;
   for (Vec3& p : points) p += Vec3(524288.0, 4194304.0, 1024.0);  // exact in a float of the offset
   const TriangleMesh there = fit_cloud_surface(points, kCoarse).mesh;
@@ -141,14 +141,14 @@ TEST(CloudSurface, OfPointsWithoutNoiseGoesThroughThemAndNeverBeyond) {
 
 TEST(CloudSurface, IsClosedWhereTheDensityOnlyFalls) {
   const std::vector<Vec3> points =
-      sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 5);
+      sampled_cloud(geodesic_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 5);
   const CloudSurface surface = fit_cloud_surface(points);
   EXPECT_TRUE(inspect_mesh(surface.mesh).is_closed());
   EXPECT_NEAR(solid_mass_properties(surface.mesh, 1.0).volume, 4.0 / 3.0 * kPi, 0.02 * 4.2);
 }
 
 TEST(CloudSurface, AGapIsFilledAndReportedWithItsPlace) {
-  std::vector<Vec3> points = sampled_cloud(unit_sphere(20), {.points = 20000}, 6);
+  std::vector<Vec3> points = sampled_cloud(geodesic_sphere(20), {.points = 20000}, 6);
   std::erase_if(points,
                 [](const Vec3& p) { return p.z() > std::cos(0.12); });  // 0.36 % of the area
   const CloudSurface surface = fit_cloud_surface(points);
@@ -161,7 +161,7 @@ TEST(CloudSurface, AGapIsFilledAndReportedWithItsPlace) {
 // No point lies on the strip between the two rims of a thin edge, which is hardly wider than the
 // points are apart anyway.
 TEST(CloudSurface, TheMissingEdgeOfALensIsUnseen) {
-  TriangleMesh lens = unit_sphere(24);
+  TriangleMesh lens = geodesic_sphere(24);
   for (Vec3& v : lens.vertices) v = v.cwiseProduct(Vec3(0.5, 0.5, 0.06));
   std::vector<Vec3> points = sampled_cloud(lens, {.points = 8000}, 8);
   EXPECT_TRUE(inspect_mesh(fit_cloud_surface(points).mesh).is_closed());
@@ -217,16 +217,16 @@ TEST(CloudSurface, PointsTooFarApartForAThinBodyAreRefused) {
 }
 
 TEST(Outliers, OfACompleteCloudNoPointIsGivenUp) {
-  const std::vector<Vec3> even = sampled_cloud(unit_sphere(20), {.points = 8000}, 7);
+  const std::vector<Vec3> even = sampled_cloud(geodesic_sphere(20), {.points = 8000}, 7);
   EXPECT_EQ(reconstruct_detail::find_non_isolated_points(even).size(), even.size());
   // Where the density falls to a twentieth in one step, a few at the step look like outliers.
   const std::vector<Vec3> step =
-      sampled_cloud(unit_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 7);
+      sampled_cloud(geodesic_sphere(20), {.points = 8000, .fall = 0.05, .step = true}, 7);
   EXPECT_GE(reconstruct_detail::find_non_isolated_points(step).size(), step.size() - 20);
 }
 
 TEST(Outliers, PointsThatAreRepeatedCountOnce) {
-  const std::vector<Vec3> once = sampled_cloud(unit_sphere(20), {.points = 2000}, 7);
+  const std::vector<Vec3> once = sampled_cloud(geodesic_sphere(20), {.points = 2000}, 7);
   std::vector<Vec3> many;
   for (const Vec3& p : once) many.insert(many.end(), 8, p);
   EXPECT_EQ(reconstruct_detail::remove_duplicate_points(many), once);
@@ -235,7 +235,7 @@ TEST(Outliers, PointsThatAreRepeatedCountOnce) {
 
 TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
   const std::vector<Vec3> points =
-      sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
+      sampled_cloud(geodesic_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::size_t rock = 0, off = 0;
   for (const std::uint32_t i : reconstruct_detail::find_non_isolated_points(points)) {
     rock += i < 8000;
@@ -247,7 +247,7 @@ TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {
 
 TEST(CloudSurface, OutliersThatAreLeftDoNotDecide) {
   const std::vector<Vec3> points =
-      sampled_cloud(unit_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
+      sampled_cloud(geodesic_sphere(20), {.points = 8000, .outliers = 0.02}, 8);
   std::vector<Vec3> kept;
   for (const std::uint32_t i : reconstruct_detail::find_non_isolated_points(points)) {
     kept.push_back(points[i]);

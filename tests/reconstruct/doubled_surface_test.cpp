@@ -119,9 +119,9 @@ TEST(DuplicateSurface, OpenCopiesLeaveTheBracketOfTheUnseenSide) {
 
 /// A lens-shaped bubble close under the skin faces both ways.
 TEST(DuplicateSurface, ABubbleStaysABubble) {
-  const TriangleMesh ball = unit_sphere(16);
+  const TriangleMesh ball = geodesic_sphere(16);
   for (const double depth : {0.1, 0.2, 0.9}) {
-    TriangleMesh lens = unit_sphere(12);
+    TriangleMesh lens = geodesic_sphere(12);
     for (Vec3& v : lens.vertices) {
       v = Vec3(0.3 * v.x(), 0.3 * v.y(), 0.04 * v.z() + 1.0 - depth - 0.05);
     }

@@ -98,7 +98,7 @@ TriangleMesh standing(TriangleMesh body, double buried) {
 const Plane kGround{Vec3::UnitZ(), 0.0};
 
 TEST(LookedUnder, ABallStandsOnItsFoot) {
-  const Photographed ball(standing(unit_sphere(24), 0.02));
+  const Photographed ball(standing(geodesic_sphere(24), 0.02));
   const TriangleMesh open = ball.open();
   const FreeSpaceGrid free_space = ball.free_space();
   const Underside without = *close_underside(open, {.ground = kGround});
@@ -113,7 +113,7 @@ TEST(LookedUnder, ABallStandsOnItsFoot) {
 
 // Nothing is known where the cubes don't reach, and of no cubes nothing.
 TEST(LookedUnder, WithoutKnowledgeTheBracketStays) {
-  const TriangleMesh open = Photographed(standing(unit_sphere(16), 0.02)).open();
+  const TriangleMesh open = Photographed(standing(geodesic_sphere(16), 0.02)).open();
   const Underside without = *close_underside(open, {.ground = kGround});
   const FreeSpaceGrid none;
   const FreeSpaceGrid far{Vec3::Constant(100.0), 0.05, {2, 2, 2}, std::vector<std::uint8_t>(8, 1)};

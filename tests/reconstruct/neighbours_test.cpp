@@ -18,7 +18,7 @@ std::vector<Vec3> balls_that_touch(double radius, std::uint64_t seed) {
   const FieldGround ground(0.0, 0.002, 0, 1.5, seed);
   const double up = radius - 0.5, reach = 0.49 + radius;
   const double away = std::sqrt(reach * reach - up * up), turn = static_cast<double>(seed);
-  TriangleMesh first = unit_sphere(40), second = first;
+  TriangleMesh first = geodesic_sphere(40), second = first;
   for (Vec3& v : first.vertices) v = 0.5 * v + Vec3(0.0, 0.0, 0.48);
   for (Vec3& v : second.vertices) {
     v = radius * v + Vec3(away * std::cos(turn), away * std::sin(turn), 0.48 + up);

@@ -22,7 +22,7 @@ double volume_of(const TriangleMesh& mesh) { return solid_mass_properties(mesh, 
 
 /// An octahedron drawn out to a needle 2 m long with two sharp tips, of many triangles.
 TriangleMesh needle(double thickness = 0.2) {
-  TriangleMesh mesh = unit_sphere(24);
+  TriangleMesh mesh = geodesic_sphere(24);
   for (Vec3& v : mesh.vertices) {
     v /= v.cwiseAbs().sum();
     v.y() *= 0.5 * thickness;
@@ -45,7 +45,7 @@ void expect_holds(const VolumeBracket& bounds, const TriangleMesh& truth) {
 
 TEST(NotedBounds, OfASparseCloudHoldTheBody) {
   for (const TriangleMesh& body :
-       {needle(0.6), rock_mesh(16, {0.5, 0.4, 0.06}, 3), unit_sphere(20)}) {
+       {needle(0.6), rock_mesh(16, {0.5, 0.4, 0.06}, 3), geodesic_sphere(20)}) {
     const auto blocks = extract_field_blocks(sampled_cloud(body, {.points = 1500}, 3), "cloud");
     ASSERT_EQ(blocks.size(), 1u);
     ASSERT_TRUE(blocks[0].bounds.has_value());
@@ -65,7 +65,7 @@ TEST(NotedBounds, NarrowWithTheNumberOfPoints) {
   // Of a ball n points cut off a share of the volume proportional to 1/n.
   const auto width = [](std::size_t points) {
     const SurfaceUncertainty uncertainty =
-        fit_cloud_surface(sampled_cloud(unit_sphere(40), {.points = points}, 3)).uncertainty;
+        fit_cloud_surface(sampled_cloud(geodesic_sphere(40), {.points = points}, 3)).uncertainty;
     return uncertainty.volume_above;
   };
   EXPECT_NEAR(width(2000) / width(8000), 4.0, 1.0);
@@ -121,7 +121,7 @@ TEST(NotedBounds, ScaleWithTheUnitOfTheFile) {
 }
 
 TEST(ScannedSurface, HoldsItsTrianglesAndNotWhatSpansAHole) {
-  TriangleMesh sheet = unit_sphere(10);
+  TriangleMesh sheet = geodesic_sphere(10);
   std::erase_if(sheet.triangles,
                 [&](const TriangleMesh::Triangle& t) { return sheet.vertices[t[0]].z() > 0.8; });
   const reconstruct_detail::ScannedSurface scanned(sheet);
@@ -131,7 +131,7 @@ TEST(ScannedSurface, HoldsItsTrianglesAndNotWhatSpansAHole) {
 }
 
 TEST(ScannedSurface, OfPointsHoldsWhatLiesAmongThem) {
-  std::vector<Vec3> points = sampled_cloud(unit_sphere(20), {.points = 5000}, 3);
+  std::vector<Vec3> points = sampled_cloud(geodesic_sphere(20), {.points = 5000}, 3);
   std::erase_if(points, [](const Vec3& p) { return p.z() > 0.9; });
   const reconstruct_detail::ScannedSurface scanned{std::span<const Vec3>(points)};
   EXPECT_TRUE(scanned.contains(Vec3(1.0, 0.0, 0.0)));

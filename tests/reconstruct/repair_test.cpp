@@ -87,7 +87,7 @@ TEST(Repair, ASoundMeshKeepsEveryBitWhereverItLies) {
 
 /// A cap of a sphere goes on as the sphere does: the filling is smooth at the border.
 TEST(Repair, AHoleInASphereIsFilledRoundAndMeasured) {
-  const TriangleMesh sphere = unit_sphere(24);
+  const TriangleMesh sphere = geodesic_sphere(24);
   const double height = 0.9;
   const RepairedMesh result = repair_mesh(beheaded(sphere, height));
   expect_sound(result.mesh);
@@ -105,8 +105,8 @@ TEST(Repair, AHoleInASphereIsFilledRoundAndMeasured) {
 }
 
 TEST(Repair, AHoleOfMoreThanATenthIsToldOfByItself) {
-  const RepairedMesh small = repair_mesh(beheaded(unit_sphere(16), 0.85));
-  const RepairedMesh large = repair_mesh(beheaded(unit_sphere(16), 0.7));
+  const RepairedMesh small = repair_mesh(beheaded(geodesic_sphere(16), 0.85));
+  const RepairedMesh large = repair_mesh(beheaded(geodesic_sphere(16), 0.7));
   const auto notes = [](const RepairedMesh& result) {
     std::string text;
     for (const std::string& note : describe_repairs(result.report)) text += note + "\n";
@@ -348,7 +348,7 @@ TEST(Repair, WhatCantBeMendedIsRefusedWithItsPlace) {
 }
 
 TEST(Repair, HalvesThatDontMeetAreToldToBeMerged) {
-  const TriangleMesh upper = beheaded(unit_sphere(12), 0.3);
+  const TriangleMesh upper = beheaded(geodesic_sphere(12), 0.3);
   TriangleMesh lower = upper;
   for (Vec3& v : lower.vertices) v = Vec3(-v.x(), v.y(), -v.z()) + Vec3(4, 0, 0);
   const std::string message = refusal<GeometryError>([&] { repair_mesh(merged(upper, lower)); });
@@ -359,7 +359,7 @@ TEST(Repair, HalvesThatDontMeetAreToldToBeMerged) {
 TEST(Repair, PlacesAreToldAsAsked) {
   RepairOptions options;
   options.to_reported_position = [](const Vec3& p) -> Vec3 { return 1000.0 * p + Vec3(5e6, 0, 0); };
-  const RepairedMesh result = repair_mesh(beheaded(unit_sphere(12), 0.9), options);
+  const RepairedMesh result = repair_mesh(beheaded(geodesic_sphere(12), 0.9), options);
   EXPECT_NEAR(result.report.holes[0].centre.x(), 5e6, 50.0);
   EXPECT_NEAR(result.report.holes[0].centre.z(), 900.0, 50.0);
   EXPECT_LT(result.report.holes[0].radius, 1.0);

@@ -67,7 +67,7 @@ std::vector<std::uint32_t> around(const TriangleMesh& mesh, std::uint32_t vertex
 }
 
 TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
-  const TriangleMesh sphere = unit_sphere(6);
+  const TriangleMesh sphere = geodesic_sphere(6);
   const std::uint32_t vertex = sphere.triangles[100][0];
   const std::vector<std::uint32_t> ring = around(sphere, vertex);
   ASSERT_EQ(ring.size(), 6u);
@@ -84,7 +84,7 @@ TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
 
 /// A fragment attached in a hole at one corner, whichever way it faces, is part of the surface.
 TEST(HoleLoops, AScrapThatHangsAtACornerIsKeptAndTurned) {
-  const TriangleMesh sphere = unit_sphere(6);
+  const TriangleMesh sphere = geodesic_sphere(6);
   const std::uint32_t vertex = sphere.triangles[100][0];
   const std::vector<std::uint32_t> ring = around(sphere, vertex);
   const Triangle scrap = sphere.triangles[ring[0]];

@@ -125,7 +125,7 @@ TEST(Underside, ABlockThatLeansHasNoUpperBound) {
 
 // A ball that is buried to any depth, of which the lowest points are missing: the range holds it.
 TEST(Underside, TheRangeHoldsABallHoweverDeepItIsBuried) {
-  const TriangleMesh ball = unit_sphere(24);
+  const TriangleMesh ball = geodesic_sphere(24);
   const double whole = solid_volume(ball);
   std::size_t bounded = 0;
   for (const double level : {0.3, 0.1, 0.0, -0.2, -0.5, -0.8}) {
@@ -167,7 +167,7 @@ TEST(Underside, ATunnelWhoseWallWasNotSeenLeavesTheLowerBound) {
 
 // A gap in a face, an edge or a corner is no mouth of a tunnel, whatever is seen across the body.
 TEST(Underside, GapsInAConvexSurfaceAreNoTunnels) {
-  const TriangleMesh ball = unit_sphere(24);
+  const TriangleMesh ball = geodesic_sphere(24);
   for (const double width : {0.1, 0.2, 0.5}) {
     std::vector<bool> keep;
     for (const auto& [a, b, c] : ball.triangles) {
@@ -183,7 +183,7 @@ TEST(Underside, GapsInAConvexSurfaceAreNoTunnels) {
 // Height above the cut 1 + c for a ball of radius 1 with the cut at -c. The cap below is
 // pi (1 - c)^2 (2 + c)/3.
 TEST(Underside, HoldsTheCapOfABall) {
-  const TriangleMesh ball = unit_sphere(24);
+  const TriangleMesh ball = geodesic_sphere(24);
   const double whole = solid_volume(ball);
   for (const double c : {0.93, 0.81, 0.63}) {
     const Underside side = *close_underside(above_level(ball, -c + 1e-4));

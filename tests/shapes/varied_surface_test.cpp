@@ -80,7 +80,7 @@ TEST(HullInterpolation, GoesFromTheRockToItsHullAndNeverCrossesItself) {
 // it is coarse form. A ripple of degree 12 is all detail.
 TEST(SurfaceDetail, IsWhatLiesAboveTheDegree) {
   const auto rippled = [](double height) {
-    TriangleMesh mesh = unit_sphere(8);
+    TriangleMesh mesh = geodesic_sphere(8);
     for (Vec3& v : mesh.vertices) {
       const double angle = std::atan2(v.y(), v.x()), across = std::hypot(v.x(), v.y());
       v *= 1.0 + height * std::pow(across, 12.0) * std::cos(12.0 * angle);

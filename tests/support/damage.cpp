@@ -128,7 +128,7 @@ class Vandal {
   }
 
   TriangleMesh island(std::size_t number) {
-    TriangleMesh scrap = unit_sphere(3);
+    TriangleMesh scrap = geodesic_sphere(3);
     if (number % 2 == 0) scrap.triangles.resize(scrap.triangles.size() / 2);
     const Vec3 place = middle_ + random_.uniform(0.6, 0.9) * diagonal_ * random_.unit_vector();
     const double size = diagonal_ * random_.uniform(0.003, 0.02);
@@ -137,7 +137,7 @@ class Vandal {
   }
 
   TriangleMesh bubble() {
-    TriangleMesh shell = unit_sphere(4);
+    TriangleMesh shell = geodesic_sphere(4);
     const Vec3 place = middle_ + 0.05 * diagonal_ * random_.unit_vector();
     const double size = diagonal_ * random_.uniform(0.005, 0.015);
     for (Vec3& v : shell.vertices) v = place + size * v;

@@ -13,7 +13,7 @@ namespace clast {
 /// A ball, open below `cut`, with a second surface `thickness` inside it.
 inline TriangleMesh cup(double cut, double thickness) {
   // The directions are folded at the rim: those below run back up inside.
-  TriangleMesh mesh = unit_sphere(40);
+  TriangleMesh mesh = geodesic_sphere(40);
   for (Vec3& vertex : mesh.vertices) {
     const double polar = std::acos(std::clamp(vertex.z(), -1.0, 1.0));
     const double rim = std::acos(cut), fold = 0.5 * kPi;

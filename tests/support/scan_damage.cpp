@@ -39,7 +39,7 @@ Vec3 surface_point(const TriangleMesh& mesh, Random& random) {
 }
 
 TriangleMesh ball(const Vec3& place, double radius) {
-  TriangleMesh mesh = unit_sphere(4);
+  TriangleMesh mesh = geodesic_sphere(4);
   for (Vec3& v : mesh.vertices) v = place + radius * v;
   return mesh;
 }

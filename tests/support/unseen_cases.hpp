@@ -37,7 +37,7 @@ inline TriangleMesh rough_hull(const Vec3& half_axes, std::uint64_t corners, std
   const TriangleMesh hull = convex_hull(points);
   Vec3 middle = Vec3::Zero();
   for (const Vec3& p : hull.vertices) middle += p / static_cast<double>(hull.vertices.size());
-  TriangleMesh mesh = unit_sphere(16);
+  TriangleMesh mesh = geodesic_sphere(16);
   for (Vec3& vertex : mesh.vertices) {
     const Vec3 way = vertex.cwiseProduct(half_axes).normalized();
     double reach = 1e300;

@@ -16,7 +16,7 @@ namespace clast {
 namespace {
 
 const TriangleMesh& ball() {
-  static const TriangleMesh kBall = unit_sphere(12);
+  static const TriangleMesh kBall = geodesic_sphere(12);
   return kBall;
 }
 

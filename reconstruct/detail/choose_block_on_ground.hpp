@@ -1,5 +1,5 @@
 #pragma once
-/// Selection of blocks above the ground of a scan.
+/// Selection of a block above the ground of a scan.
 #include <string>
 #include <vector>
 
@@ -8,25 +8,20 @@
 
 namespace clast::reconstruct_detail {
 
-/// Block above the ground, with data for closing its underside.
+/// Block above the ground, with data for closing its underside, and notes.
 struct ChosenBlock {
   std::vector<std::uint32_t> point_indices;  ///< ascending
   std::vector<Vec3> points;
   Vec3 centre = Vec3::Zero();  ///< centre of its bounding box
   Plane ground;                ///< tangent plane of the ground below it
-};
-
-/// Blocks selected from a scan, with notes.
-struct ChosenBlocks {
-  std::vector<ChosenBlock> blocks;
   std::vector<std::string> notes;
 };
 
-/// Selects all blocks above the ground if `split`, otherwise the block near the centre of the scan.
+/// Selects the block near the centre of the scan.
 /// @param name  name of the scan, for messages
 /// @throws GeometryError  if no part above the ground is a block
-ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Ground& ground,
-                                     const std::string& name, bool split);
+ChosenBlock choose_block_on_ground(const std::vector<Vec3>& points, const Ground& ground,
+                                   const std::string& name);
 
 /// Throws the error for a scan that contains only ground.
 /// @param fraction  fraction of the scan that is ground

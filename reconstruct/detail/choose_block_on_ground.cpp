@@ -1,4 +1,4 @@
-#include "reconstruct/detail/choose_blocks_on_ground.hpp"
+#include "reconstruct/detail/choose_block_on_ground.hpp"
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 ChosenBlock with_ground(const BlockOnGround& block, const std::vector<Vec3>& points,
                         const Ground& ground) {
-  ChosenBlock chosen{block.points, {}, block.centre, {}};
+  ChosenBlock chosen{block.points, {}, block.centre, {}, {}};
   Bounds box;
   for (const std::uint32_t i : block.points) {
     chosen.points.push_back(points[i]);
@@ -22,28 +22,21 @@ ChosenBlock with_ground(const BlockOnGround& block, const std::vector<Vec3>& poi
 
 }  // namespace
 
-ChosenBlocks choose_blocks_on_ground(const std::vector<Vec3>& points, const Ground& ground,
-                                     const std::string& name, bool split) {
+ChosenBlock choose_block_on_ground(const std::vector<Vec3>& points, const Ground& ground,
+                                   const std::string& name) {
   const BlocksOnGround standing = find_blocks_on_ground(points, ground);
   const std::size_t count = standing.blocks.size();
   if (count == 0) {
     throw_only_ground_error(
         name, static_cast<double>(standing.ground.size()) / static_cast<double>(points.size()));
   }
-  ChosenBlocks chosen;
+  ChosenBlock chosen = with_ground(standing.blocks[standing.central_block], points, ground);
   chosen.notes.push_back("the ground around it was found and removed");
-  if (split) {
-    for (const BlockOnGround& block : standing.blocks) {
-      chosen.blocks.push_back(with_ground(block, points, ground));
-    }
-    return chosen;
-  }
   if (count > 1) {
     chosen.notes.push_back(
         std::to_string(count) +
         " blocks stand on the ground; the one near the middle was used, `split` uses all of them");
   }
-  chosen.blocks.push_back(with_ground(standing.blocks[standing.central_block], points, ground));
   return chosen;
 }
 

@@ -1,0 +1,65 @@
+#pragma once
+/// Blocks of a deposit: a scan of blocks that lie apart, touch, lean on each other or are half
+/// buried.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "shapes/volume_bracket.hpp"
+
+namespace clast {
+
+struct DepositOptions {
+  Vec3 up = Vec3::UnitZ();     ///< unit direction from the ground to the sky
+  double smallest_axis = 0.0;  ///< least intermediate axis I of a block, m; 0: as far as resolved
+  unsigned threads = 1;        ///< number of threads, 0: one per core; does not affect the result
+
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// Reason why a part of a deposit is not among its blocks.
+enum class LeftOutReason {
+  kTooFewPoints,  ///< fewer points than describe a block
+  kTooSmall,      ///< smaller than `DepositOptions::smallest_axis`
+  kCutByBorder,   ///< the scan ends on it
+  kMostlyHidden,  ///< too little of its surface is visible
+};
+
+/// Part of a deposit that may be a block but is not among its blocks.
+struct LeftOutPart {
+  LeftOutReason reason = LeftOutReason::kTooFewPoints;
+  Vec3 centre = Vec3::Zero();  ///< mean of its points, m
+  std::size_t points = 0;
+};
+
+/// Visible part of a block, and the body that is estimated from it.
+struct DepositBlock {
+  std::vector<std::uint32_t> points;    ///< ascending indices of its points
+  Vec3 centre = Vec3::Zero();           ///< mean of the vertices of the body, m
+  TriangleMesh body;                    ///< closed, outward, m
+  std::vector<bool> is_observed;        ///< false on the estimated side; one per vertex of `body`
+  double spacing = 0.0;                 ///< point spacing, m
+  double visible_fraction = 0.0;        ///< observed area over the area of the body
+  VolumeBracket bounds;                 ///< bounds and 90 % intervals of volume and sides
+  std::vector<std::uint32_t> contacts;  ///< ascending indices of the blocks whose points it touches
+};
+
+/// Blocks of a deposit, ordered by x, then y of their centres.
+struct Deposit {
+  std::vector<DepositBlock> blocks;
+  std::vector<LeftOutPart> left_out;  ///< ordered by x, then y
+  std::vector<std::uint32_t> ground;  ///< ascending indices of the points of ground and fines
+  double spacing = 0.0;               ///< median point spacing, m
+};
+
+/// Segments a deposit into blocks, ground and fines, and estimates the body of each block.
+///
+/// Points are grouped into convex patches, and patches into regions whose parts are visible from
+/// each other as the parts of one convex body are. All lengths are relative to the point spacing
+/// and the size of the regions, none to the extent of the scan.
+/// @param points  points without duplicates and outliers, m
+/// @throws GeometryError  if there are fewer than 100 points
+Deposit segment_deposit(std::span<const Vec3> points, const DepositOptions& options = {});
+
+}  // namespace clast

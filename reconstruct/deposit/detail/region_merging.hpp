@@ -1,0 +1,18 @@
+#pragma once
+/// Greedy merging of patches into regions that are parts of single bodies.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reconstruct/deposit/detail/region_samples.hpp"
+
+namespace clast::reconstruct_detail {
+
+/// Merges patches, the pair with the lowest cost first, until no cost is below a limit. The cost of
+/// a pair is the visibility defect of the union near the smaller region plus the mean concavity
+/// of the seam between both, and is computed anew when one of them has grown nearby.
+/// @returns the region of each patch, numbered by their first patch
+std::vector<std::uint32_t> merge_patches(const OrientedPoints& cloud, const ConvexPatches& patches,
+                                         std::span<const SampledPatch> sampled, unsigned threads);
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,77 @@
+#include "reconstruct/detail/deposit_blocks.hpp"
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/files/up_axis.hpp"
+#include "core/number_text.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "reconstruct/detail/close_block.hpp"
+#include "reconstruct/detail/cloud_blocks.hpp"
+
+namespace clast::reconstruct_detail {
+
+namespace {
+
+/// Smallest blocks that a scan resolves, in point spacings.
+constexpr double kResolvedSpacings = 12.0;
+
+std::string list_contacts(const std::vector<std::uint32_t>& contacts) {
+  std::string list;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    list += (i == 0 ? "" : i + 1 == contacts.size() ? " and " : ", ");
+    list += std::to_string(contacts[i] + 1);
+  }
+  return list;
+}
+
+FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes) {
+  FieldBlock found;
+  found.scan.mesh = std::move(block.body);
+  found.scan.notes = notes;
+  found.scan.notes.push_back("made from " + std::to_string(block.points.size()) + " points, " +
+                             format_significant(100.0 * block.visible_fraction, 2) +
+                             " % of its surface is visible; the rest is estimated");
+  if (!block.contacts.empty()) {
+    found.scan.notes.push_back((block.contacts.size() == 1 ? "touches block " : "touches blocks ") +
+                               list_contacts(block.contacts) + " of this scan");
+  }
+  found.bounds = std::move(block.bounds);
+  found.spacing = block.spacing;
+  return found;
+}
+
+}  // namespace
+
+FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& name,
+                             const FieldScanOptions& options) {
+  CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
+  for (Vec3& p : clean.points) {
+    p *= options.scan.unit;
+    if (options.scan.up == "y") p = y_up_to_z_up(p);
+  }
+  Deposit deposit = segment_deposit(
+      clean.points, {.smallest_axis = options.smallest_axis, .threads = options.surface.threads});
+  if (deposit.blocks.empty()) {
+    throw GeometryError(name + ": no part of the scan is a block: " + std::to_string(raw.size()) +
+                        " points with a spacing of " + format_significant(deposit.spacing, 2) +
+                        " m show blocks from about " +
+                        format_significant(kResolvedSpacings * deposit.spacing, 2) +
+                        " m; scan more densely, or, if this is one block alone, leave `split` out");
+  }
+  FieldDeposit found;
+  found.left_out = std::move(deposit.left_out);
+  found.block_of_point.assign(raw.size(), 0);
+  for (std::size_t b = 0; b < deposit.blocks.size(); ++b) {
+    for (const std::uint32_t i : deposit.blocks[b].points) {
+      found.block_of_point[clean.sources[i]] = static_cast<std::uint32_t>(b + 1);
+    }
+    found.blocks.push_back(field_block(std::move(deposit.blocks[b]), clean.notes));
+  }
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    found.block_of_point[i] = found.block_of_point[clean.first_duplicates[i]];
+  }
+  return found;
+}
+
+}  // namespace clast::reconstruct_detail
