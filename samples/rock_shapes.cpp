@@ -96,8 +96,8 @@ double facet_radius(const std::vector<Facet>& facets, const Vec3& direction, dou
 /// as the wavelength halves.
 class Relief {
  public:
-  Relief(double height, double longest_wave, Random& random) {
-    for (int octave = 0; octave < 4; ++octave) {
+  Relief(double height, double longest_wave, int octaves, Random& random) {
+    for (int octave = 0; octave < octaves; ++octave) {
       for (int i = 0; i < kWavesPerOctave; ++i) {
         waves_.push_back({2.0 * kPi / longest_wave * random.unit_vector(),
                           random.uniform(0.0, 2.0 * kPi),
@@ -124,13 +124,10 @@ class Relief {
   std::vector<Wave> waves_;
 };
 
-}  // namespace
-
-TriangleMesh rock(const RockRecipe& recipe) {
-  Random random(recipe.seed);
+TriangleMesh centred_rock(const RockRecipe& recipe, Random& random) {
   const std::vector<Facet> facets = facets_of(recipe, random);
   const double mean_length = std::cbrt(recipe.lengths.prod());
-  const Relief relief(recipe.roughness * mean_length, 0.6 * mean_length, random);
+  const Relief relief(recipe.roughness * mean_length, 0.6 * mean_length, recipe.octaves, random);
   TriangleMesh mesh = geodesic_sphere(recipe.frequency);
   for (Vec3& vertex : mesh.vertices) {
     // Directions follow the ellipsoid, so that triangles are of like size on a long block too.
@@ -145,6 +142,19 @@ TriangleMesh rock(const RockRecipe& recipe) {
     radius += relief.at(radius * direction) + recipe.scan_noise * random.normal();
     vertex = radius * direction;
   }
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh centred_rock(const RockRecipe& recipe) {
+  Random random(recipe.seed);
+  return centred_rock(recipe, random);
+}
+
+TriangleMesh rock(const RockRecipe& recipe) {
+  Random random(recipe.seed);
+  TriangleMesh mesh = centred_rock(recipe, random);
   const Pose place{{random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), 1.0}, random.rotation()};
   return transformed(std::move(mesh), place);
 }

@@ -1,0 +1,61 @@
+#pragma once
+/// Scanner of virtual deposits: rays from cameras or tripods to the first surface they hit.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/random.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "samples/deposit/deposit_recipe.hpp"
+
+namespace clast {
+
+/// All surfaces of a deposit in one mesh.
+struct DepositScene {
+  TriangleMesh mesh;
+  std::vector<std::uint32_t> block_of_triangle;  ///< 0: ground and fines; 1, 2, ...: blocks
+};
+
+/// Point of a scan.
+struct ScannedPoint {
+  Vec3 position = Vec3::Zero();  ///< with noise, m
+  std::uint32_t triangle = 0;    ///< triangle of the scene that the ray hit
+};
+
+/// Points and the places from which they were seen.
+struct DepositScan {
+  std::vector<Vec3> stations;
+  std::vector<ScannedPoint> points;
+};
+
+/// Rays of a view: a pencil through a grid of pixels, or equal steps of azimuth and elevation.
+struct ScanView {
+  Vec3 station = Vec3::Zero();
+  Mat3 world_from_view = Mat3::Identity();  ///< a camera looks along its third column
+  bool panoramic = false;
+  double step = 1e-3;  ///< angle between rays (at the centre of a picture), rad
+  int columns = 0, rows = 0;
+};
+
+/// Returns the views of the stations: 4 vertical and 8 oblique pictures that cover the scene, or 5
+/// panoramas. Rays are about 0.8 spacings apart at the middle of the scene, those of panoramas one
+/// spacing at the distance of its border.
+std::vector<ScanView> plan_views(const DepositRecipe& recipe, const DepositScene& scene);
+
+/// First triangle that a ray hits.
+struct RayHit {
+  std::uint32_t triangle = kNoIndex;  ///< `kNoIndex`: the ray hits nothing
+  double distance = 0.0;              ///< m
+};
+/// Casts all rays of a view. Only outer sides of triangles are hit.
+/// @return one hit per ray, row by row
+std::vector<RayHit> cast_rays(const ScanView& view, const TriangleMesh& mesh);
+/// Returns the unit direction of a ray.
+Vec3 ray_direction(const ScanView& view, int column, int row);
+
+/// Scans the scene. Rays that graze a surface are lost, from 75 degrees of incidence increasingly.
+/// Distances have normal noise of `recipe.noise` spacings. Points of a drone are subsampled in
+/// random order so that none is closer than 0.83 spacings to another; those of tripods to 0.5.
+DepositScan scan_deposit(const DepositRecipe& recipe, const DepositScene& scene, unsigned threads);
+
+}  // namespace clast
