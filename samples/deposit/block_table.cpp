@@ -15,7 +15,7 @@ namespace clast {
 const TableColumns<TrueBlock>& true_block_columns() {
   using Block = TrueBlock;
   static const TableColumns<Block> kColumns = concatenated_columns<Block>(
-      {{{"block", "", "number of the block in `truth.ply`, from 1",
+      {{{"block", "", "number of the block in truth.ply, from 1",
          [](const Block& b) { return std::uint64_t{b.block}; }}},
        array_columns<Block>({"x_m", "y_m", "z_m"}, "m", "centroid of the body", &Block::centre),
        array_columns<Block>({"L_m", "I_m", "S_m"}, "m", "sides of its smallest box", &Block::axes),

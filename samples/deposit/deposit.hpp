@@ -14,7 +14,7 @@ namespace clast {
 inline constexpr double kEligibleFraction = 0.25;
 inline constexpr std::size_t kEligiblePoints = 400;
 
-/// What is true of a block in the deposit.
+/// True place and size of a block in the deposit.
 struct TrueBlock {
   std::size_t block = 0;  ///< number, from 1
   std::string shape;

@@ -101,12 +101,13 @@ struct WantedSize {
   double least_side = 0.0;    ///< larger than that if S would be smaller than this
 };
 
-/// Completes a block from its surface and the coarse surface of the same frame.
+/// Completes a block from its surface and the coarse surface of the same frame. The coarse one
+/// decides on scale and pose, so that a block is the same at any spacing.
 DepositBlock finish_block(std::string shape, TriangleMesh surface, const TriangleMesh& coarse,
                           const WantedSize& size) {
   DepositBlock block;
   block.shape = std::move(shape);
-  const Vec3 sides = smallest_box(surface.vertices).lengths;
+  const Vec3 sides = smallest_box(coarse.vertices).lengths;
   const double factor = std::max(size.intermediate / sides[1], size.least_side / sides[2]);
   const SpheroPolyhedron core = make_core(scaled(coarse, factor), core_vertices(size.intermediate));
   const MassProperties mass = sphero_mass_properties(core, kDensity, 1e-3);

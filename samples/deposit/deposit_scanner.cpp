@@ -10,14 +10,14 @@
 namespace clast {
 namespace {
 
-constexpr double kRaysPerSpacing = 1.0 / 0.8;
+constexpr double kRaysPerSpacing = 1.0 / 0.65;
 constexpr double kFlightHeight = 1.2;  // of a drone over the widest side of the scene
 constexpr double kOblique = 40.0 * kPi / 180.0;
 constexpr double kTripodHeight = 2.0;  // m above the ground
 constexpr double kTripodMargin = 1.5;  // m beside the scene
 constexpr double kLowest = -70.0 * kPi / 180.0, kHighest = 30.0 * kPi / 180.0;  // of a panorama
 constexpr double kGrazing = 75.0 * kPi / 180.0, kLost = 88.0 * kPi / 180.0;
-constexpr double kDroneDistance = 0.83;  // least one of two points, spacings
+constexpr double kDroneDistance = 0.78;  // least one of two points, spacings
 constexpr double kTripodDistance = 0.5;
 constexpr double kNearest = 0.05;  // m, of a surface to a station
 
@@ -93,43 +93,59 @@ double chance_of_loss(double cosine) {
   return std::clamp((incidence - kGrazing) / (kLost - kGrazing), 0.0, 1.0);
 }
 
-/// Points of one view in random order.
-std::vector<ScannedPoint> measure(const ScanView& view, const DepositScene& scene, double noise,
-                                  Random random) {
-  const std::vector<RayHit> hits = cast_rays(view, scene.mesh);
-  std::vector<ScannedPoint> points;
-  for (int row = 0; row < view.rows; ++row) {
-    for (int column = 0; column < view.columns; ++column) {
-      const RayHit& hit =
-          hits[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.columns) +
-               static_cast<std::size_t>(column)];
-      if (hit.triangle == kNoIndex) continue;
-      const Vec3 direction = ray_direction(view, column, row);
-      const double cosine =
-          -direction.dot(unit_normal(scene.mesh, scene.mesh.triangles[hit.triangle]));
-      const double error = noise * random.normal();
-      if (random.uniform() < chance_of_loss(cosine)) continue;
-      points.push_back({view.station + (hit.distance + error) * direction, hit.triangle});
-    }
+/// What a ray measures.
+struct Measurement {
+  Vec3 place = Vec3::Zero();  ///< on the surface, m
+  Vec3 error = Vec3::Zero();  ///< along the ray, m
+  std::uint32_t triangle = 0;
+};
+
+/// Measurements of one view in random order.
+std::vector<Measurement> measure(const ScanView& view, const DepositScene& scene, double noise,
+                                 Random random) {
+  const std::vector<Vec3> directions = draw_ray_directions(view, random);
+  const std::vector<RayHit> hits = cast_rays(view, directions, scene.mesh);
+  std::vector<Measurement> measurements;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const RayHit& hit = hits[i];
+    if (hit.triangle == kNoIndex) continue;
+    const Vec3& direction = directions[i];
+    const double cosine =
+        -direction.dot(unit_normal(scene.mesh, scene.mesh.triangles[hit.triangle]));
+    const double error = noise * random.normal();
+    if (random.uniform() < chance_of_loss(cosine)) continue;
+    measurements.push_back(
+        {view.station + hit.distance * direction, error * direction, hit.triangle});
   }
-  for (std::size_t i = points.size(); i > 1; --i) {
-    std::swap(points[i - 1], points[random.uniform_index(i)]);
+  for (std::size_t i = measurements.size(); i > 1; --i) {
+    std::swap(measurements[i - 1], measurements[random.uniform_index(i)]);
   }
-  return points;
+  return measurements;
+}
+
+/// Direction through a place of a picture or panorama, in the frame of the view; not a unit vector.
+Vec3 direction_in_view(const ScanView& view, double column, double row) {
+  if (view.panoramic) {
+    const double azimuth = column * view.step - kPi, elevation = row * view.step + kLowest;
+    return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+            std::sin(elevation)};
+  }
+  return {(column - 0.5 * (view.columns - 1)) * view.step,
+          (row - 0.5 * (view.rows - 1)) * view.step, 1.0};
 }
 
 }  // namespace
 
-Vec3 ray_direction(const ScanView& view, int column, int row) {
-  if (view.panoramic) {
-    const double azimuth = column * view.step - kPi, elevation = row * view.step + kLowest;
-    return view.world_from_view * Vec3(std::cos(elevation) * std::cos(azimuth),
-                                       std::cos(elevation) * std::sin(azimuth),
-                                       std::sin(elevation));
+std::vector<Vec3> draw_ray_directions(const ScanView& view, Random& random) {
+  std::vector<Vec3> directions;
+  directions.reserve(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows));
+  for (int row = 0; row < view.rows; ++row) {
+    for (int column = 0; column < view.columns; ++column) {
+      const double x = column + random.uniform(-0.5, 0.5), y = row + random.uniform(-0.5, 0.5);
+      directions.push_back(view.world_from_view * direction_in_view(view, x, y).normalized());
+    }
   }
-  const Vec3 in_view((column - 0.5 * (view.columns - 1)) * view.step,
-                     (row - 0.5 * (view.rows - 1)) * view.step, 1.0);
-  return (view.world_from_view * in_view).normalized();
+  return directions;
 }
 
 std::vector<ScanView> plan_views(const DepositRecipe& recipe, const DepositScene& scene) {
@@ -171,14 +187,15 @@ std::vector<ScanView> plan_views(const DepositRecipe& recipe, const DepositScene
   return views;
 }
 
-std::vector<RayHit> cast_rays(const ScanView& view, const TriangleMesh& mesh) {
+std::vector<RayHit> cast_rays(const ScanView& view, std::span<const Vec3> directions,
+                              const TriangleMesh& mesh) {
   std::vector<RayPlace> places;
   places.reserve(mesh.vertices.size());
   for (const Vec3& vertex : mesh.vertices) places.push_back(project(view, vertex));
-  std::vector<RayHit> hits(static_cast<std::size_t>(view.columns) *
-                           static_cast<std::size_t>(view.rows));
-  // A side of a panorama's triangle may bulge a little out of the box of its corners.
-  const double bulge = view.panoramic ? 1.0 : 0.0;
+  std::vector<RayHit> hits(directions.size());
+  // Rays are anywhere in their pixels. A side of a panorama's triangle may also bulge a little out
+  // of the box of its corners.
+  const double bulge = view.panoramic ? 1.5 : 0.5;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [i, j, k] = mesh.triangles[t];
     const Vec3 a = mesh.vertices[i] - view.station;
@@ -211,15 +228,17 @@ std::vector<RayHit> cast_rays(const ScanView& view, const TriangleMesh& mesh) {
     for (int row = first_row; row <= last_row; ++row) {
       for (int column = first_column; column <= last_column; ++column) {
         const int at = (column + view.columns) % view.columns;
-        const Vec3 direction = ray_direction(view, at, row);
-        // The triangle is seen clockwise from behind: the ray is inside where all are negative.
+        const std::size_t ray =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(view.columns) +
+            static_cast<std::size_t>(at);
+        const Vec3& direction = directions[ray];
+        // Spanned by the corners, as the outer side of the triangle faces the station.
         if (side_ab.dot(direction) > 0.0 || side_bc.dot(direction) > 0.0 ||
             side_ca.dot(direction) > 0.0) {
           continue;
         }
         const double distance = height / normal.dot(direction);
-        RayHit& hit = hits[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.columns) +
-                           static_cast<std::size_t>(at)];
+        RayHit& hit = hits[ray];
         if (hit.triangle == kNoIndex || distance < hit.distance) hit = {t, distance};
       }
     }
@@ -241,18 +260,17 @@ DepositScan scan_deposit(const DepositRecipe& recipe, const DepositScene& scene,
   const std::size_t together = resolve_thread_count(threads);
   for (std::size_t first = 0; first < views.size(); first += together) {
     const std::size_t end = std::min(views.size(), first + together);
-    std::vector<std::vector<ScannedPoint>> measured(end - first);
+    std::vector<std::vector<Measurement>> measured(end - first);
     parallel_for(end - first, threads, [&](std::size_t i) {
       measured[i] =
           measure(views[first + i], scene, recipe.noise * spacing, Random(seeds[first + i]));
     });
-    for (const std::vector<ScannedPoint>& points : measured) {
-      for (const ScannedPoint& point : points) {
-        // As the file holds it, so that the truth and the scan agree to the last bit.
-        const Vec3 position = point.position.cast<float>().cast<double>();
-        if (kept.has_point_within(position, least)) continue;
-        kept.add(position);
-        scan.points.push_back({position, point.triangle});
+    for (const std::vector<Measurement>& measurements : measured) {
+      for (const Measurement& one : measurements) {
+        if (kept.has_point_within(one.place, least)) continue;
+        kept.add(one.place);
+        const Vec3 position = one.place + one.error;
+        scan.points.push_back({position.cast<float>().cast<double>(), one.triangle});
       }
     }
   }

@@ -18,7 +18,7 @@ struct DepositScene {
 
 /// Point of a scan.
 struct ScannedPoint {
-  Vec3 position = Vec3::Zero();  ///< with noise, m
+  Vec3 position = Vec3::Zero();  ///< with noise, m; rounded to single precision
   std::uint32_t triangle = 0;    ///< triangle of the scene that the ray hit
 };
 
@@ -38,9 +38,14 @@ struct ScanView {
 };
 
 /// Returns the views of the stations: 4 vertical and 8 oblique pictures that cover the scene, or 5
-/// panoramas. Rays are about 0.8 spacings apart at the middle of the scene, those of panoramas one
+/// panoramas. Rays are about 0.65 spacings apart at the middle of the scene, those of panoramas one
 /// spacing at the distance of its border.
 std::vector<ScanView> plan_views(const DepositRecipe& recipe, const DepositScene& scene);
+
+/// Draws the rays of a view, each through a random place in its pixel, as a regular grid would
+/// leave its pattern in the points.
+/// @return unit directions, row by row
+std::vector<Vec3> draw_ray_directions(const ScanView& view, Random& random);
 
 /// First triangle that a ray hits.
 struct RayHit {
@@ -48,14 +53,14 @@ struct RayHit {
   double distance = 0.0;              ///< m
 };
 /// Casts all rays of a view. Only outer sides of triangles are hit.
-/// @return one hit per ray, row by row
-std::vector<RayHit> cast_rays(const ScanView& view, const TriangleMesh& mesh);
-/// Returns the unit direction of a ray.
-Vec3 ray_direction(const ScanView& view, int column, int row);
+/// @param directions  as from `draw_ray_directions`
+/// @return one hit per ray
+std::vector<RayHit> cast_rays(const ScanView& view, std::span<const Vec3> directions,
+                              const TriangleMesh& mesh);
 
 /// Scans the scene. Rays that graze a surface are lost, from 75 degrees of incidence increasingly.
-/// Distances have normal noise of `recipe.noise` spacings. Points of a drone are subsampled in
-/// random order so that none is closer than 0.83 spacings to another; those of tripods to 0.5.
+/// Points of a drone are subsampled in random order so that none is closer than 0.78 spacings to
+/// another, those of tripods 0.5. Distances then get normal noise of `recipe.noise` spacings.
 DepositScan scan_deposit(const DepositRecipe& recipe, const DepositScene& scene, unsigned threads);
 
 }  // namespace clast
