@@ -37,7 +37,7 @@ RayHit first_hit(const TriangleMesh& mesh, const Vec3& origin, const Vec3& direc
     const double first = w.dot(direction.cross(v)) / determinant;
     const double second = direction.dot(w.cross(u)) / determinant;
     const double distance = v.dot(w.cross(u)) / determinant;
-    if (first < 0.0 || second < 0.0 || first + second > 1.0) continue;
+    if (distance < 0.0 || first < 0.0 || second < 0.0 || first + second > 1.0) continue;
     if (hit.triangle == kNoIndex || distance < hit.distance) hit = {t, distance};
   }
   return hit;
