@@ -64,7 +64,7 @@ void measure_visibility(Deposit& deposit, double spacing, unsigned threads) {
   const DepositScene& scene = deposit.scene;
   PointGrid seen(spacing);
   for (const ScannedPoint& point : deposit.scan.points) {
-    seen.add(point.position);
+    seen.add(point.position.cast<double>());
     const std::uint32_t block = scene.block_of_triangle[point.triangle];
     if (block > 0) ++deposit.blocks[block - 1].points;
   }
@@ -122,7 +122,7 @@ void write_deposit(const Deposit& deposit, const std::filesystem::path& folder, 
   std::vector<Vec3> points;
   std::vector<std::uint32_t> blocks;
   for (const ScannedPoint& point : deposit.scan.points) {
-    points.push_back(point.position);
+    points.emplace_back(point.position.cast<double>());
     blocks.push_back(deposit.scene.block_of_triangle[point.triangle]);
   }
   write_cloud(folder / "scan.ply", points, {});

@@ -270,7 +270,7 @@ DepositScan scan_deposit(const DepositRecipe& recipe, const DepositScene& scene,
         if (kept.has_point_within(one.place, least)) continue;
         kept.add(one.place);
         const Vec3 position = one.place + one.error;
-        scan.points.push_back({position.cast<float>().cast<double>(), one.triangle});
+        scan.points.push_back({position.cast<float>(), one.triangle});
       }
     }
   }

@@ -18,8 +18,8 @@ struct DepositScene {
 
 /// Point of a scan.
 struct ScannedPoint {
-  Vec3 position = Vec3::Zero();  ///< with noise, m; rounded to single precision
-  std::uint32_t triangle = 0;    ///< triangle of the scene that the ray hit
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< with noise, as files hold it, m
+  std::uint32_t triangle = 0;                          ///< triangle of the scene that the ray hit
 };
 
 /// Points and the places from which they were seen.

@@ -8,15 +8,9 @@
 #include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
 #include "mesh/ply_properties.hpp"
+#include "samples/float_ply.hpp"
 
 namespace clast {
-namespace {
-
-void append_bytes(std::string& bytes, std::uint32_t word) {
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 255u);
-}
-
-}  // namespace
 
 void write_cloud(const std::filesystem::path& path, std::span<const Vec3> points,
                  std::span<const std::uint32_t> blocks) {
@@ -28,9 +22,9 @@ void write_cloud(const std::filesystem::path& path, std::span<const Vec3> points
   bytes.reserve(bytes.size() + points.size() * (blocks.empty() ? 12 : 16));
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      append_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(points[i][axis])));
+      append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(points[i][axis])));
     }
-    if (!blocks.empty()) append_bytes(bytes, blocks[i]);
+    if (!blocks.empty()) append_word(bytes, blocks[i]);
   }
   write_text_file(path, bytes);
 }

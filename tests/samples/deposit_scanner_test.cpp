@@ -77,8 +77,8 @@ TEST(DepositScanner, PointsLieOnTheSurfacesThatAreSeenAtTheSpacing) {
   const TriangleTree tree(scene.mesh);
   std::map<std::uint32_t, int> counts;
   for (const ScannedPoint& point : scan.points) {
-    EXPECT_LT(std::sqrt(tree.closest_point(point.position).squared_distance), 1e-6);
-    EXPECT_GT(point.position.z(), -1e-6);
+    EXPECT_LT(std::sqrt(tree.closest_point(point.position.cast<double>()).squared_distance), 1e-6);
+    EXPECT_GT(point.position.z(), -1e-6f);
     ++counts[scene.block_of_triangle[point.triangle]];
   }
   const double per_area = 1.0 / (recipe.spacing() * recipe.spacing());
@@ -93,7 +93,9 @@ TEST(DepositScanner, NoiseIsAlongTheRayAndAsLargeAsAsked) {
   const DepositRecipe recipe{.spacings_per_block = 10.0, .noise = 0.4};
   const DepositScan scan = scan_deposit(recipe, scene, 1);
   double squares = 0.0;
-  for (const ScannedPoint& point : scan.points) squares += std::pow(point.position.z(), 2);
+  for (const ScannedPoint& point : scan.points) {
+    squares += std::pow(static_cast<double>(point.position.z()), 2);
+  }
   const double deviation = std::sqrt(squares / static_cast<double>(scan.points.size()));
   // Heights of oblique rays have less of it: between the cosine of 60 degrees and 1.
   EXPECT_GT(deviation, 0.5 * 0.4 * recipe.spacing());

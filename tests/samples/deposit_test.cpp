@@ -33,7 +33,7 @@ TEST_P(DepositOfKind, PointsLieOnTheBodyThatTheyName) {
   for (const ScannedPoint& point : deposit.scan.points) {
     const std::uint32_t block = deposit.scene.block_of_triangle[point.triangle];
     if (++counts[block] % 50 != 0 || block == 0) continue;
-    EXPECT_LT(distance_from(deposit.bodies[block - 1], point.position), 5.5 * noise);
+    EXPECT_LT(distance_from(deposit.bodies[block - 1], point.position.cast<double>()), 5.5 * noise);
   }
   for (const TrueBlock& truth : deposit.blocks) {
     const TriangleMesh& body = deposit.bodies[truth.block - 1];
@@ -114,7 +114,7 @@ TEST(Deposit, FilesAreReadAsTheyWereWritten) {
   EXPECT_EQ(blocks[2].shape, deposit.blocks[2].shape);
   const LabelledCloud truth = read_labelled_cloud(folder / "d/truth.ply");
   ASSERT_EQ(truth.points.size(), deposit.scan.points.size());
-  EXPECT_EQ(truth.points[7], deposit.scan.points[7].position);
+  EXPECT_EQ(truth.points[7], deposit.scan.points[7].position.cast<double>());
 }
 
 TEST(DepositRecipe, BadValuesAreRefused) {
