@@ -83,8 +83,14 @@ std::vector<Facet> facets_of(const RockRecipe& recipe, Random& random) {
 
 /// Distance from the origin to the surface. The planes are joined by a p-norm, which rounds the
 /// edges like wear does and stays a function of direction.
-double facet_radius(const std::vector<Facet>& facets, const Vec3& direction, double sharpness) {
+double facet_radius(const std::vector<Facet>& facets, const RockRecipe& recipe,
+                    const Vec3& direction) {
+  const double sharpness = recipe.sharpness;
   double sum = 0.0;
+  if (recipe.bound > 0.0) {
+    const Vec3 bounding_half = 0.5 * recipe.bound * recipe.lengths;
+    sum = std::pow(direction.cwiseQuotient(bounding_half).norm(), sharpness);
+  }
   for (const Facet& facet : facets) {
     const double inverse = facet.normal.dot(direction) / facet.distance;
     if (inverse > 0.0) sum += std::pow(inverse, sharpness);
@@ -132,7 +138,7 @@ TriangleMesh centred_rock(const RockRecipe& recipe, Random& random) {
   for (Vec3& vertex : mesh.vertices) {
     // Directions follow the ellipsoid, so that triangles are of like size on a long block too.
     const Vec3 direction = vertex.cwiseProduct(recipe.lengths).normalized();
-    double radius = facet_radius(facets, direction, recipe.sharpness);
+    double radius = facet_radius(facets, recipe, direction);
     if (recipe.notch > 0.0) {
       // A notch in one side: deepest on the plane x = 0, fading out behind the middle.
       const double across = direction.x() / 0.4;

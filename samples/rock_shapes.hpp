@@ -12,8 +12,11 @@ namespace clast {
 struct RockRecipe {
   std::string name = {};
   Vec3 lengths = Vec3::Ones();  ///< about L, I, S, m
-  int joint_faces = 0;         ///< 6: bounded by three joint sets first, like a sawn cuboid; else 0
-  int facets = 24;             ///< further random planes that cut pieces off
+  int joint_faces = 0;  ///< 6: bounded by three joint sets first, like a sawn cuboid; else 0
+  int facets = 24;      ///< further random planes that cut pieces off
+  /// Size of an ellipsoid that bounds the block, relative to its lengths, as few facets may leave a
+  /// spike; 0: none.
+  double bound = 0.0;
   double sharpness = 18.0;     ///< exponent that blends the planes; larger is sharper
   double notch = 0.0;          ///< depth of a notch in one side, share of the radius
   double roughness = 0.012;    ///< largest octave of the surface relief, share of the mean length

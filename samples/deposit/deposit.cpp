@@ -48,8 +48,8 @@ PlacedBlocks place_blocks(const DepositRecipe& recipe, std::span<const StoneScan
     placed.blocks.push_back(std::move(made[i]));
     placed.poses.push_back(*settled[i]);
   }
-  placed.largest_overlap = separate_surfaces(placed.blocks, placed.poses, floor_slope(recipe.kind),
-                                             kAllowedOverlap * recipe.spacing(), threads);
+  placed.largest_overlap =
+      separate_surfaces(placed.blocks, placed.poses, kAllowedOverlap * recipe.spacing(), threads);
   placed.ground = make_floor_ground(recipe, placed.blocks, placed.poses, threads);
   return placed;
 }

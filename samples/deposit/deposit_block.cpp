@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/files/text_file.hpp"
 #include "core/parallel.hpp"
 #include "massprops/principal_frame.hpp"
 #include "massprops/sphero.hpp"
@@ -26,6 +27,7 @@ constexpr double kSizeExponent = 2.0;   // of the number of larger blocks
 constexpr double kTriangleArea = 0.73;  // of the detailed surface, squares of the spacing
 constexpr int kCoreFrequency = 9;       // of the surface from which the core is decimated
 constexpr double kCoreRounding = 0.03;  // Minkowski radius of the core over S
+constexpr double kBound = 1.2;          // ellipsoid around a rock over its lengths
 constexpr double kLeastNaturalSide =
     12.0;                                 // S of an isolated rock, spacings, so that it stands out
 constexpr double kFinestRelief = 0.0125;  // m; octaves of the relief go down to this wavelength
@@ -128,6 +130,7 @@ DepositBlock make_rock(const WantedSize& size, double spacing, Random random) {
   RockRecipe recipe = kind.recipe;
   recipe.lengths = size.intermediate * Vec3(draw_ratio(kind.l_low, kind.l_high, random), 1.0,
                                             draw_ratio(kind.s_low, kind.s_high, random));
+  recipe.bound = kBound;
   recipe.roughness = draw_ratio(0.008, 0.018, random);
   recipe.scan_noise = 0.0;
   const double longest_wave = 0.6 * std::cbrt(recipe.lengths.prod());
@@ -166,7 +169,7 @@ DepositBlock make_stone(const StoneScan& scan, const WantedSize& size, double sp
 std::vector<StoneScan> read_stone_scans(const std::string& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
+    const std::string extension = lower_case_extension(entry.path());
     const std::vector<std::string>& known = readable_mesh_extensions();
     if (std::find(known.begin(), known.end(), extension) != known.end()) {
       files.push_back(entry.path());

@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kMaxRounds = 80;
 constexpr double kRelaxation = 0.6;  // share of an overlap that one round removes
-constexpr double kOnFloor = 0.02;    // m
 
 /// Planes normal . p = support around a surface. Points outside one of them are outside the block.
 struct SupportPlane {
@@ -81,26 +80,13 @@ struct Pair {
   Overlap overlap = {};  ///< `push` moves a away from b
 };
 
-double lowest_above_floor(const DepositBlock& block, const Pose& pose, double slope) {
-  double lowest = 1e300;
-  for (const Vec3& vertex : block.surface.vertices) {
-    const Vec3 point = pose * vertex;
-    lowest = std::min(lowest, point.z() + std::tan(slope) * point.x());
-  }
-  return lowest;
-}
-
 }  // namespace
 
 double separate_surfaces(std::span<const DepositBlock> blocks, std::vector<Pose>& poses,
-                         double slope, double allowed, unsigned threads) {
+                         double allowed, unsigned threads) {
   std::vector<Obstacle> obstacles(blocks.size());
-  std::vector<char> on_floor(blocks.size());
-  parallel_for(blocks.size(), threads, [&](std::size_t i) {
-    obstacles[i] = make_obstacle(blocks[i]);
-    on_floor[i] = lowest_above_floor(blocks[i], poses[i], slope) < kOnFloor ? 1 : 0;
-  });
-  const Vec3 up(std::sin(slope), 0.0, std::cos(slope));  // normal of the floor
+  parallel_for(blocks.size(), threads,
+               [&](std::size_t i) { obstacles[i] = make_obstacle(blocks[i]); });
   double largest = 0.0;
   for (int round = 0; round < kMaxRounds; ++round) {
     std::vector<Pair> pairs;
@@ -130,11 +116,7 @@ double separate_surfaces(std::span<const DepositBlock> blocks, std::vector<Pose>
       moves[pair.b] -= (1.0 - share) * push;
     }
     if (largest <= allowed) break;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      const double down = std::min(0.0, moves[i].dot(up));
-      if (on_floor[i]) moves[i] -= down * up;
-      poses[i].translation += moves[i];
-    }
+    for (std::size_t i = 0; i < blocks.size(); ++i) poses[i].translation += moves[i];
   }
   return largest;
 }

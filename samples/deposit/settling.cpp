@@ -21,6 +21,7 @@ constexpr double kImpactDepth = 0.03;     // m; small blocks are not pressed thr
 constexpr double kBetweenBatches = 0.2;   // s
 constexpr double kLongestSettling = 8.0;  // s, after the last release
 constexpr std::size_t kBlocksPerStraggler = 8;
+constexpr double kSlow = 0.15;         // m/s, of a block at rest
 constexpr double kAfterRemoval = 3.0;  // s
 constexpr double kClearance = 0.01;    // m, between bounding spheres of released blocks
 
@@ -234,8 +235,8 @@ std::vector<std::optional<Pose>> settle_blocks(const DepositRecipe& recipe,
   std::vector<std::optional<Pose>> poses(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::size_t body = first + i;
-    const bool in_contact = world.contact_summary(body).contact_count > 0;
-    if (!world.is_inactive(body) && in_contact) poses[i] = world.state(body).world_from_body();
+    const bool is_slow = world.state(body).velocity.norm() < kSlow;  // it may rock a little
+    if (!world.is_inactive(body) && is_slow) poses[i] = world.state(body).world_from_body();
   }
   return poses;
 }

@@ -26,11 +26,11 @@ std::vector<std::optional<Pose>> settle_blocks(const DepositRecipe& recipe,
                                                unsigned threads);
 
 /// Separates surfaces that overlap because the cores are only similar to them, by small
-/// displacements. Blocks that lie on the floor are not moved down.
+/// displacements. Blocks may be pressed into the floor, as into soil.
 /// @param poses  world_from_body of each block; moved
 /// @param allowed  overlap that may remain, m
 /// @return largest remaining overlap of a vertex with another block, m
 double separate_surfaces(std::span<const DepositBlock> blocks, std::vector<Pose>& poses,
-                         double slope, double allowed, unsigned threads);
+                         double allowed, unsigned threads);
 
 }  // namespace clast
