@@ -27,7 +27,7 @@ constexpr double kSizeExponent = 2.0;   // of the number of larger blocks
 constexpr double kTriangleArea = 0.73;  // of the detailed surface, squares of the spacing
 constexpr int kCoreFrequency = 9;       // of the surface from which the core is decimated
 constexpr double kCoreRounding = 0.03;  // Minkowski radius of the core over S
-constexpr double kBound = 1.2;          // ellipsoid around a rock over its lengths
+constexpr double kBound = 1.4;          // ellipsoid around a rock over its lengths
 constexpr double kLeastNaturalSide =
     12.0;                                 // S of an isolated rock, spacings, so that it stands out
 constexpr double kFinestRelief = 0.0125;  // m; octaves of the relief go down to this wavelength
@@ -130,7 +130,7 @@ DepositBlock make_rock(const WantedSize& size, double spacing, Random random) {
   RockRecipe recipe = kind.recipe;
   recipe.lengths = size.intermediate * Vec3(draw_ratio(kind.l_low, kind.l_high, random), 1.0,
                                             draw_ratio(kind.s_low, kind.s_high, random));
-  recipe.bound = kBound;
+  if (recipe.joint_faces == 0) recipe.bound = kBound;
   recipe.roughness = draw_ratio(0.008, 0.018, random);
   recipe.scan_noise = 0.0;
   const double longest_wave = 0.6 * std::cbrt(recipe.lengths.prod());

@@ -61,6 +61,10 @@ void DepositRecipe::check() const {
   check_range("spacings_per_block", spacings_per_block, {5, 60});
   check_range("noise", noise, {0, 2});
   check_range("fines", fines, {0, 1.5});
+  if (fines > 0.0 && kind == DepositKind::kNatural) {
+    throw InputError("`fines` is " + format_significant(fines, 6) +
+                     ", but natural ground has soil of its own; leave it at 0");
+  }
 }
 
 }  // namespace clast

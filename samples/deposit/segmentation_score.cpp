@@ -49,6 +49,7 @@ std::vector<std::uint32_t> align_labels(const LabelledCloud& truth, const Labell
   PointGrid grid(std::max(10.0 * tolerance, 1e-6));
   for (const Vec3& point : truth.points) grid.add(point);
   std::vector<std::uint32_t> blocks(truth.points.size(), 0);
+  std::vector<char> is_labelled(truth.points.size(), 0);
   for (std::size_t i = 0; i < labelled.points.size(); ++i) {
     const Vec3& point = labelled.points[i];
     std::uint32_t nearest = kNoIndex;
@@ -66,6 +67,11 @@ std::vector<std::uint32_t> align_labels(const LabelledCloud& truth, const Labell
                        " is no point of the scan; write the points of scan.ply with all digits "
                        "and without an offset");
     }
+    if (is_labelled[nearest]) {
+      throw InputError("labelled point " + std::to_string(i + 1) + " at " + format_point(point) +
+                       " repeats an earlier one; write every point once");
+    }
+    is_labelled[nearest] = 1;
     blocks[nearest] = labelled.blocks[i];
   }
   return blocks;

@@ -59,7 +59,7 @@ struct SegmentationScore {
 /// @param truth  true points
 /// @param labelled  the same points in any order; some may be missing, and then have the block 0
 /// @param tolerance  largest difference of the coordinates of a point, m
-/// @throws InputError  if a labelled point is none of the true ones
+/// @throws InputError  if a labelled point is none of the true ones or repeats an earlier one
 std::vector<std::uint32_t> align_labels(const LabelledCloud& truth, const LabelledCloud& labelled,
                                         double tolerance);
 

@@ -25,9 +25,12 @@ constexpr double kSlow = 0.15;         // m/s, of a block at rest
 constexpr double kAfterRemoval = 3.0;  // s
 constexpr double kClearance = 0.01;    // m, between bounding spheres of released blocks
 
-/// Soft soil, on which rolling blocks soon stop.
-constexpr GroundParameters kSoil{
-    .energy_restitution = 0.02, .friction = 0.9, .rolling_friction = 0.3};
+/// Soft soil, on which rolling blocks soon stop, also on a slope.
+GroundParameters make_soil(DepositKind kind) {
+  return {.energy_restitution = 0.02,
+          .friction = 0.9,
+          .rolling_friction = kind == DepositKind::kSlope ? 0.6 : 0.3};
+}
 constexpr GroundParameters kBetweenBlocks{
     .energy_restitution = 0.02, .friction = 0.8, .rolling_friction = 0.1};
 
@@ -103,9 +106,9 @@ class ReleasePlan {
       volume += block.volume;
       plan_area += block.axes[0] * block.axes[1];
     }
-    // A heap a third as high as its radius, with 40 % of voids; else blocks on half of the area.
+    // A heap a third as high as its radius, with 40 % of voids; else blocks on 70 % of the area.
     radius_ = kind_ == DepositKind::kHeap ? std::cbrt(volume / 0.6 / (0.35 * kPi))
-                                          : 0.5 * std::sqrt(2.0 * plan_area);
+                                          : 0.5 * std::sqrt(1.4 * plan_area);
     for (std::size_t i = 0; i < 1 + blocks.size() / 40; ++i) clusters_.push_back(draw_even(random));
   }
 
@@ -155,7 +158,8 @@ Vec3 position_above(const World& world, std::size_t first, std::size_t released,
   return {place.x(), place.y(), height};
 }
 
-WorldSettings make_settings(const std::vector<RigidBody>& shapes, unsigned threads) {
+WorldSettings make_settings(const std::vector<RigidBody>& shapes, const GroundParameters& soil,
+                            unsigned threads) {
   WorldSettings settings;
   settings.law = SpringDashpotLaw();
   settings.between_bodies = kBetweenBlocks;
@@ -167,7 +171,7 @@ WorldSettings make_settings(const std::vector<RigidBody>& shapes, unsigned threa
   options.multi_block = true;
   options.normal = heaviest * std::pow(kMaxSpeed / kImpactDepth, 2.0);
   settings.stiffness =
-      choose_stiffness(shapes, std::span(&kSoil, 1), kMaxSpeed, kGravity, options).stiffness;
+      choose_stiffness(shapes, std::span(&soil, 1), kMaxSpeed, kGravity, options).stiffness;
   return settings;
 }
 
@@ -208,9 +212,10 @@ std::vector<std::optional<Pose>> settle_blocks(const DepositRecipe& recipe,
   const ReleasePlan plan(recipe, blocks, random);
   const RingWall ring(plan.radius());
   std::vector<RigidBody> shapes = make_shapes(blocks);
-  const WorldSettings settings = make_settings(shapes, threads);
+  const GroundParameters soil = make_soil(recipe.kind);
+  const WorldSettings settings = make_settings(shapes, soil, threads);
   shapes.push_back(ring.slab());
-  World world(shapes, settings, floor, {kSoil});
+  World world(shapes, settings, floor, {soil});
   std::vector<std::size_t> slabs;
   if (recipe.kind == DepositKind::kHeap) slabs = ring.add_to(world, blocks.size(), blocks.size());
   const std::size_t first = slabs.size();

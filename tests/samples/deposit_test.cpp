@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/triangle_tree.hpp"
-#include "samples/deposit/labelled_cloud.hpp"
+#include "samples/deposit/segmentation_score.hpp"
 #include "samples/deposit/settling.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -117,6 +118,23 @@ TEST(Deposit, FilesAreReadAsTheyWereWritten) {
   EXPECT_EQ(truth.points[7], deposit.scan.points[7].position.cast<double>());
 }
 
+TEST(Deposit, ItsTruthScoresOne) {
+  const DepositRecipe recipe{
+      .kind = DepositKind::kScattered, .blocks = 3, .seed = 2, .size_ratio = 1.5};
+  const ScratchFolder folder;
+  write_deposit(make_deposit(recipe, {}, 1), folder / "d", false);
+  LabelledCloud labelled = read_labelled_cloud(folder / "d/truth.ply");
+  const LabelledCloud truth = labelled;
+  std::reverse(labelled.points.begin(), labelled.points.end());
+  std::reverse(labelled.blocks.begin(), labelled.blocks.end());
+  const SegmentationScore score = score_segmentation(
+      truth.blocks, align_labels(truth, labelled, 1e-4), read_true_blocks(folder / "d"));
+  EXPECT_EQ(score.eligible, 3u);
+  EXPECT_EQ(score.precision(), 1.0);
+  EXPECT_EQ(score.recall(), 1.0);
+  EXPECT_EQ(score.close_fraction(), 1.0);
+}
+
 TEST(DepositRecipe, BadValuesAreRefused) {
   EXPECT_TRUE(contains(refusal([] { parse_deposit_kind("pile"); }),
                        "\"pile\" is unknown; known are heap, scattered, slope, natural"));
@@ -124,6 +142,8 @@ TEST(DepositRecipe, BadValuesAreRefused) {
   EXPECT_TRUE(contains(refusal([] { DepositRecipe{.blocks = 0}.check(); }), "`blocks` is 0"));
   EXPECT_TRUE(contains(refusal([] { DepositRecipe{.noise = -0.1}.check(); }), "`noise` is -0.1"));
   EXPECT_TRUE(contains(refusal([] { DepositRecipe{.fines = 2.0}.check(); }), "`fines` is 2"));
+  const DepositRecipe natural{.kind = DepositKind::kNatural, .fines = 0.3};
+  EXPECT_TRUE(contains(refusal([&] { natural.check(); }), "natural ground has soil of its own"));
 }
 
 }  // namespace

@@ -121,6 +121,13 @@ TEST(AlignLabels, PointsInAnotherOrderAndMissingOnesAreFound) {
   EXPECT_EQ(align_labels(truth, truth, 1e-4), truth.blocks);
 }
 
+TEST(AlignLabels, ARepeatedPointIsRefused) {
+  const LabelledCloud truth{{{0, 0, 0}, {1, 0, 0}}, {1, 2}};
+  const LabelledCloud labelled{{{1, 0, 0}, {1, 0, 0}}, {1, 2}};
+  EXPECT_TRUE(contains(refusal([&] { align_labels(truth, labelled, 1e-4); }),
+                       "labelled point 2 at (1, 0, 0) repeats an earlier one"));
+}
+
 TEST(AlignLabels, AStrangePointIsRefused) {
   const LabelledCloud truth{{{0, 0, 0}}, {1}};
   const LabelledCloud labelled{{{0, 0, 0.01}}, {1}};
