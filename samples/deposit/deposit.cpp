@@ -14,6 +14,7 @@
 #include "samples/deposit/deposit_ground.hpp"
 #include "samples/deposit/labelled_cloud.hpp"
 #include "samples/deposit/point_grid.hpp"
+#include "samples/deposit/separation.hpp"
 #include "samples/deposit/settling.hpp"
 
 namespace clast {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/parallel.hpp"
 #include "mesh/triangle_tree.hpp"
+#include "samples/deposit/height_field.hpp"
 #include "samples/deposit/settling.hpp"
+#include "shapes/oriented_box.hpp"
 
 namespace clast {
 namespace {
@@ -14,11 +15,7 @@ constexpr double kReliefExponent = 0.8;
 constexpr int kWavesPerOctave = 7;
 constexpr double kPlanMargin = 0.4;  // m
 
-// Of all grounds, in spacings.
-constexpr double kGravel = 0.3;           // standard deviation of the height of each vertex
-constexpr double kShortestWave = 3.0;     // of the relief
-constexpr double kPebbleRadius = 3.0;     // largest
-constexpr double kPebbleDistance = 18.0;  // mean one
+constexpr double kShortestWave = 3.0;  // of the relief, spacings
 
 // Of the floor.
 constexpr double kFloorRelief = 0.012;  // m, of the longest waves
@@ -34,108 +31,6 @@ constexpr double kLeastRise = 10.0;      // spacings
 constexpr double kFilletReach = 0.10;    // of the soil against a rock over I
 constexpr double kLargestFillet = 0.12;  // its height over the rise of the rock
 
-/// A height for each node of a grid in plan.
-struct HeightField {
-  Vec2 low = Vec2::Zero();
-  double cell = 1.0;  ///< m
-  int columns = 0, rows = 0;
-  std::vector<double> heights;  ///< row by row
-
-  HeightField(const ScannedPlan& plan, double cell_size)
-      : low(plan.low),
-        cell(cell_size),
-        columns(static_cast<int>(std::ceil((plan.high.x() - plan.low.x()) / cell_size)) + 1),
-        rows(static_cast<int>(std::ceil((plan.high.y() - plan.low.y()) / cell_size)) + 1),
-        heights(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0.0) {}
-
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(column);
-  }
-  Vec2 place(int column, int row) const { return low + cell * Vec2(column, row); }
-
-  /// Bilinear between nodes, that of the border outside.
-  double at(const Vec2& place) const {
-    const Vec2 scaled = (place - low) / cell;
-    const double x = std::clamp(scaled.x(), 0.0, columns - 1.001);
-    const double y = std::clamp(scaled.y(), 0.0, rows - 1.001);
-    const int i = static_cast<int>(x), j = static_cast<int>(y);
-    const double u = x - i, v = y - j;
-    return (1.0 - v) * ((1.0 - u) * heights[index(i, j)] + u * heights[index(i + 1, j)]) +
-           v * ((1.0 - u) * heights[index(i, j + 1)] + u * heights[index(i + 1, j + 1)]);
-  }
-};
-
-void fill_heights(HeightField& field, unsigned threads,
-                  const std::function<double(const Vec2&)>& height) {
-  parallel_for(static_cast<std::size_t>(field.rows), threads, [&](std::size_t j) {
-    const int row = static_cast<int>(j);
-    for (int i = 0; i < field.columns; ++i) {
-      field.heights[field.index(i, row)] = height(field.place(i, row));
-    }
-  });
-}
-
-/// Adds pebbles, half buried balls, and gravel that no scan resolves.
-void add_grains(HeightField& field, double spacing, Random& random) {
-  const double area = field.cell * field.cell * field.columns * field.rows;
-  const double distance = kPebbleDistance * spacing;
-  for (int left = static_cast<int>(area / (distance * distance)); left > 0; --left) {
-    const double radius = kPebbleRadius * spacing * std::sqrt(random.uniform(0.1, 1.0));
-    const int i = static_cast<int>(random.uniform_index(static_cast<std::uint64_t>(field.columns)));
-    const int j = static_cast<int>(random.uniform_index(static_cast<std::uint64_t>(field.rows)));
-    const int reach = static_cast<int>(radius / field.cell);
-    for (int y = std::max(0, j - reach); y <= std::min(field.rows - 1, j + reach); ++y) {
-      for (int x = std::max(0, i - reach); x <= std::min(field.columns - 1, i + reach); ++x) {
-        const double aside = (field.place(x, y) - field.place(i, j)).squaredNorm();
-        const double rise = radius * radius - aside;
-        if (rise > 0.0) field.heights[field.index(x, y)] += 0.7 * std::sqrt(rise);
-      }
-    }
-  }
-  for (double& height : field.heights) height += kGravel * spacing * random.normal();
-}
-
-TriangleMesh mesh_of(const HeightField& field) {
-  TriangleMesh mesh;
-  mesh.vertices.reserve(field.heights.size());
-  for (int j = 0; j < field.rows; ++j) {
-    for (int i = 0; i < field.columns; ++i) {
-      const Vec2 place = field.place(i, j);
-      mesh.vertices.emplace_back(place.x(), place.y(), field.heights[field.index(i, j)]);
-    }
-  }
-  mesh.triangles.reserve(2 * field.heights.size());
-  for (int j = 0; j + 1 < field.rows; ++j) {
-    for (int i = 0; i + 1 < field.columns; ++i) {
-      const auto a = static_cast<std::uint32_t>(field.index(i, j));
-      const auto d = static_cast<std::uint32_t>(field.index(i, j + 1));
-      mesh.triangles.push_back({a, a + 1, d + 1});
-      mesh.triangles.push_back({a, d + 1, d});
-    }
-  }
-  return mesh;
-}
-
-/// Box blur, three times in both directions: nearly a Gaussian.
-void smooth(HeightField& field, int reach) {
-  for (int pass = 0; pass < 6; ++pass) {
-    const bool along_rows = pass % 2 == 0;
-    const std::vector<double> before = field.heights;
-    for (int j = 0; j < field.rows; ++j) {
-      for (int i = 0; i < field.columns; ++i) {
-        double sum = 0.0;
-        for (int k = -reach; k <= reach; ++k) {
-          const int x = std::clamp(along_rows ? i + k : i, 0, field.columns - 1);
-          const int y = std::clamp(along_rows ? j : j + k, 0, field.rows - 1);
-          sum += before[field.index(x, y)];
-        }
-        field.heights[field.index(i, j)] = sum / (2 * reach + 1);
-      }
-    }
-  }
-}
-
 /// Height of the blocks above the floor, smoothed over a few blocks.
 HeightField smoothed_tops(const ScannedPlan& plan, std::span<const DepositBlock> blocks,
                           std::span<const Pose> poses, double slope) {
@@ -150,7 +45,7 @@ HeightField smoothed_tops(const ScannedPlan& plan, std::span<const DepositBlock>
       top = std::max(top, point.z() + std::tan(slope) * point.x());
     }
   }
-  smooth(tops, kSmoothing);
+  smooth_heights(tops, kSmoothing);
   return tops;
 }
 
@@ -224,7 +119,7 @@ TriangleMesh make_floor_ground(const DepositRecipe& recipe, std::span<const Depo
     return soil + depth - std::tan(slope) * place.x();
   });
   add_grains(field, spacing, random);
-  return mesh_of(field);
+  return make_mesh(field);
 }
 
 NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const DepositBlock> blocks,
@@ -288,7 +183,7 @@ NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const Dep
     return height + heaped;
   });
   add_grains(field, spacing, random);
-  scene.ground = mesh_of(field);
+  scene.ground = make_mesh(field);
   return scene;
 }
 

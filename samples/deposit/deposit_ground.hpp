@@ -5,6 +5,7 @@
 
 #include "core/random.hpp"
 #include "samples/deposit/deposit_block.hpp"
+#include "samples/deposit/height_field.hpp"
 
 namespace clast {
 
@@ -25,11 +26,6 @@ class GroundRelief {
     double height;
   };
   std::vector<Wave> waves_;
-};
-
-/// Square in plan that is scanned.
-struct ScannedPlan {
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< m
 };
 
 /// Returns the plan of the blocks with a margin.

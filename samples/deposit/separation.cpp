@@ -1,10 +1,11 @@
+#include "samples/deposit/separation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "core/parallel.hpp"
 #include "mesh/triangle_tree.hpp"
-#include "samples/deposit/settling.hpp"
 #include "shapes/convex_hull.hpp"
 
 namespace clast {

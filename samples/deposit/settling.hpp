@@ -1,5 +1,5 @@
 #pragma once
-/// Settling of the blocks of a virtual deposit under gravity, and separation of their surfaces.
+/// Settling of the blocks of a virtual deposit under gravity.
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,13 +24,5 @@ std::size_t count_released_blocks(const DepositRecipe& recipe);
 std::vector<std::optional<Pose>> settle_blocks(const DepositRecipe& recipe,
                                                std::span<const DepositBlock> blocks,
                                                unsigned threads);
-
-/// Separates surfaces that overlap because the cores are only similar to them, by small
-/// displacements. Blocks may be pressed into the floor, as into soil.
-/// @param poses  world_from_body of each block; moved
-/// @param allowed  overlap that may remain, m
-/// @return largest remaining overlap of a vertex with another block, m
-double separate_surfaces(std::span<const DepositBlock> blocks, std::vector<Pose>& poses,
-                         double allowed, unsigned threads);
 
 }  // namespace clast

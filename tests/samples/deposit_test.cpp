@@ -67,7 +67,7 @@ TEST_P(DepositOfKind, ThreadsDoNotChangeIt) {
 INSTANTIATE_TEST_SUITE_P(Kinds, DepositOfKind,
                          testing::Values(DepositKind::kHeap, DepositKind::kSlope,
                                          DepositKind::kNatural),
-                         [](const auto& info) { return name_of(info.param); });
+                         [](const auto& kind) { return name_of(kind.param); });
 
 TEST(Deposit, BlocksRestOnTheFloorOrOnOthers) {
   const DepositRecipe recipe = small_recipe(DepositKind::kHeap);

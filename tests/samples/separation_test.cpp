@@ -1,7 +1,8 @@
+#include "samples/deposit/separation.hpp"
+
 #include <gtest/gtest.h>
 
 #include "mesh/triangle_tree.hpp"
-#include "samples/deposit/settling.hpp"
 #include "tests/support/test_worlds.hpp"
 
 namespace clast {
