@@ -39,7 +39,7 @@ std::string find_name(const std::array<std::pair<Value, const char*>, kCount>& n
 
 void check_range(const std::string& field, double value, const NumberRange& range) {
   if (range.contains(value)) return;
-  throw InputError("`" + field + "` is " + format_significant(value, 6) + "; it must be " +
+  throw InputError(field + " is " + format_significant(value, 6) + "; it must be " +
                    range.describe());
 }
 
@@ -62,7 +62,7 @@ void DepositRecipe::check() const {
   check_range("noise", noise, {0, 2});
   check_range("fines", fines, {0, 1.5});
   if (fines > 0.0 && kind == DepositKind::kNatural) {
-    throw InputError("`fines` is " + format_significant(fines, 6) +
+    throw InputError("fines is " + format_significant(fines, 6) +
                      ", but natural ground has soil of its own; leave it at 0");
   }
 }

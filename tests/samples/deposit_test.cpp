@@ -139,9 +139,9 @@ TEST(DepositRecipe, BadValuesAreRefused) {
   EXPECT_TRUE(contains(refusal([] { parse_deposit_kind("pile"); }),
                        "\"pile\" is unknown; known are heap, scattered, slope, natural"));
   EXPECT_TRUE(contains(refusal([] { parse_scan_stations("boat"); }), "known are drone, tripod"));
-  EXPECT_TRUE(contains(refusal([] { DepositRecipe{.blocks = 0}.check(); }), "`blocks` is 0"));
-  EXPECT_TRUE(contains(refusal([] { DepositRecipe{.noise = -0.1}.check(); }), "`noise` is -0.1"));
-  EXPECT_TRUE(contains(refusal([] { DepositRecipe{.fines = 2.0}.check(); }), "`fines` is 2"));
+  EXPECT_TRUE(contains(refusal([] { DepositRecipe{.blocks = 0}.check(); }), "blocks is 0"));
+  EXPECT_TRUE(contains(refusal([] { DepositRecipe{.noise = -0.1}.check(); }), "noise is -0.1"));
+  EXPECT_TRUE(contains(refusal([] { DepositRecipe{.fines = 2.0}.check(); }), "fines is 2"));
   const DepositRecipe natural{.kind = DepositKind::kNatural, .fines = 0.3};
   EXPECT_TRUE(contains(refusal([&] { natural.check(); }), "natural ground has soil of its own"));
 }
