@@ -22,7 +22,6 @@
 namespace clast {
 namespace {
 
-constexpr double kDensity = 2650.0;     // kg/m^3
 constexpr double kSizeExponent = 2.0;   // of the number of larger blocks
 constexpr double kTriangleArea = 0.73;  // of the detailed surface, squares of the spacing
 constexpr int kCoreFrequency = 9;       // of the surface from which the core is decimated
@@ -109,10 +108,11 @@ DepositBlock finish_block(std::string shape, TriangleMesh surface, const Triangl
                           const WantedSize& size) {
   DepositBlock block;
   block.shape = std::move(shape);
+  block.size = size.intermediate;
   const Vec3 sides = smallest_box(coarse.vertices).lengths;
   const double factor = std::max(size.intermediate / sides[1], size.least_side / sides[2]);
   const SpheroPolyhedron core = make_core(scaled(coarse, factor), core_vertices(size.intermediate));
-  const MassProperties mass = sphero_mass_properties(core, kDensity, 1e-3);
+  const MassProperties mass = sphero_mass_properties(core, kRockDensity, 1e-3);
   const PrincipalFrame frame = principal_frame(mass);
   const Pose body_from_surface = Pose{mass.centre, frame.rotation}.inverse();
   block.surface = transformed(scaled(std::move(surface), factor), body_from_surface);

@@ -17,9 +17,13 @@ struct DepositBlock {
   std::string shape;         ///< kind of shape: "compact", "platy", ..., or the name of a scan
   TriangleMesh surface;      ///< closed surface that the scanner sees, m; rough down to the spacing
   RigidBody core;            ///< simplified body that comes to rest in its place
+  double size = 0.0;         ///< drawn intermediate axis, near that of `surface`, m
   Vec3 axes = Vec3::Zero();  ///< L, I, S of the smallest box of `surface`, m
   double volume = 0.0;       ///< m^3
 };
+
+/// Density of the cores, kg/m^3.
+inline constexpr double kRockDensity = 2650.0;
 
 /// Closed mesh of a real stone, and its name.
 struct StoneScan {

@@ -69,7 +69,11 @@ int main(int argc, char** argv) {
                  "Folder of closed meshes of stones; every second block is made from one");
   app.add_option("--threads", options.threads, "Number of threads; 0: one per core");
   app.add_flag("--bodies", options.bodies, "Also write the true bodies as meshes");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     make(options, blocks->count() > 0);
   } catch (const std::exception& error) {

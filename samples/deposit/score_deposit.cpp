@@ -101,7 +101,11 @@ int main(int argc, char** argv) {
   app.add_option("--bodies", bodies,
                  "CSV table of the sizes of the proposed blocks: block, L_m, I_m, S_m, volume_m3; "
                  "bounds L_m_low, L_m_high, ...; intervals L_m_low90, L_m_high90, ...");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     std::cout << score(folder, labelled, bodies).dump(2) << "\n";
   } catch (const std::exception& error) {

@@ -40,7 +40,7 @@ std::vector<RigidBody> make_shapes(std::span<const DepositBlock> blocks) {
   std::vector<RigidBody> shapes;
   for (const DepositBlock& block : blocks) {
     RigidBody& shape = shapes.emplace_back(block.core);
-    const double factor = kSmallestBlock / block.axes[1];
+    const double factor = kSmallestBlock / block.size;
     shape.mass *= factor;
     shape.moments *= factor;
   }
@@ -103,12 +103,13 @@ class ReleasePlan {
       : kind_(recipe.kind) {
     double volume = 0.0, plan_area = 0.0;
     for (const DepositBlock& block : blocks) {
-      volume += block.volume;
-      plan_area += block.axes[0] * block.axes[1];
+      volume += block.core.mass / kRockDensity;
+      plan_area += block.size * block.size;
     }
-    // A heap a third as high as its radius, with 40 % of voids; else blocks on 70 % of the area.
+    // A heap a third as high as its radius, with 40 % of voids; else blocks on about 70 % of the
+    // area.
     radius_ = kind_ == DepositKind::kHeap ? std::cbrt(volume / 0.6 / (0.35 * kPi))
-                                          : 0.5 * std::sqrt(1.4 * plan_area);
+                                          : 0.5 * std::sqrt(2.0 * plan_area);
     for (std::size_t i = 0; i < 1 + blocks.size() / 40; ++i) clusters_.push_back(draw_even(random));
   }
 

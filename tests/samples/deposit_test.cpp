@@ -93,6 +93,24 @@ TEST(Deposit, BlocksRestOnTheFloorOrOnOthers) {
   }
 }
 
+TEST(Deposit, TheSpacingChangesSurfacesAndNotWhereBlocksLie) {
+  DepositRecipe recipe = small_recipe(DepositKind::kHeap);
+  const auto settle = [&] {
+    return settle_blocks(recipe, make_deposit_blocks(recipe, count_released_blocks(recipe), {}, 1),
+                         1);
+  };
+  const std::vector<std::optional<Pose>> coarse = settle();
+  recipe.spacings_per_block *= 2.0;
+  const std::vector<std::optional<Pose>> fine = settle();
+  ASSERT_EQ(coarse.size(), fine.size());
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    ASSERT_EQ(coarse[i].has_value(), fine[i].has_value());
+    if (!coarse[i]) continue;
+    EXPECT_EQ(coarse[i]->translation, fine[i]->translation);
+    EXPECT_TRUE(coarse[i]->rotation.coeffs() == fine[i]->rotation.coeffs());
+  }
+}
+
 TEST(Deposit, SizesFollowThePowerLaw) {
   Random random(1);
   const std::vector<double> sizes = draw_block_sizes(4000, 8.0, random);
