@@ -22,7 +22,7 @@ constexpr double kBetweenBatches = 0.2;   // s
 constexpr double kLongestSettling = 8.0;  // s, after the last release
 constexpr std::size_t kBlocksPerStraggler = 8;
 constexpr double kSlow = 0.15;         // m/s, of a block at rest
-constexpr double kAfterRemoval = 3.0;  // s
+constexpr double kAfterRemoval = 8.0;  // s
 constexpr double kClearance = 0.01;    // m, between bounding spheres of released blocks
 
 /// Soft soil, on which rolling blocks soon stop, also on a slope.
@@ -101,15 +101,18 @@ class ReleasePlan {
  public:
   ReleasePlan(const DepositRecipe& recipe, std::span<const DepositBlock> blocks, Random& random)
       : kind_(recipe.kind) {
-    double volume = 0.0, plan_area = 0.0;
+    double volume = 0.0, plan_area = 0.0, largest_reach = 0.0;
     for (const DepositBlock& block : blocks) {
       volume += block.core.mass / kRockDensity;
       plan_area += block.size * block.size;
+      largest_reach = std::max(largest_reach, block.core.bounding_radius());
     }
     // A heap a third as high as its radius, with 40 % of voids; else blocks on about 70 % of the
     // area.
     radius_ = kind_ == DepositKind::kHeap ? std::cbrt(volume / 0.6 / (0.35 * kPi))
                                           : 0.5 * std::sqrt(2.0 * plan_area);
+    radius_ =
+        std::max(radius_, 1.1 * largest_reach + kClearance);  // the largest fits into the ring
     for (std::size_t i = 0; i < 1 + blocks.size() / 40; ++i) clusters_.push_back(draw_even(random));
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/triangle_tree.hpp"
+#include "samples/deposit/deposit_ground.hpp"
 #include "samples/deposit/segmentation_score.hpp"
 #include "samples/deposit/settling.hpp"
 #include "tests/support/refusal.hpp"
@@ -108,6 +109,38 @@ TEST(Deposit, TheSpacingChangesSurfacesAndNotWhereBlocksLie) {
     if (!coarse[i]) continue;
     EXPECT_EQ(coarse[i]->translation, fine[i]->translation);
     EXPECT_TRUE(coarse[i]->rotation.coeffs() == fine[i]->rotation.coeffs());
+  }
+}
+
+TEST(Deposit, FewBlocksOfVeryDifferentSizesMakeAHeap) {
+  DepositRecipe recipe = small_recipe(DepositKind::kHeap);
+  recipe.size_ratio = 8.0;
+  for (const std::size_t count : {1, 3}) {
+    recipe.blocks = count;
+    const std::vector<std::optional<Pose>> poses =
+        settle_blocks(recipe, make_deposit_blocks(recipe, count_released_blocks(recipe), {}, 1), 1);
+    EXPECT_EQ(std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose; }),
+              static_cast<std::ptrdiff_t>(count));
+  }
+}
+
+TEST(Deposit, NaturalRocksRiseTenSpacingsAboveTheGroundAtTheirCentres) {
+  DepositRecipe recipe = small_recipe(DepositKind::kNatural);
+  recipe.blocks = 12;
+  const std::vector<DepositBlock> blocks = make_deposit_blocks(recipe, recipe.blocks, {}, 1);
+  const NaturalScene scene = make_natural_scene(recipe, blocks, 1);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Bounds body = bounds(transformed(blocks[i].surface, scene.poses[i]));
+    const Vec2 centre = scene.poses[i].translation.head<2>();
+    double nearest = 1e300, ground = 0.0;
+    for (const Vec3& vertex : scene.ground.vertices) {
+      const double aside = (vertex.head<2>() - centre).squaredNorm();
+      if (aside >= nearest) continue;
+      nearest = aside;
+      ground = vertex.z();
+    }
+    EXPECT_GT(body.high.z() - ground, 10.0 * recipe.spacing());
+    EXPECT_LT(body.low.z(), ground);  // it stands in the ground
   }
 }
 
