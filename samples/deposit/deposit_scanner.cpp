@@ -72,20 +72,13 @@ ScanView make_panorama(const Vec3& station, double step) {
   return view;
 }
 
-/// Highest vertex near a place in plan, m.
+/// Height of the vertex that is nearest to a place in plan, m.
 double height_near(const TriangleMesh& mesh, const Vec2& place) {
-  double height = -1e300, nearest = 1e300;
-  for (const Vec3& vertex : mesh.vertices) {
-    const double aside = (vertex.head<2>() - place).squaredNorm();
-    if (aside < 0.04) height = std::max(height, vertex.z());
-    if (height > -1e300 || aside >= nearest) continue;
-    nearest = aside;
-  }
-  if (height > -1e300) return height;
-  for (const Vec3& vertex : mesh.vertices) {
-    if ((vertex.head<2>() - place).squaredNorm() <= nearest) height = vertex.z();
-  }
-  return height;
+  const auto nearest = std::min_element(
+      mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& a, const Vec3& b) {
+        return (a.head<2>() - place).squaredNorm() < (b.head<2>() - place).squaredNorm();
+      });
+  return nearest->z();
 }
 
 double chance_of_loss(double cosine) {
