@@ -7,13 +7,10 @@
 #include "core/files/text_file.hpp"
 
 namespace clast {
-namespace {
 
 void append_word(std::string& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 255u);
 }
-
-}  // namespace
 
 void write_float_ply(const std::filesystem::path& path, const TriangleMesh& mesh, double grid,
                      const std::string& comment) {

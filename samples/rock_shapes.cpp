@@ -38,8 +38,14 @@ std::vector<Facet> facets_of(const RockRecipe& recipe, Random& random) {
 
 /// Distance from the origin to the surface. The planes are joined by a p-norm, which rounds the
 /// edges like wear does and stays a function of direction.
-double facet_radius(const std::vector<Facet>& facets, const Vec3& direction, double sharpness) {
+double facet_radius(const std::vector<Facet>& facets, const RockRecipe& recipe,
+                    const Vec3& direction) {
+  const double sharpness = recipe.sharpness;
   double sum = 0.0;
+  if (recipe.bound > 0.0) {
+    const Vec3 bounding_half = 0.5 * recipe.bound * recipe.lengths;
+    sum = std::pow(direction.cwiseQuotient(bounding_half).norm(), sharpness);
+  }
   for (const Facet& facet : facets) {
     const double inverse = facet.normal.dot(direction) / facet.distance;
     if (inverse > 0.0) sum += std::pow(inverse, sharpness);
@@ -51,8 +57,8 @@ double facet_radius(const std::vector<Facet>& facets, const Vec3& direction, dou
 /// as the wavelength halves.
 class Relief {
  public:
-  Relief(double height, double longest_wave, Random& random) {
-    for (int octave = 0; octave < 4; ++octave) {
+  Relief(double height, double longest_wave, int octaves, Random& random) {
+    for (int octave = 0; octave < octaves; ++octave) {
       for (int i = 0; i < kWavesPerOctave; ++i) {
         waves_.push_back({2.0 * kPi / longest_wave * random.unit_vector(),
                           random.uniform(0.0, 2.0 * kPi),
@@ -79,18 +85,15 @@ class Relief {
   std::vector<Wave> waves_;
 };
 
-}  // namespace
-
-TriangleMesh rock(const RockRecipe& recipe) {
-  Random random(recipe.seed);
+TriangleMesh centred_rock(const RockRecipe& recipe, Random& random) {
   const std::vector<Facet> facets = facets_of(recipe, random);
   const double mean_length = std::cbrt(recipe.lengths.prod());
-  const Relief relief(recipe.roughness * mean_length, 0.6 * mean_length, random);
+  const Relief relief(recipe.roughness * mean_length, 0.6 * mean_length, recipe.octaves, random);
   TriangleMesh mesh = geodesic_sphere(recipe.frequency);
   for (Vec3& vertex : mesh.vertices) {
     // Directions follow the ellipsoid, so that triangles are of like size on a long block too.
     const Vec3 direction = vertex.cwiseProduct(recipe.lengths).normalized();
-    double radius = facet_radius(facets, direction, recipe.sharpness);
+    double radius = facet_radius(facets, recipe, direction);
     if (recipe.notch > 0.0) {
       // A notch in one side: deepest on the plane x = 0, fading out behind the middle.
       const double across = direction.x() / 0.4;
@@ -100,6 +103,19 @@ TriangleMesh rock(const RockRecipe& recipe) {
     radius += relief.at(radius * direction) + recipe.scan_noise * random.normal();
     vertex = radius * direction;
   }
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh centred_rock(const RockRecipe& recipe) {
+  Random random(recipe.seed);
+  return centred_rock(recipe, random);
+}
+
+TriangleMesh rock(const RockRecipe& recipe) {
+  Random random(recipe.seed);
+  TriangleMesh mesh = centred_rock(recipe, random);
   const Pose place{{random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), 1.0}, random.rotation()};
   return transformed(std::move(mesh), place);
 }

@@ -2,7 +2,9 @@
 /// Readers of mesh formats. They return vertices and triangles as stored; `read_mesh` checks them.
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesh/triangle_mesh.hpp"
 
@@ -13,6 +15,10 @@ namespace clast::mesh_detail {
 std::optional<TriangleMesh> read_stl_mesh(std::string_view content);
 std::optional<TriangleMesh> read_obj_mesh(std::string_view content);
 std::optional<TriangleMesh> read_ply_mesh(std::string_view content);
+/// Reads named properties of the vertices; a column for each name, in the order of `names`.
+/// @throws InputError  as `read_ply_mesh`, or if there is no such property
+std::vector<std::vector<double>> read_ply_vertex_values(std::string_view content,
+                                                        const std::vector<std::string>& names);
 std::optional<TriangleMesh> read_off_mesh(std::string_view content);
 std::optional<TriangleMesh> read_tab_mesh(std::string_view content);
 

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -235,27 +237,33 @@ std::int64_t vertex_number(double value) {
   return static_cast<std::int64_t>(value);
 }
 
-void read_vertices(Body& body, const Element& element, TriangleMesh& mesh) {
-  const std::array<std::string_view, 3> axes = {"x", "y", "z"};
-  for (const std::string_view axis : axes) {
-    const bool has = std::any_of(element.properties.begin(), element.properties.end(),
-                                 [&](const Property& p) { return p.name == axis && !p.is_list; });
-    if (!has) throw InputError("its vertices have no property \"" + std::string(axis) + "\"");
+/// Reads the vertices and calls `consume` with the values of the named properties of each.
+void read_vertices(Body& body, const Element& element, const std::vector<std::string>& names,
+                   const std::function<void(const std::vector<double>&)>& consume) {
+  constexpr std::size_t kUnnamed = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> places(element.properties.size(), kUnnamed);
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    bool has = false;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const Property& property = element.properties[p];
+      if (property.name != names[n] || property.is_list) continue;
+      places[p] = n;
+      has = true;
+    }
+    if (!has) throw InputError("its vertices have no property \"" + names[n] + "\"");
   }
-  mesh.vertices.reserve(static_cast<std::size_t>(element.count));
+  std::vector<double> values(names.size(), 0.0);
   for (std::int64_t i = 0; i < element.count; ++i) {
-    Vec3 point = Vec3::Zero();
     body.begin_element();
-    for (const Property& property : element.properties) {
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const Property& property = element.properties[p];
       for (std::size_t left = property.is_list ? body.count(property.count_type) : 1; left > 0;
            --left) {
         const double value = body.value(property.type);
-        for (int axis = 0; axis < 3; ++axis) {
-          if (property.name == axes[static_cast<std::size_t>(axis)]) point[axis] = value;
-        }
+        if (places[p] != kUnnamed) values[places[p]] = value;
       }
     }
-    mesh.vertices.push_back(point);
+    consume(values);
   }
 }
 
@@ -308,7 +316,10 @@ std::optional<TriangleMesh> read_ply_mesh(std::string_view content) {
   for (const Element& element : header.elements) {
     body.check_disk_space(element);
     if (element.name == "vertex") {
-      read_vertices(body, element, mesh);
+      mesh.vertices.reserve(static_cast<std::size_t>(element.count));
+      read_vertices(body, element, {"x", "y", "z"}, [&](const std::vector<double>& values) {
+        mesh.vertices.emplace_back(values[0], values[1], values[2]);
+      });
     } else {
       const bool surface = element.name == "face" || element.name == "tristrips";
       const std::size_t before = faces.size();
@@ -320,6 +331,26 @@ std::optional<TriangleMesh> read_ply_mesh(std::string_view content) {
     with_error_context("face " + std::to_string(f + 1), [&] { append_polygon(mesh, faces[f]); });
   }
   return mesh;
+}
+
+std::vector<std::vector<double>> read_ply_vertex_values(std::string_view content,
+                                                        const std::vector<std::string>& names) {
+  TextScanner text(content);
+  const PlyHeader header = read_ply_header(text);
+  Body body(text.remaining_text(), header);
+  std::vector<std::vector<double>> columns(names.size());
+  for (const Element& element : header.elements) {
+    body.check_disk_space(element);
+    if (element.name != "vertex") {
+      read_lists(body, element, nullptr);
+      continue;
+    }
+    read_vertices(body, element, names, [&](const std::vector<double>& values) {
+      for (std::size_t n = 0; n < names.size(); ++n) columns[n].push_back(values[n]);
+    });
+    return columns;
+  }
+  throw InputError("it has no vertices");
 }
 
 }  // namespace clast::mesh_detail

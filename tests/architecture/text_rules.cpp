@@ -37,6 +37,12 @@ bool is_of_library(const SourceFile& file) {
          file.folder() != "benchmarks";
 }
 
+/// Programs beside `app`, such as those that make samples: their options are their own.
+bool is_program(const SourceFile& file) {
+  return std::any_of(file.lines.begin(), file.lines.end(),
+                     [](const std::string& line) { return line.starts_with("int main("); });
+}
+
 /// Runs of other programs, whose options are theirs.
 bool speaks_of_another_program(const SourceFile& file) {
   return file.path == "reconstruct/photos/colmap_run.cpp" || file.path == "report/page_pdf.cpp" ||
@@ -201,7 +207,7 @@ Findings renamed_name_findings(const SourceFile& file) {
 Findings flag_findings(const SourceFile& file) {
   static const std::regex kFlag(R"((^|[\s(])--[a-z])");
   Findings findings;
-  if (!is_of_library(file) || speaks_of_another_program(file)) return findings;
+  if (!is_of_library(file) || is_program(file) || speaks_of_another_program(file)) return findings;
   for (std::size_t i = 0; i < file.lines.size(); ++i) {
     for (const std::string& text : literals(file.lines[i])) {
       if (!std::regex_search(text, kFlag)) continue;

@@ -106,6 +106,7 @@ TEST(TextRules, OptionOfTheCommandLineInALibraryIsFound) {
   ASSERT_EQ(flag_findings(source_file("mesh/a.cpp", text)).size(), 1u);
   EXPECT_TRUE(flag_findings(source_file("mesh/a.cpp", text))[0].starts_with("mesh/a.cpp:2: "));
   EXPECT_TRUE(flag_findings(source_file("app/a.cpp", text)).empty());
+  EXPECT_TRUE(flag_findings(source_file("samples/a.cpp", text + "int main() {}\n")).empty());
   EXPECT_TRUE(flag_findings(source_file("mesh/a.cpp", "\"a -- b\"\n")).empty());
 }
 

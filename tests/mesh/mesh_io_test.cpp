@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "mesh/mesh_topology.hpp"
+#include "mesh/ply_properties.hpp"
 #include "tests/shapes/shape_samples.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -234,6 +235,37 @@ TEST_F(MeshFiles, BinaryPlyInBothByteOrders) {
     const TriangleMesh mesh = read("a.ply", binary_ply(big_endian));
     EXPECT_EQ(mesh.triangles, tetrahedron().triangles);
     EXPECT_EQ(mesh.vertices, tetrahedron().vertices);
+  }
+}
+
+TEST_F(MeshFiles, NamedPropertiesOfPlyVerticesAreRead) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement camera 1\nproperty float f\nelement vertex 2\n"
+      "property uchar red\nproperty int block\nproperty list uchar int seen\nproperty double X\n"
+      "end_header\n";
+  const auto read_columns = [&](const std::string& body, const std::vector<std::string>& names) {
+    write_text_file(folder_ / "labels.ply", header + body);
+    return read_ply_vertex_properties(folder_ / "labels.ply", names);
+  };
+  const std::string body = "35\n255 7 2 1 4 0.1\n9 -3 0 1e300\n";
+  const std::vector<std::vector<double>> expected = {{0.1, 1e300}, {7, -3}};
+  EXPECT_EQ(read_columns(body, {"x", "block"}), expected);
+  EXPECT_TRUE(contains(refusal([&] { read_columns(body, {"label"}); }),
+                       "labels.ply: its vertices have no property \"label\""));
+  // A list has no single value.
+  EXPECT_TRUE(contains(refusal([&] { read_columns(body, {"seen"}); }), "no property \"seen\""));
+  EXPECT_TRUE(
+      contains(refusal([&] { read_columns("35\n255 7 2 1 4 0.1\n9", {"x"}); }), "cut short"));
+}
+
+TEST_F(MeshFiles, NamedPropertiesOfBinaryPlyInBothByteOrders) {
+  for (const bool big_endian : {false, true}) {
+    write_text_file(folder_ / "a.ply", binary_ply(big_endian));
+    const auto columns = read_ply_vertex_properties(folder_ / "a.ply", {"z", "x"});
+    for (std::size_t i = 0; i < tetrahedron().vertices.size(); ++i) {
+      EXPECT_EQ(columns[0][i], tetrahedron().vertices[i].z());
+      EXPECT_EQ(columns[1][i], tetrahedron().vertices[i].x());
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "core/number_text.hpp"
 #include "mesh/mesh_io.hpp"
+#include "mesh/ply_properties.hpp"
 #include "mesh/point_cloud.hpp"
 #include "shapes/shp_file.hpp"
 #include "tests/app/fuzz/readers.hpp"
@@ -83,6 +84,16 @@ std::vector<NamedReader> cloud_and_shape_readers() {
                    text_cloud("", " ");
           },
           read_points_of),
+      reader_of(
+          "labels.ply",
+          [] {
+            return "ply\nformat ascii 1.0\nelement vertex 60\nproperty double x\n"
+                   "property double block\nproperty double z\nend_header\n" +
+                   text_cloud("", " ");
+          },
+          [](const auto& path) {
+            read_ply_vertex_properties(path, {"x", "block"});
+          }),
       reader_of("rock.shp", shp,
                 [](const auto& path) {
                   for (const ShpShape& shape : read_shp(path)) {
