@@ -64,6 +64,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"seconds", "--colmap-minutes"},
     {"shard", "--shard"},
     {"segments", "--segments"},
+    {"smallest_axis", "--smallest"},
     {"split", "--split"},
     {"to", "--to"},
     {"tolerance", "--tolerance"},

@@ -12,8 +12,11 @@
 namespace clast {
 namespace {
 
-/// More vertices than the last make a simulation slow for little. Trials start at the second.
-constexpr std::size_t kMinVertices = 8, kFirstVertices = 120, kMaxVertices = 2000;
+/// More vertices than the last make a simulation slow for little.
+constexpr std::size_t kMinVertices = 8, kMaxVertices = 2000;
+/// Trials start at this number over the tolerance: distances of inscribed polyhedra from a smooth
+/// body are inversely proportional to their numbers of vertices.
+constexpr double kFirstVerticesTimesTolerance = 1.2;
 /// The search ends when a tenth fewer vertices are known not to do.
 constexpr double kRefinement = 1.1;
 constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
@@ -43,7 +46,9 @@ FewestVerticesSearch::FewestVerticesSearch(const std::string& id, const ScanSurf
 
 Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_given) {
   BlockOptions tried = options;
-  std::size_t first = kFirstVertices;
+  auto first = static_cast<std::size_t>(std::clamp(kFirstVerticesTimesTolerance / options.tolerance,
+                                                   static_cast<double>(kMinVertices),
+                                                   static_cast<double>(kMaxVertices)));
   for (int halving = 0; halving <= kRadiusHalvings; ++halving) {
     const bool is_last = radius_given || halving == kRadiusHalvings;
     if (const std::optional<Trial> trial = search_at_radius(tried, first, is_last)) {

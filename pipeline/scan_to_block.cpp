@@ -157,7 +157,9 @@ ReadScan clean_any_mesh(const TriangleMesh& raw, const std::string& name,
   if (options.block.core) {
     found.blocks.push_back({clean_scan(raw, name, core_options(options)), {}, {}});
   } else if (options.split) {
-    static_cast<FieldDeposit&>(found) = extract_deposit_blocks(raw.vertices, name, reading);
+    static_cast<FieldDeposit&>(found) = raw.triangles.empty()
+                                            ? extract_deposit_blocks(raw.vertices, name, reading)
+                                            : extract_deposit_blocks(raw, name, reading);
   } else if (raw.triangles.empty()) {
     found.blocks = extract_field_blocks(raw.vertices, name, reading);
   } else {
@@ -203,6 +205,7 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
   if (options.scale_points) note_distant_scale_points(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
+  if (options.split && callbacks.on_split) callbacks.on_split(found);
   if (callbacks.on_note) {
     for (const std::string& note : describe_left_out(found.left_out)) callbacks.on_note(note);
   }

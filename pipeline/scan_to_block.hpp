@@ -74,6 +74,7 @@ struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
   std::function<void(const std::string& note)> on_note = {};  ///< called with notes on the scan
+  std::function<void(const FieldScan& scan)> on_split = {};   ///< called with a split scan
   /// Called for a failed block of a split scan. If it is set, the other blocks are still made.
   std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 

@@ -55,7 +55,7 @@ void FieldScanOptions::check() const {
 std::vector<FieldBlock> extract_field_blocks(const TriangleMesh& raw, const std::string& name,
                                              const FieldScanOptions& options) {
   options.check();
-  if (options.split) return extract_deposit_blocks(raw.vertices, name, options).blocks;
+  if (options.split) return extract_deposit_blocks(raw, name, options).blocks;
   return reconstruct_detail::extract_mesh_blocks(raw, name, options);
 }
 
@@ -71,6 +71,12 @@ FieldDeposit extract_deposit_blocks(const std::vector<Vec3>& points, const std::
                                     const FieldScanOptions& options) {
   options.check();
   return reconstruct_detail::extract_deposit(points, name, options);
+}
+
+FieldDeposit extract_deposit_blocks(const TriangleMesh& raw, const std::string& name,
+                                    const FieldScanOptions& options) {
+  options.check();
+  return reconstruct_detail::extract_deposit(raw, name, options);
 }
 
 FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
@@ -98,7 +104,9 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
       reconstruct_detail::check_coordinate_digits(scan.raw, path, options.scan.unit);
   if (options.split) {
     static_cast<FieldDeposit&>(scan) =
-        extract_deposit_blocks(scan.raw.vertices, path.string(), options);
+        scan.raw.triangles.empty()
+            ? extract_deposit_blocks(scan.raw.vertices, path.string(), options)
+            : extract_deposit_blocks(scan.raw, path.string(), options);
   } else if (scan.raw.triangles.empty()) {
     scan.blocks = extract_field_blocks(scan.raw.vertices, path.string(), options);
   } else {

@@ -69,11 +69,13 @@ std::vector<FieldBlock> extract_field_blocks(const std::vector<Vec3>& points,
                                              const std::string& name,
                                              const FieldScanOptions& options = {});
 
-/// Extracts all blocks of a deposit, apart or touching. The vertices of a mesh are its points.
-/// Blocks are in metres, z up, at their places in the file.
+/// Extracts all blocks of a deposit, apart or touching, in metres, z up, at their places in the
+/// file. A mesh that is a closed body is one block.
 /// @throws InputError  if a point is out of range, or there are too few points
 /// @throws GeometryError  if no part of the scan is a block
 FieldDeposit extract_deposit_blocks(const std::vector<Vec3>& points, const std::string& name,
+                                    const FieldScanOptions& options = {});
+FieldDeposit extract_deposit_blocks(const TriangleMesh& raw, const std::string& name,
                                     const FieldScanOptions& options = {});
 
 }  // namespace clast

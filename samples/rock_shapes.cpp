@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "shapes/geodesic_sphere.hpp"
+#include "mesh/geodesic_sphere.hpp"
 
 namespace clast {
 namespace {

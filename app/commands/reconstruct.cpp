@@ -150,6 +150,12 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       ->check(number_in_range(kBlockLengthRange))
       ->type_name("M")
       ->needs("--split");
+  command
+      .add_option("--labelled", args.batch.labelled,
+                  "With --split: also write the points as PLY with the integer property block: 0 "
+                  "ground and fines, 1, 2, ... the blocks ID_1, ID_2, ...")
+      ->type_name("FILE")
+      ->needs("--split");
   command.add_flag("--any-size", args.batch.scan.allow_any_size,
                    "Also accept blocks over 20 m, over 10,000 t or under 1 mm");
 }

@@ -1,13 +1,17 @@
 #include "reconstruct/detail/deposit_blocks.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
+#include "mesh/surface_samples.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/detail/cloud_blocks.hpp"
+#include "reconstruct/detail/mesh_blocks.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -15,6 +19,8 @@ namespace {
 
 /// Smallest blocks that a scan resolves, in point spacings.
 constexpr double kResolvedSpacings = 12.0;
+
+constexpr std::size_t kMinSurfaceSamples = 60000;  ///< of a mesh
 
 std::string list_contacts(const std::vector<std::uint32_t>& contacts) {
   std::string list;
@@ -71,6 +77,27 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
   for (std::size_t i = 0; i < raw.size(); ++i) {
     found.block_of_point[i] = found.block_of_point[clean.first_duplicates[i]];
   }
+  return found;
+}
+
+FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
+                             const FieldScanOptions& options) {
+  FieldDeposit found;
+  if (is_closed_body(raw, options.scan)) {
+    found.blocks = extract_mesh_blocks(raw, name, options);
+    found.block_of_point.assign(raw.vertices.size(), 1);
+    return found;
+  }
+  const std::vector<Vec3> points =
+      sample_surface(raw, std::max(kMinSurfaceSamples, raw.vertices.size()));
+  found = extract_deposit(points, name, options);
+  const PointTree tree(points);
+  std::vector<std::uint32_t> block_of_vertex;
+  for (const Vec3& vertex : raw.vertices) {
+    block_of_vertex.push_back(
+        found.block_of_point[tree.nearest_neighbours(vertex, 1).front().point]);
+  }
+  found.block_of_point = std::move(block_of_vertex);
   return found;
 }
 

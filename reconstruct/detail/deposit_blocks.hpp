@@ -15,4 +15,8 @@ namespace clast::reconstruct_detail {
 FieldDeposit extract_deposit(const std::vector<Vec3>& points, const std::string& name,
                              const FieldScanOptions& options);
 
+/// Segments the surface of a mesh likewise. A closed body is one block.
+FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
+                             const FieldScanOptions& options);
+
 }  // namespace clast::reconstruct_detail

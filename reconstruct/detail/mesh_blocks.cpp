@@ -151,6 +151,11 @@ FieldBlock block_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,
 
 }  // namespace
 
+bool is_closed_body(const TriangleMesh& raw, const ScanOptions& options) {
+  const std::optional<OpenSheet> sheet = open_sheet(raw, options);
+  return !sheet || has_only_small_holes(sheet->mesh);
+}
+
 std::vector<FieldBlock> extract_mesh_blocks(const TriangleMesh& raw, const std::string& name,
                                             const FieldScanOptions& options) {
   std::optional<OpenSheet> sheet = open_sheet(raw, options.scan);

@@ -7,6 +7,9 @@
 
 namespace clast::reconstruct_detail {
 
+/// True if a mesh is a closed body, or needs only repair to be one.
+bool is_closed_body(const TriangleMesh& raw, const ScanOptions& options);
+
 /// Extracts the blocks of a mesh. Closed and repairable meshes are only cleaned. In open meshes,
 /// copies, debris and, if present, the ground are removed, and each block is closed.
 /// @param name  name of the scan, for messages

@@ -8,11 +8,11 @@
 #include "core/files/text_file.hpp"
 #include "core/parallel.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/labelled_cloud.hpp"
 #include "mesh/mesh_io.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "samples/deposit/block_table.hpp"
 #include "samples/deposit/deposit_ground.hpp"
-#include "samples/deposit/labelled_cloud.hpp"
 #include "samples/deposit/point_grid.hpp"
 #include "samples/deposit/separation.hpp"
 #include "samples/deposit/settling.hpp"
@@ -126,8 +126,8 @@ void write_deposit(const Deposit& deposit, const std::filesystem::path& folder, 
     points.emplace_back(point.position.cast<double>());
     blocks.push_back(deposit.scene.block_of_triangle[point.triangle]);
   }
-  write_cloud(folder / "scan.ply", points, {});
-  write_cloud(folder / "truth.ply", points, blocks);
+  write_labelled_cloud(folder / "scan.ply", points, {});
+  write_labelled_cloud(folder / "truth.ply", points, blocks);
   write_text_file(folder / kTrueBlocksFile, format_csv(true_block_columns(), deposit.blocks));
   CsvWriter stations;
   stations.write_header("x_m,y_m,z_m");

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "mesh/labelled_cloud.hpp"
 #include "samples/deposit/deposit.hpp"
-#include "samples/deposit/labelled_cloud.hpp"
 
 namespace clast {
 

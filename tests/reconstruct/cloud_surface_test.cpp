@@ -39,7 +39,8 @@ std::vector<Vec3> points_on(TriangleMesh body, double steepest, int count = 2000
 }
 
 TEST(CloudSurface, OfABallSeenFromAllSidesIsTheBall) {
-  const TriangleMesh surface = fit_cloud_surface(points_on(geodesic_sphere(20), -1.0), kCoarse).mesh;
+  const TriangleMesh surface =
+      fit_cloud_surface(points_on(geodesic_sphere(20), -1.0), kCoarse).mesh;
   const MeshReport report = inspect_mesh(surface);
   EXPECT_TRUE(report.is_closed() && report.is_oriented()) << report.summary();
   EXPECT_EQ(report.euler_characteristic, 2);
@@ -55,7 +56,8 @@ TEST(CloudSurface, OfAConcaveRockHasItsVolume) {
 
 TEST(CloudSurface, IsOpenWhereNoPointsAre) {
   // A cap within acos 0.6 = 53 degrees of the lowest point has a fifth of the ball.
-  const TriangleMesh surface = fit_cloud_surface(points_on(geodesic_sphere(20), -0.6), kCoarse).mesh;
+  const TriangleMesh surface =
+      fit_cloud_surface(points_on(geodesic_sphere(20), -0.6), kCoarse).mesh;
   const MeshReport report = inspect_mesh(surface);
   EXPECT_EQ(report.components, 1u);
   EXPECT_EQ(report.boundary_loops, 1u);
@@ -229,8 +231,10 @@ TEST(Outliers, PointsThatAreRepeatedCountOnce) {
   const std::vector<Vec3> once = sampled_cloud(geodesic_sphere(20), {.points = 2000}, 7);
   std::vector<Vec3> many;
   for (const Vec3& p : once) many.insert(many.end(), 8, p);
-  EXPECT_EQ(reconstruct_detail::remove_duplicate_points(many), once);
-  EXPECT_EQ(reconstruct_detail::remove_duplicate_points(once), once);
+  const std::vector<std::uint32_t> first = reconstruct_detail::find_first_duplicates(many);
+  for (std::uint32_t i = 0; i < many.size(); ++i) EXPECT_EQ(first[i], 8 * (i / 8));
+  const std::vector<std::uint32_t> own = reconstruct_detail::find_first_duplicates(once);
+  for (std::uint32_t i = 0; i < once.size(); ++i) EXPECT_EQ(own[i], i);
 }
 
 TEST(Outliers, NearlyAllThatLieOffTheSurfaceAreFound) {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "mesh/geodesic_sphere.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "shapes/geodesic_sphere.hpp"
 
 namespace clast {
 

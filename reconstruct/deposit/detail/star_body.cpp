@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/geodesic_sphere.hpp"
 #include "mesh/plane.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "reconstruct/cloud/cloud.hpp"
-#include "shapes/geodesic_sphere.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -20,12 +20,12 @@ constexpr double kDecay = 0.5;        ///< rad, in the frame of the unit sphere
 constexpr double kHiddenFraction = 0.85;
 constexpr int kRadiusNeighbours = 12;  ///< points from which the radius follows
 constexpr double kRidge = 0.05;        ///< damping of the slope of the regression
-constexpr double kEdgeSpacings = 1.5;  ///< wanted length of an edge, in spacings
+constexpr double kEdgeSpacings = 2.0;  ///< wanted length of an edge, in spacings
 /// Tangent planes that bound the unobserved side: number tried, fraction of points that may lie
 /// above one, and tolerance over the mean radius.
 constexpr std::size_t kTriedPlanes = 300;
 constexpr double kMaxAbove = 0.02, kAboveTolerance = 0.03;
-constexpr int kCoarsest = 6, kFinest = 16;  ///< divisions of an icosahedron's edge
+constexpr int kCoarsest = 6, kFinest = 12;  ///< divisions of an icosahedron's edge
 
 /// Radius in the direction `u` by local linear regression over the nearest points.
 double interpolate_radius(const Vec3& u, std::span<const PointTree::Neighbour> near,

@@ -1,4 +1,4 @@
-#include "samples/deposit/labelled_cloud.hpp"
+#include "mesh/labelled_cloud.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +14,23 @@ TEST(LabelledCloud, IsReadAsItWasWritten) {
   const ScratchFolder folder;
   const std::vector<Vec3> points = {{0.5, -1.25, 3.0}, {1.0, 2.0, -4.5}};
   const std::vector<std::uint32_t> blocks = {0, 70000};
-  write_cloud(folder / "truth.ply", points, blocks);
+  write_labelled_cloud(folder / "truth.ply", points, blocks);
   const LabelledCloud read = read_labelled_cloud(folder / "truth.ply");
   EXPECT_EQ(read.points, points);
   EXPECT_EQ(read.blocks, blocks);
 }
 
+TEST(LabelledCloud, MapCoordinatesLoseNoDigits) {
+  const ScratchFolder folder;
+  const std::vector<Vec3> points = {{652013.123, 5203000.456, 1824.1}};
+  write_labelled_cloud(folder / "map.ply", points, std::vector<std::uint32_t>{3});
+  EXPECT_EQ(read_labelled_cloud(folder / "map.ply").points, points);
+}
+
 TEST(LabelledCloud, OthersReadThePoints) {
   const ScratchFolder folder;
   const std::vector<Vec3> points = {{0.5, -1.25, 3.0}, {1.0, 2.0, -4.5}};
-  write_cloud(folder / "scan.ply", points, {});
+  write_labelled_cloud(folder / "scan.ply", points, {});
   EXPECT_EQ(read_cloud(folder / "scan.ply"), points);
   EXPECT_TRUE(contains(refusal([&] { read_labelled_cloud(folder / "scan.ply"); }),
                        "no property \"block\""));

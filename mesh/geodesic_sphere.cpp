@@ -1,4 +1,4 @@
-#include "shapes/geodesic_sphere.hpp"
+#include "mesh/geodesic_sphere.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,221 @@
+#include "reconstruct/deposit/deposit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.hpp"
+#include "mesh/geodesic_sphere.hpp"
+#include "reconstruct/deposit/detail/prior_ellipsoid.hpp"
+#include "reconstruct/deposit/detail/region_samples.hpp"
+#include "reconstruct/deposit/detail/star_body.hpp"
+#include "shapes/oriented_box.hpp"
+#include "tests/support/refusal.hpp"
+
+namespace clast {
+namespace {
+
+using namespace reconstruct_detail;
+
+struct Ball {
+  Vec3 centre;
+  double radius;
+};
+
+/// Points on the upper parts of balls on a floor, and on the floor between them, as seen from above
+/// and from the sides. Places inside a ball and below the balls are not seen.
+std::vector<Vec3> balls_on_floor(const std::vector<Ball>& balls, double half_width, double spacing,
+                                 std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  const auto is_free = [&](const Vec3& p) {
+    for (const Ball& ball : balls) {
+      if ((p - ball.centre).norm() < 0.999 * ball.radius) return false;
+    }
+    return true;
+  };
+  for (const Ball& ball : balls) {
+    const auto count =
+        static_cast<int>(4.0 * kPi * ball.radius * ball.radius / (spacing * spacing));
+    for (int i = 0; i < count; ++i) {
+      const Vec3 direction = random.unit_vector();
+      const Vec3 p = ball.centre + (ball.radius + 0.1 * spacing * random.normal()) * direction;
+      if (direction.z() > -0.5 && p.z() > 0.0 && is_free(ball.centre + ball.radius * direction)) {
+        points.push_back(p);
+      }
+    }
+  }
+  const auto count = static_cast<int>(4.0 * half_width * half_width / (spacing * spacing));
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p(random.uniform(-half_width, half_width), random.uniform(-half_width, half_width),
+                 0.1 * spacing * random.normal());
+    bool hidden = false;
+    for (const Ball& ball : balls) {
+      hidden |= (p - ball.centre).head<2>().norm() < 0.5 * ball.radius;
+    }
+    if (!hidden) points.push_back(p);
+  }
+  return points;
+}
+
+double volume(const Ball& ball) { return 4.0 / 3.0 * kPi * std::pow(ball.radius, 3); }
+
+const std::vector<Ball> kHeap = {{{-0.5, 0.0, 0.48}, 0.5},
+                                 {{0.42, 0.0, 0.40}, 0.42},
+                                 {{0.0, 0.62, 0.3}, 0.3},
+                                 {{1.6, -0.8, 0.33}, 0.35}};
+
+TEST(Deposit, BallsThatTouchAreBlocksOfTheirOwn) {
+  const Deposit deposit = segment_deposit(balls_on_floor(kHeap, 2.5, 0.03, 1));
+  ASSERT_EQ(deposit.blocks.size(), kHeap.size());
+  const std::size_t order[] = {0, 2, 1, 3};  // by x
+  for (std::size_t k = 0; k < kHeap.size(); ++k) {
+    const Ball& ball = kHeap[order[k]];
+    const DepositBlock& block = deposit.blocks[k];
+    const Vec3 sides = smallest_box(block.body.vertices).lengths;
+    EXPECT_NEAR(sides[0], 2.0 * ball.radius, 0.06 * ball.radius) << k;
+    EXPECT_NEAR(signed_volume(block.body), volume(ball), 0.1 * volume(ball)) << k;
+    EXPECT_LT((block.centre - ball.centre).norm(), 0.1 * ball.radius) << k;
+    EXPECT_NEAR(block.visible_fraction, 0.75, 0.15) << k;
+    EXPECT_LT(block.bounds.intervals->lower_volume, volume(ball));
+    EXPECT_GT(block.bounds.intervals->upper_volume, volume(ball));
+  }
+  EXPECT_EQ(deposit.blocks[0].contacts.size(), 2u);
+  EXPECT_TRUE(deposit.blocks[3].contacts.empty());
+  EXPECT_NEAR(deposit.spacing, 0.03, 0.005);
+}
+
+TEST(Deposit, EveryPointBelongsToABlockOrTheGround) {
+  const std::vector<Vec3> points = balls_on_floor(kHeap, 2.0, 0.03, 2);
+  const Deposit deposit = segment_deposit(points);
+  std::vector<int> uses(points.size(), 0);
+  std::size_t unused = 0, high = 0;
+  for (const std::uint32_t i : deposit.ground) {
+    ++uses[i];
+    high += points[i].z() > 0.12;
+  }
+  EXPECT_LT(high, points.size() / 300);
+  for (const DepositBlock& block : deposit.blocks) {
+    for (const std::uint32_t i : block.points) ++uses[i];
+  }
+  for (const int count : uses) {
+    EXPECT_LE(count, 1);
+    unused += count == 0;
+  }
+  for (const LeftOutPart& part : deposit.left_out) unused -= part.points;
+  EXPECT_EQ(unused, 0u);
+}
+
+TEST(Deposit, ThreadsDoNotChangeIt) {
+  const std::vector<Vec3> points = balls_on_floor(kHeap, 2.0, 0.03, 3);
+  const Deposit one = segment_deposit(points, {.threads = 1});
+  const Deposit two = segment_deposit(points, {.threads = 2});
+  ASSERT_EQ(one.blocks.size(), two.blocks.size());
+  EXPECT_EQ(one.ground, two.ground);
+  for (std::size_t k = 0; k < one.blocks.size(); ++k) {
+    EXPECT_EQ(one.blocks[k].points, two.blocks[k].points);
+    EXPECT_EQ(one.blocks[k].body.vertices, two.blocks[k].body.vertices);
+  }
+}
+
+TEST(Deposit, TheGroundLeftAroundABlockDoesNotChangeIt) {
+  const std::vector<Ball> one = {{{0.0, 0.0, 0.4}, 0.5}};
+  const std::vector<Vec3> wide = balls_on_floor(one, 3.0, 0.03, 4);
+  const auto sides_within = [&](double half_width) {
+    std::vector<Vec3> cropped;
+    for (const Vec3& p : wide) {
+      if (p.head<2>().cwiseAbs().maxCoeff() < half_width) cropped.push_back(p);
+    }
+    const Deposit deposit = segment_deposit(cropped);
+    EXPECT_EQ(deposit.blocks.size(), 1u) << half_width;
+    return Vec3(smallest_box(deposit.blocks.at(0).body.vertices).lengths);
+  };
+  const Vec3 sides = sides_within(3.0);
+  for (const double half_width : {0.7, 1.0, 1.5, 2.0}) {
+    const Vec3 cropped = sides_within(half_width);
+    EXPECT_NEAR(cropped[0], sides[0], 0.02 * sides[0]) << half_width;
+    EXPECT_NEAR(cropped[1], sides[1], 0.02 * sides[1]) << half_width;
+  }
+}
+
+TEST(Deposit, TheSameAtAnotherScaleAndPlace) {
+  const std::vector<Vec3> points = balls_on_floor(kHeap, 2.0, 0.03, 5);
+  std::vector<Vec3> elsewhere;
+  for (const Vec3& p : points) elsewhere.push_back(8.0 * p + Vec3(4096.0, -8192.0, 512.0));
+  const Deposit here = segment_deposit(points), there = segment_deposit(elsewhere);
+  ASSERT_EQ(here.blocks.size(), there.blocks.size());
+  for (std::size_t k = 0; k < here.blocks.size(); ++k) {
+    EXPECT_NEAR(signed_volume(there.blocks[k].body), 512.0 * signed_volume(here.blocks[k].body),
+                0.02 * 512.0 * signed_volume(here.blocks[k].body));
+  }
+}
+
+TEST(Deposit, BlocksBelowTheSmallestAxisAreListed) {
+  const Deposit deposit =
+      segment_deposit(balls_on_floor(kHeap, 2.0, 0.03, 6), {.smallest_axis = 0.65});
+  EXPECT_EQ(deposit.blocks.size(), 3u);
+  ASSERT_EQ(deposit.left_out.size(), 1u);
+  EXPECT_EQ(deposit.left_out[0].reason, LeftOutReason::kTooSmall);
+  EXPECT_NEAR(deposit.left_out[0].centre.y(), 0.62, 0.1);
+}
+
+TEST(Deposit, BareGroundHasNoBlocks) {
+  EXPECT_TRUE(segment_deposit(balls_on_floor({}, 1.5, 0.03, 7)).blocks.empty());
+}
+
+TEST(Deposit, TooFewPointsAreRefused) {
+  const std::vector<Vec3> few(99, Vec3::Zero());
+  EXPECT_TRUE(contains(refusal<GeometryError>([&] { segment_deposit(few); }),
+                       "99 points are too few for a deposit"));
+  EXPECT_TRUE(contains(refusal([&] { segment_deposit(few, {.smallest_axis = -1.0}); }),
+                       "smallest_axis = -1"));
+}
+
+/// Samples of a sphere about the origin in the directions with n.z above a limit.
+std::vector<SurfaceSample> sphere_samples(double radius, double lowest) {
+  std::vector<SurfaceSample> samples;
+  for (const Vec3& n : geodesic_sphere(8).vertices) {
+    if (n.z() > lowest) samples.push_back({radius * n, n});
+  }
+  return samples;
+}
+
+TEST(VisibilityDefect, IsZeroOnAConvexBodyAndFullInACrevice) {
+  const std::vector<SurfaceSample> ball = sphere_samples(1.0, -2.0);
+  EXPECT_EQ(visibility_defect(ball, ball, 0.1), 0.0);
+  // Two walls that face each other.
+  const std::vector<SurfaceSample> left = {{{0, 0, 0}, {1, 0, 0}}},
+                                   right = {{{1, 0, 0}, {-1, 0, 0}}};
+  EXPECT_EQ(visibility_defect(left, right, 0.1), 1.0);
+  EXPECT_EQ(visibility_defect(left, right, 2.0), 0.0);  // no pair is far enough
+}
+
+TEST(PriorEllipsoid, OfAWholeSurfaceIsThatSurface) {
+  const Vec3 half(0.5, 0.4, 0.3), centre(3.0, -2.0, 1.0);
+  std::vector<SurfaceSample> samples;
+  for (const Vec3& u : geodesic_sphere(6).vertices) {
+    samples.push_back({centre + u.cwiseProduct(half), u.cwiseQuotient(half).normalized()});
+  }
+  const Ellipsoid found = fit_prior_ellipsoid(samples, {});
+  EXPECT_LT((found.centre - centre).norm(), 1e-3);
+  EXPECT_NEAR(found.volume(), 4.0 / 3.0 * kPi * half.prod(), 0.01 * found.volume());
+}
+
+TEST(PriorEllipsoid, OfAHalfSphereIsNearlyTheSphere) {
+  const Ellipsoid found = fit_prior_ellipsoid(sphere_samples(1.0, 0.0), {});
+  EXPECT_LT(found.centre.norm(), 0.15);
+  EXPECT_NEAR(found.volume(), 4.0 / 3.0 * kPi, 0.2 * found.volume());
+}
+
+TEST(StarBody, OfAWholeSphereHasItsVolume) {
+  const Ellipsoid unit;
+  const StarBody body = fit_star_body(sphere_samples(1.0, -2.0), unit, 0.12);
+  EXPECT_NEAR(signed_volume(body.mesh), 4.0 / 3.0 * kPi, 0.08);
+  EXPECT_NEAR(body.visible_fraction, 1.0, 1e-12);
+  const StarBody half = fit_star_body(sphere_samples(1.0, 0.0), unit, 0.12);
+  EXPECT_GT(half.visible_fraction, 0.5);
+  EXPECT_LT(half.visible_fraction, 0.7);
+}
+
+}  // namespace
+}  // namespace clast
