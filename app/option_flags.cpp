@@ -39,6 +39,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"jobs", "--jobs"},
     {"joints", "--joints"},
     {"keep", "--keep"},
+    {"labelled", "--labelled"},
     {"least", "--least"},
     {"least_volume", "--least-volume"},
     {"like", "--like"},

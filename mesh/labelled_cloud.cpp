@@ -1,26 +1,20 @@
 #include "mesh/labelled_cloud.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
+#include "mesh/detail/little_endian.hpp"
 #include "mesh/ply_properties.hpp"
 
 namespace clast {
 
-namespace {
+using mesh_detail::append_little_endian;
 
-/// Appends an unsigned number, the lowest byte first.
-template <class Word>
-void append_little_endian(std::string& bytes, Word word) {
-  for (std::size_t byte = 0; byte < sizeof word; ++byte) {
-    bytes += static_cast<char>(word >> (8 * byte) & 255u);
-  }
-}
+namespace {
 
 bool is_float(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
 
@@ -41,9 +35,9 @@ void write_labelled_cloud(const std::filesystem::path& path, std::span<const Vec
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const double coordinate : points[i]) {
       if (single) {
-        append_little_endian(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
+        append_little_endian(bytes, static_cast<float>(coordinate));
       } else {
-        append_little_endian(bytes, std::bit_cast<std::uint64_t>(coordinate));
+        append_little_endian(bytes, coordinate);
       }
     }
     if (!blocks.empty()) append_little_endian(bytes, blocks[i]);

@@ -1,22 +1,13 @@
 #include "mesh/detail/mesh_writers.hpp"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
-#include <cstring>
+
+#include "mesh/detail/little_endian.hpp"
 
 namespace clast::mesh_detail {
 
 namespace {
-
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
-  std::array<char, sizeof(T)> raw;
-  std::memcpy(raw.data(), &value, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
-}
 
 template <class T>
 void append_text(std::string& text, T value) {

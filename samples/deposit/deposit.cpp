@@ -25,7 +25,7 @@ constexpr double kAllowedOverlap = 0.4;
 
 /// Blocks and their poses; blocks that did not come to rest are left out.
 struct PlacedBlocks {
-  std::vector<DepositBlock> blocks;
+  std::vector<VirtualBlock> blocks;
   std::vector<Pose> poses;
   TriangleMesh ground;
   double largest_overlap = 0.0;
@@ -33,7 +33,7 @@ struct PlacedBlocks {
 
 PlacedBlocks place_blocks(const DepositRecipe& recipe, std::span<const StoneScan> scans,
                           unsigned threads) {
-  std::vector<DepositBlock> made =
+  std::vector<VirtualBlock> made =
       make_deposit_blocks(recipe, count_released_blocks(recipe), scans, threads);
   PlacedBlocks placed;
   if (recipe.kind == DepositKind::kNatural) {
@@ -61,7 +61,7 @@ void add_surface(DepositScene& scene, const TriangleMesh& surface, std::uint32_t
 }
 
 /// Fills in points and visible fractions.
-void measure_visibility(Deposit& deposit, double spacing, unsigned threads) {
+void measure_visibility(VirtualDeposit& deposit, double spacing, unsigned threads) {
   const DepositScene& scene = deposit.scene;
   PointGrid seen(spacing);
   for (const ScannedPoint& point : deposit.scan.points) {
@@ -94,15 +94,15 @@ void measure_visibility(Deposit& deposit, double spacing, unsigned threads) {
 
 }  // namespace
 
-Deposit make_deposit(const DepositRecipe& recipe, std::span<const StoneScan> scans,
-                     unsigned threads) {
+VirtualDeposit make_deposit(const DepositRecipe& recipe, std::span<const StoneScan> scans,
+                            unsigned threads) {
   recipe.check();
   const PlacedBlocks placed = place_blocks(recipe, scans, threads);
-  Deposit deposit;
+  VirtualDeposit deposit;
   deposit.largest_overlap = placed.largest_overlap;
   add_surface(deposit.scene, placed.ground, 0);
   for (std::size_t i = 0; i < placed.blocks.size(); ++i) {
-    const DepositBlock& block = placed.blocks[i];
+    const VirtualBlock& block = placed.blocks[i];
     deposit.bodies.push_back(transformed(block.surface, placed.poses[i]));
     add_surface(deposit.scene, deposit.bodies.back(), static_cast<std::uint32_t>(i + 1));
     TrueBlock truth;
@@ -118,7 +118,8 @@ Deposit make_deposit(const DepositRecipe& recipe, std::span<const StoneScan> sca
   return deposit;
 }
 
-void write_deposit(const Deposit& deposit, const std::filesystem::path& folder, bool with_bodies) {
+void write_deposit(const VirtualDeposit& deposit, const std::filesystem::path& folder,
+                   bool with_bodies) {
   std::filesystem::create_directories(folder);
   std::vector<Vec3> points;
   std::vector<std::uint32_t> blocks;

@@ -32,7 +32,7 @@ struct TrueBlock {
 };
 
 /// A deposit with its scan. Blocks that left the floor are not in it.
-struct Deposit {
+struct VirtualDeposit {
   DepositScene scene;
   std::vector<TriangleMesh> bodies;  ///< in their places
   std::vector<TrueBlock> blocks;     ///< of `bodies`, in order
@@ -43,12 +43,13 @@ struct Deposit {
 /// Makes a deposit and scans it. The result does not depend on `threads`.
 /// @param scans  real stones from which every second block is made; may be empty
 /// @throws InputError  as `DepositRecipe::check`
-Deposit make_deposit(const DepositRecipe& recipe, std::span<const StoneScan> scans,
-                     unsigned threads);
+VirtualDeposit make_deposit(const DepositRecipe& recipe, std::span<const StoneScan> scans,
+                            unsigned threads);
 
 /// Writes scan.ply, truth.ply, blocks.csv and stations.csv.
 /// @param with_bodies  also write bodies/1.ply, ...
-void write_deposit(const Deposit& deposit, const std::filesystem::path& folder, bool with_bodies);
+void write_deposit(const VirtualDeposit& deposit, const std::filesystem::path& folder,
+                   bool with_bodies);
 
 /// Reads the true blocks of a folder from its blocks.csv.
 /// @throws InputError  if the table is missing or lacks columns

@@ -104,9 +104,9 @@ struct WantedSize {
 
 /// Completes a block from its surface and the coarse surface of the same frame. The coarse one
 /// decides on scale and pose, so that a block is the same at any spacing.
-DepositBlock finish_block(std::string shape, TriangleMesh surface, const TriangleMesh& coarse,
+VirtualBlock finish_block(std::string shape, TriangleMesh surface, const TriangleMesh& coarse,
                           const WantedSize& size) {
-  DepositBlock block;
+  VirtualBlock block;
   block.shape = std::move(shape);
   block.size = size.intermediate;
   const Vec3 sides = smallest_box(coarse.vertices).lengths;
@@ -125,7 +125,7 @@ DepositBlock finish_block(std::string shape, TriangleMesh surface, const Triangl
   return block;
 }
 
-DepositBlock make_rock(const WantedSize& size, double spacing, Random random) {
+VirtualBlock make_rock(const WantedSize& size, double spacing, Random random) {
   const RockKind& kind = draw_kind(random);
   RockRecipe recipe = kind.recipe;
   recipe.lengths = size.intermediate * Vec3(draw_ratio(kind.l_low, kind.l_high, random), 1.0,
@@ -144,7 +144,7 @@ DepositBlock make_rock(const WantedSize& size, double spacing, Random random) {
 }
 
 /// A scan, decimated to what the spacing shows and stretched at random along its principal axes.
-DepositBlock make_stone(const StoneScan& scan, const WantedSize& size, double spacing,
+VirtualBlock make_stone(const StoneScan& scan, const WantedSize& size, double spacing,
                         Random random) {
   const OrientedBox box = smallest_box(scan.mesh.vertices);
   const Vec3 stretch(draw_ratio(0.85, 1.2, random), 1.0, draw_ratio(0.85, 1.2, random));
@@ -204,7 +204,7 @@ std::vector<double> draw_block_sizes(std::size_t count, double size_ratio, Rando
   return sizes;
 }
 
-std::vector<DepositBlock> make_deposit_blocks(const DepositRecipe& recipe, std::size_t count,
+std::vector<VirtualBlock> make_deposit_blocks(const DepositRecipe& recipe, std::size_t count,
                                               std::span<const StoneScan> scans, unsigned threads) {
   Random random(recipe.seed);
   const std::vector<double> sizes = draw_block_sizes(count, recipe.size_ratio, random);
@@ -212,7 +212,7 @@ std::vector<DepositBlock> make_deposit_blocks(const DepositRecipe& recipe, std::
   for (std::size_t i = 0; i < sizes.size(); ++i) seeds.push_back(random.next_bits());
   const double least_side =
       recipe.kind == DepositKind::kNatural ? kLeastNaturalSide * recipe.spacing() : 0.0;
-  std::vector<DepositBlock> blocks(sizes.size());
+  std::vector<VirtualBlock> blocks(sizes.size());
   parallel_for(blocks.size(), threads, [&](std::size_t i) {
     const Random own(seeds[i]);
     const WantedSize size{sizes[i], least_side};

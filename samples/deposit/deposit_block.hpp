@@ -13,7 +13,7 @@
 namespace clast {
 
 /// One block in its body frame: the origin is the centre of mass of the core.
-struct DepositBlock {
+struct VirtualBlock {
   std::string shape;         ///< kind of shape: "compact", "platy", ..., or the name of a scan
   TriangleMesh surface;      ///< closed surface that the scanner sees, m; rough down to the spacing
   RigidBody core;            ///< simplified body that comes to rest in its place
@@ -42,7 +42,7 @@ std::vector<double> draw_block_sizes(std::size_t count, double size_ratio, Rando
 
 /// Makes `count` blocks for a deposit.
 /// @param scans  stones from which every second block is made; may be empty
-std::vector<DepositBlock> make_deposit_blocks(const DepositRecipe& recipe, std::size_t count,
+std::vector<VirtualBlock> make_deposit_blocks(const DepositRecipe& recipe, std::size_t count,
                                               std::span<const StoneScan> scans, unsigned threads);
 
 }  // namespace clast

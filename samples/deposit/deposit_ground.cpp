@@ -32,7 +32,7 @@ constexpr double kFilletReach = 0.10;    // of the soil against a rock over I
 constexpr double kLargestFillet = 0.12;  // its height over the rise of the rock
 
 /// Height of the blocks above the floor, smoothed over a few blocks.
-HeightField smoothed_tops(const ScannedPlan& plan, std::span<const DepositBlock> blocks,
+HeightField smoothed_tops(const ScannedPlan& plan, std::span<const VirtualBlock> blocks,
                           std::span<const Pose> poses, double slope) {
   HeightField tops(plan, kTopCell);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -58,7 +58,7 @@ struct Fillet {
 };
 
 /// Draws a pose with S near the vertical, as most single rocks lie.
-Quat draw_lying_rotation(const DepositBlock& block, Random& random) {
+Quat draw_lying_rotation(const VirtualBlock& block, Random& random) {
   const Mat3 axes = smallest_box(block.surface.vertices).axes;
   Mat3 upright;  // S up, L along x
   upright.row(0) = axes.col(0).transpose();
@@ -93,7 +93,7 @@ double GroundRelief::at(const Vec2& place) const {
   return sum;
 }
 
-ScannedPlan find_scanned_plan(std::span<const DepositBlock> blocks, std::span<const Pose> poses) {
+ScannedPlan find_scanned_plan(std::span<const VirtualBlock> blocks, std::span<const Pose> poses) {
   Bounds box;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     for (const Vec3& vertex : blocks[b].surface.vertices) box.include(poses[b] * vertex);
@@ -102,7 +102,7 @@ ScannedPlan find_scanned_plan(std::span<const DepositBlock> blocks, std::span<co
   return {box.low.head<2>() - margin, box.high.head<2>() + margin};
 }
 
-TriangleMesh make_floor_ground(const DepositRecipe& recipe, std::span<const DepositBlock> blocks,
+TriangleMesh make_floor_ground(const DepositRecipe& recipe, std::span<const VirtualBlock> blocks,
                                std::span<const Pose> poses, unsigned threads) {
   Random random(recipe.seed + 2);
   const double spacing = recipe.spacing(), slope = floor_slope(recipe.kind);
@@ -122,7 +122,7 @@ TriangleMesh make_floor_ground(const DepositRecipe& recipe, std::span<const Depo
   return make_mesh(field);
 }
 
-NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const DepositBlock> blocks,
+NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const VirtualBlock> blocks,
                                 unsigned threads) {
   Random random(recipe.seed + 1);
   const double spacing = recipe.spacing();
@@ -144,7 +144,7 @@ NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const Dep
   trees.reserve(blocks.size());
   double half = 0.5 * std::sqrt(area);
   for (const std::size_t b : by_size) {
-    const DepositBlock& block = blocks[b];
+    const VirtualBlock& block = blocks[b];
     const Quat rotation = draw_lying_rotation(block, random);
     Bounds box;
     for (const Vec3& vertex : block.surface.vertices) box.include(rotation * vertex);

@@ -29,11 +29,11 @@ class GroundRelief {
 };
 
 /// Returns the plan of the blocks with a margin.
-ScannedPlan find_scanned_plan(std::span<const DepositBlock> blocks, std::span<const Pose> poses);
+ScannedPlan find_scanned_plan(std::span<const VirtualBlock> blocks, std::span<const Pose> poses);
 
 /// Makes the ground of a deposit of settled blocks: a floor with relief and gravel, and the fines
 /// that fill the deposit to `recipe.fines` of its local height.
-TriangleMesh make_floor_ground(const DepositRecipe& recipe, std::span<const DepositBlock> blocks,
+TriangleMesh make_floor_ground(const DepositRecipe& recipe, std::span<const VirtualBlock> blocks,
                                std::span<const Pose> poses, unsigned threads);
 
 /// Isolated rocks on natural ground.
@@ -43,7 +43,7 @@ struct NaturalScene {
 };
 /// Places rocks, each buried to a drawn depth, on natural ground that has a fillet of soil against
 /// them. Every rock rises at least ten spacings above the ground at its centre.
-NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const DepositBlock> blocks,
+NaturalScene make_natural_scene(const DepositRecipe& recipe, std::span<const VirtualBlock> blocks,
                                 unsigned threads);
 
 }  // namespace clast

@@ -26,7 +26,7 @@ void make(Options options, bool count_is_given) {
   if (!count_is_given && recipe.kind == DepositKind::kNatural) recipe.blocks = kNaturalRocks;
   std::vector<StoneScan> scans;
   if (!options.scans.empty()) scans = read_stone_scans(options.scans);
-  const Deposit deposit = make_deposit(recipe, scans, options.threads);
+  const VirtualDeposit deposit = make_deposit(recipe, scans, options.threads);
   write_deposit(deposit, options.folder, options.bodies);
   std::size_t eligible = 0, visible = 0;
   for (const TrueBlock& block : deposit.blocks) {

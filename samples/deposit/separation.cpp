@@ -27,7 +27,7 @@ struct Obstacle {
   double radius = 0.0;  ///< of the sphere about the origin, m
 };
 
-Obstacle make_obstacle(const DepositBlock& block) {
+Obstacle make_obstacle(const VirtualBlock& block) {
   Obstacle obstacle;
   obstacle.tree = std::make_unique<TriangleTree>(block.surface);
   const TriangleMesh hull = convex_hull(block.core.shape.vertices);
@@ -53,7 +53,7 @@ struct Overlap {
   Vec3 push = Vec3::Zero();  ///< mean direction out of the other block, weighted by depth
 };
 
-Overlap find_overlap(const DepositBlock& block, const Pose& pose, const Obstacle& other,
+Overlap find_overlap(const VirtualBlock& block, const Pose& pose, const Obstacle& other,
                      const Pose& other_pose) {
   const Pose other_from_body = other_pose.inverse() * pose;
   const Mat3 rotation = other_from_body.rotation.toRotationMatrix();
@@ -83,7 +83,7 @@ struct Pair {
 
 }  // namespace
 
-double separate_surfaces(std::span<const DepositBlock> blocks, std::vector<Pose>& poses,
+double separate_surfaces(std::span<const VirtualBlock> blocks, std::vector<Pose>& poses,
                          double allowed, unsigned threads) {
   std::vector<Obstacle> obstacles(blocks.size());
   parallel_for(blocks.size(), threads,

@@ -12,7 +12,7 @@ namespace clast {
 /// @param poses  world_from_body of each block; moved
 /// @param allowed  overlap that may remain, m
 /// @return largest remaining overlap of a vertex with another block, m
-double separate_surfaces(std::span<const DepositBlock> blocks, std::vector<Pose>& poses,
+double separate_surfaces(std::span<const VirtualBlock> blocks, std::vector<Pose>& poses,
                          double allowed, unsigned threads);
 
 }  // namespace clast

@@ -36,9 +36,9 @@ constexpr GroundParameters kBetweenBlocks{
 
 /// Bodies whose mass grows with the square of their size and not with its cube: as at rest only
 /// their shapes matter, time steps may be longer (density scaling).
-std::vector<RigidBody> make_shapes(std::span<const DepositBlock> blocks) {
+std::vector<RigidBody> make_shapes(std::span<const VirtualBlock> blocks) {
   std::vector<RigidBody> shapes;
-  for (const DepositBlock& block : blocks) {
+  for (const VirtualBlock& block : blocks) {
     RigidBody& shape = shapes.emplace_back(block.core);
     const double factor = kSmallestBlock / block.size;
     shape.mass *= factor;
@@ -99,10 +99,10 @@ class RingWall {
 /// Where in plan blocks are released.
 class ReleasePlan {
  public:
-  ReleasePlan(const DepositRecipe& recipe, std::span<const DepositBlock> blocks, Random& random)
+  ReleasePlan(const DepositRecipe& recipe, std::span<const VirtualBlock> blocks, Random& random)
       : kind_(recipe.kind) {
     double volume = 0.0, plan_area = 0.0, largest_reach = 0.0;
-    for (const DepositBlock& block : blocks) {
+    for (const VirtualBlock& block : blocks) {
       volume += block.core.mass / kRockDensity;
       plan_area += block.size * block.size;
       largest_reach = std::max(largest_reach, block.core.bounding_radius());
@@ -146,7 +146,7 @@ class ReleasePlan {
 /// Lowest position over a place at which the bounding sphere touches neither floor nor any block.
 /// @param first  body of the first block
 Vec3 position_above(const World& world, std::size_t first, std::size_t released,
-                    std::span<const DepositBlock> blocks, double slope, const Vec2& place,
+                    std::span<const VirtualBlock> blocks, double slope, const Vec2& place,
                     double radius) {
   double height = -std::tan(slope) * place.x() + (radius + kClearance) / std::cos(slope);
   for (std::size_t i = 0; i < released; ++i) {
@@ -208,7 +208,7 @@ std::size_t count_released_blocks(const DepositRecipe& recipe) {
 double floor_slope(DepositKind kind) { return kind == DepositKind::kSlope ? kSlope : 0.0; }
 
 std::vector<std::optional<Pose>> settle_blocks(const DepositRecipe& recipe,
-                                               std::span<const DepositBlock> blocks,
+                                               std::span<const VirtualBlock> blocks,
                                                unsigned threads) {
   Random random(recipe.seed + 1);
   const double slope = floor_slope(recipe.kind);

@@ -22,7 +22,7 @@ std::size_t count_released_blocks(const DepositRecipe& recipe);
 /// @return world_from_body of each block; empty for blocks that were removed, left the floor or did
 ///         not come to rest
 std::vector<std::optional<Pose>> settle_blocks(const DepositRecipe& recipe,
-                                               std::span<const DepositBlock> blocks,
+                                               std::span<const VirtualBlock> blocks,
                                                unsigned threads);
 
 }  // namespace clast

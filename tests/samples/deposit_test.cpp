@@ -28,7 +28,7 @@ class DepositOfKind : public testing::TestWithParam<DepositKind> {};
 
 TEST_P(DepositOfKind, PointsLieOnTheBodyThatTheyName) {
   const DepositRecipe recipe = small_recipe(GetParam());
-  const Deposit deposit = make_deposit(recipe, {}, 1);
+  const VirtualDeposit deposit = make_deposit(recipe, {}, 1);
   ASSERT_EQ(deposit.bodies.size(), recipe.blocks);
   const double noise = recipe.noise * recipe.spacing();
   std::vector<std::size_t> counts(recipe.blocks + 1, 0);
@@ -53,7 +53,7 @@ TEST_P(DepositOfKind, PointsLieOnTheBodyThatTheyName) {
 
 TEST_P(DepositOfKind, ThreadsDoNotChangeIt) {
   const DepositRecipe recipe = small_recipe(GetParam());
-  const Deposit one = make_deposit(recipe, {}, 1), two = make_deposit(recipe, {}, 2);
+  const VirtualDeposit one = make_deposit(recipe, {}, 1), two = make_deposit(recipe, {}, 2);
   ASSERT_EQ(one.scan.points.size(), two.scan.points.size());
   for (std::size_t i = 0; i < one.scan.points.size(); ++i) {
     ASSERT_EQ(one.scan.points[i].position, two.scan.points[i].position);
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, DepositOfKind,
 
 TEST(Deposit, BlocksRestOnTheFloorOrOnOthers) {
   const DepositRecipe recipe = small_recipe(DepositKind::kHeap);
-  const std::vector<DepositBlock> blocks =
+  const std::vector<VirtualBlock> blocks =
       make_deposit_blocks(recipe, count_released_blocks(recipe), {}, 1);
   const std::vector<std::optional<Pose>> poses = settle_blocks(recipe, blocks, 1);
   std::vector<TriangleMesh> bodies;
@@ -128,7 +128,7 @@ TEST(Deposit, FewBlocksOfVeryDifferentSizesMakeAHeap) {
 TEST(Deposit, NaturalRocksRiseTenSpacingsAboveTheGroundAtTheirCentres) {
   DepositRecipe recipe = small_recipe(DepositKind::kNatural);
   recipe.blocks = 12;
-  const std::vector<DepositBlock> blocks = make_deposit_blocks(recipe, recipe.blocks, {}, 1);
+  const std::vector<VirtualBlock> blocks = make_deposit_blocks(recipe, recipe.blocks, {}, 1);
   const NaturalScene scene = make_natural_scene(recipe, blocks, 1);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Bounds body = bounds(transformed(blocks[i].surface, scene.poses[i]));
@@ -157,7 +157,7 @@ TEST(Deposit, SizesFollowThePowerLaw) {
 }
 
 TEST(Deposit, FilesAreReadAsTheyWereWritten) {
-  const Deposit deposit = make_deposit(small_recipe(DepositKind::kNatural), {}, 1);
+  const VirtualDeposit deposit = make_deposit(small_recipe(DepositKind::kNatural), {}, 1);
   const ScratchFolder folder;
   write_deposit(deposit, folder / "d", false);
   const std::vector<TrueBlock> blocks = read_true_blocks(folder / "d");

@@ -9,15 +9,15 @@ namespace clast {
 namespace {
 
 /// A ball of radius 0.5 m, its surface of many triangles.
-DepositBlock make_ball() {
-  DepositBlock block;
+VirtualBlock make_ball() {
+  VirtualBlock block;
   block.core = ellipsoid(1.0, {0.5, 0.5, 0.5}, 0.0, 6);
   block.surface = core_mesh(block.core.shape);
   block.volume = signed_volume(block.surface);
   return block;
 }
 
-double largest_overlap(const std::vector<DepositBlock>& blocks, const std::vector<Pose>& poses) {
+double largest_overlap(const std::vector<VirtualBlock>& blocks, const std::vector<Pose>& poses) {
   double largest = 0.0;
   for (std::size_t a = 0; a < blocks.size(); ++a) {
     const TriangleMesh body = transformed(blocks[a].surface, poses[a]);
@@ -33,7 +33,7 @@ double largest_overlap(const std::vector<DepositBlock>& blocks, const std::vecto
 }
 
 TEST(Separation, OverlapsFallBelowTheAllowedOne) {
-  const std::vector<DepositBlock> blocks(3, make_ball());
+  const std::vector<VirtualBlock> blocks(3, make_ball());
   std::vector<Pose> poses = {{{0, 0, 0.5}, Quat::Identity()},
                              {{0.93, 0, 0.5}, Quat::Identity()},
                              {{0.45, 0, 1.28}, Quat::Identity()}};
@@ -48,7 +48,7 @@ TEST(Separation, OverlapsFallBelowTheAllowedOne) {
 }
 
 TEST(Separation, BlocksThatDoNotOverlapStay) {
-  const std::vector<DepositBlock> blocks(2, make_ball());
+  const std::vector<VirtualBlock> blocks(2, make_ball());
   std::vector<Pose> poses = {{{0, 0, 0.5}, Quat::Identity()}, {{1.01, 0, 0.5}, Quat::Identity()}};
   EXPECT_EQ(separate_surfaces(blocks, poses, 0.005, 1), 0.0);
   EXPECT_EQ(poses[1].translation, Vec3(1.01, 0, 0.5));

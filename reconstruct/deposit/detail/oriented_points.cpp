@@ -17,7 +17,7 @@ constexpr std::size_t kSpacingRank = 16;  ///< neighbour whose distance gives th
 constexpr double kSkyCell = 1.6;          ///< side of a cell of the depth buffers, in spacings
 /// Depth below the highest point of a cell to which points count as visible, in cells.
 constexpr double kSkyDepth = 2.0;
-constexpr int kSignRounds = 4;             ///< rounds in which neighbours correct signs
+constexpr int kSignRounds = 4;                ///< rounds in which neighbours correct signs
 constexpr std::size_t kPointsPerTask = 4096;  ///< points per parallel task
 
 /// Calls `body(i)` for all points, in chunks.

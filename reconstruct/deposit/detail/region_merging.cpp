@@ -108,12 +108,11 @@ class Merging {
       for (const std::uint32_t n : cloud.neighbours_of(i).first(kSeamNeighbours)) {
         const std::uint32_t other = patches.patch_of_point[n];
         if (other == own) continue;
-        const auto [a, b] = std::minmax(own, other);
         const auto [found, is_new] =
-            regions_[a].seams.try_emplace(b, static_cast<std::uint32_t>(seams_.size()));
+            regions_[own].seams.try_emplace(other, static_cast<std::uint32_t>(seams_.size()));
         if (is_new) {
-          regions_[b].seams.emplace(a, found->second);
-          seams_.push_back({a, b});
+          regions_[other].seams.emplace(own, found->second);
+          seams_.push_back({own, other});
         }
         Seam& seam = seams_[found->second];
         seam.sum += std::max(cloud.concavities[i], cloud.concavities[n]);

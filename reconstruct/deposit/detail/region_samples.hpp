@@ -30,7 +30,7 @@ struct SampledPatch {
 std::vector<SampledPatch> sample_patches(const OrientedPoints& cloud, const ConvexPatches& patches,
                                          unsigned threads);
 
-/// Whose samples a query returns.
+/// Selection of samples by their region.
 enum class SampleOwner { kOwn, kOthers };
 
 /// Samples of all patches, in grids of increasing sparsity, for queries by place and owner.
