@@ -76,7 +76,13 @@ std::string describe_volume_bracket(const Block& block) {
   const BlockBracket range = derive_block_bracket(block);
   const std::string mass =
       metric ? ", mass " + range_text(range.lower_mass, range.upper_mass, "kg") : "";
-  return text + mass + (upper ? "" : "; no upper bound can be given: scan more of the block");
+  const std::string likely = unseen.intervals ? "; with a probability of 90 %, volume " +
+                                                    range_text(unseen.intervals->lower_volume,
+                                                               unseen.intervals->upper_volume,
+                                                               metric ? "m3" : "cubic model units")
+                                              : "";
+  return text + mass + likely +
+         (upper ? "" : "; no upper bound can be given: scan more of the block");
 }
 
 }  // namespace clast

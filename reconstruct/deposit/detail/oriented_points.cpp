@@ -23,7 +23,7 @@ constexpr std::size_t kPointsPerTask = 4096;  ///< points per parallel task
 /// Calls `body(i)` for all points, in chunks.
 template <class Body>
 void for_all_points(std::size_t count, unsigned threads, const Body& body) {
-  parallel_for((count + kPointsPerTask - 1) / kPointChunk, threads, [&](std::size_t chunk) {
+  parallel_for((count + kPointsPerTask - 1) / kPointsPerTask, threads, [&](std::size_t chunk) {
     const std::size_t end = std::min(count, (chunk + 1) * kPointsPerTask);
     for (std::size_t i = chunk * kPointsPerTask; i < end; ++i) body(i);
   });
