@@ -22,10 +22,10 @@ using namespace reconstruct_detail;
 namespace {
 
 constexpr std::size_t kMinDepositPoints = 100;                  ///< points of a deposit
-constexpr std::size_t kMinBlockPoints = 100;                    ///< points of a block
+constexpr std::size_t kMinBlockPoints = 250;                    ///< points of a block
 constexpr std::size_t kFitSamples = 250, kAroundSamples = 200;  ///< for the ellipsoid of a block
 constexpr double kAroundReach = 1.5;  ///< radius of the surroundings, in the block's largest radii
-constexpr double kMinVisibleFraction = 0.2;  ///< of the surface of a block
+constexpr double kMinVisibleFraction = 0.12;  ///< of the surface of a block
 constexpr std::size_t kContactNeighbours = 12;
 
 /// Returns at most `count` evenly chosen entries.
