@@ -15,7 +15,7 @@ namespace clast {
 /// when this object is destroyed and when this program ends.
 class ProcessOutput {
  public:
-  /// Where the program writes to.
+  /// Destination of the standard output.
   enum class Target {
     kPipe,  ///< a pipe, which is read while the program runs
     kFile   ///< an `UnnamedFile`, which is read after its end; the program may open it anew and

@@ -73,7 +73,7 @@ const std::array<LazProgram, 5> kPrograms = {
      {.program = "pdal", .arguments = pdal_arguments, .target = ProcessOutput::Target::kFile}}};
 
 /// Adds bytes to the copy, or gives it up.
-void append(LasCopy& copy, std::string_view bytes) {
+void append_to_copy(LasCopy& copy, std::string_view bytes) {
   while (copy.file && !bytes.empty()) {
     const ssize_t done = ::write(copy.file->descriptor(), bytes.data(), bytes.size());
     if (done < 0 && errno == EINTR) continue;
@@ -123,7 +123,7 @@ struct LazUnpacker::Attempt {
   LasCopy* copy;
   SourceBuffer buffer{[this](char* bytes, std::size_t count) {
     const std::size_t got = output.read(bytes, count);
-    if (copy) append(*copy, {bytes, got});
+    if (copy) append_to_copy(*copy, {bytes, got});
     return got;
   }};
   std::istream stream{&buffer};
