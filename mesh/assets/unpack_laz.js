@@ -1,8 +1,8 @@
-// Writes the LAS file that a LAZ file holds to standard output, chunk by chunk, with the package
-// laz-perf: the header without records, then the points (of formats 6 to 8 without intensity and user
-// data). Node runs it as `node -e SCRIPT -- FILE`;
-// threads that unpack chunks run it too. It ends with code 3 if laz-perf is not there, and with 1
-// and a line on standard error if the file can't be unpacked.
+// Writes the points of a LAZ file to standard output as a LAS file, chunk by chunk, with the package
+// laz-perf. The LAS file has the header without records, and its points have what clast reads of
+// them: they are cut down to format 0 or 6, the latter without intensity and user data. Node runs
+// this script as `node -e SCRIPT -- FILE`; threads that unpack chunks run it too. It ends with code 3
+// if laz-perf is not there, and with 1 and a line on standard error if the file can't be unpacked.
 'use strict';
 const fs = require('fs');
 const os = require('os');
@@ -269,12 +269,16 @@ function readChunks(file, header, {chunkSize}) {
   return chunks;
 }
 
+// Point format to which a format is cut down; its fields come first in the record.
+const plainFormat = (format) => format < 6 ? 0 : 6;
+
 // Header without records before and after the points.
 function plainHeader(header) {
-  const bytes = Buffer.from(header.bytes);
+  const bytes = Buffer.from(header.bytes), format = plainFormat(header.format);
   bytes.writeUInt32LE(bytes.length, 96);
   bytes.writeUInt32LE(0, 100);
-  bytes[104] = header.format;
+  bytes[104] = format;
+  bytes.writeUInt16LE(recordSizes[format], 105);
   if (bytes.length >= 375) bytes.fill(0, 235, 247);
   return bytes;
 }
@@ -340,16 +344,17 @@ function dropLayers(bytes, {format, recordSize}) {
   return Buffer.concat(parts);
 }
 
-// Unpacks a chunk.
+// Unpacks a chunk. Each point overwrites what the one before has beyond the plain format.
 function unpackChunk({lazPerf, next}, file, header, chunk) {
-  const {format, recordSize} = header, size = chunk.points * recordSize;
+  const {format, recordSize} = header;
+  const step = recordSizes[plainFormat(format)], size = chunk.points * step;
   const packed = dropLayers(file.read(chunk.at, chunk.bytes), header);
-  const input = lazPerf._malloc(packed.length), output = lazPerf._malloc(size);
+  const input = lazPerf._malloc(packed.length), output = lazPerf._malloc(size + recordSize);
   if (input === 0 || output === 0) throw new Error('it does not fit into memory');
   lazPerf.HEAPU8.set(packed, input);
   const decoder = new lazPerf.ChunkDecoder();
   decoder.open(format, recordSize, input);
-  for (let to = output, end = output + size; to < end; to += recordSize) next(decoder, to);
+  for (let to = output, end = output + size; to < end; to += step) next(decoder, to);
   decoder.delete();
   const points = lazPerf.HEAPU8.slice(output, output + size);
   lazPerf._free(input);
