@@ -378,7 +378,8 @@ async function runThread({name, header, program}) {
 // Unpacks chunks in threads, a few ahead, and yields their points in order.
 async function* unpackChunks(chunks, workerData) {
   const script = process.execArgv[process.execArgv.indexOf('-e') + 1];
-  const count = Math.min(os.cpus().length, mostThreads, chunks.length);
+  const cores = os.availableParallelism ? os.availableParallelism() : os.cpus().length;
+  const count = Math.min(cores, mostThreads, chunks.length);
   const workers = Array.from({length: count}, () => {
     const worker = new threads.Worker(script, {eval: true, workerData});
     worker.asked = [];

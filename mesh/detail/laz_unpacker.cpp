@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr double kSilenceLimit = 600.0;  // s; pdal may sort its points before it writes
+constexpr double kSilenceLimit = 600.0;  // s; pdal may read all points before it writes
 constexpr int kNoLazPerf = 3;            // exit code of unpack_laz.js
 
 }  // namespace
