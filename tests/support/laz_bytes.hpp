@@ -180,7 +180,13 @@ inline std::string chunk_of_one(const std::string& record, std::uint8_t format) 
   const std::size_t extra = record.size() - (format == 6 ? 30u : format == 7 ? 36u : 38u);
   std::string chunk = record;
   put<std::uint32_t>(chunk, chunk.size(), 1);
-  return chunk + std::string(4 * (9u + format - 6u + extra), '\0');  // sizes of layers
+  // Nine layers of a point, those of its colours, one of each extra byte; only intensities are
+  // coded.
+  const std::string intensities = "no code";
+  for (std::size_t layer = 0; layer < 9u + format - 6u + extra; ++layer) {
+    put(chunk, chunk.size(), static_cast<std::uint32_t>(layer == 4 ? intensities.size() : 0));
+  }
+  return chunk + intensities;
 }
 
 /// Content of the record "laszip encoded" for a point format.
