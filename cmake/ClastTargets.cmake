@@ -81,16 +81,16 @@ function(clast_library name)
   set_property(GLOBAL APPEND PROPERTY CLAST_LIBRARIES clast_${name})
 endfunction()
 
-# clast_assets(result FILES...): a source that holds text files as string_views of the namespace
-# clast::FOLDER_detail::assets, page.css as page_css, declared by hand in FOLDER/html/assets.hpp. It is
-# made again when one of them changes; `result` is set to its path.
-function(clast_assets result)
+# clast_assets(result HEADER FILES...): a source that holds text files as string_views of the namespace
+# clast::FOLDER_detail::assets, page.css as page_css, declared by hand in FOLDER/HEADER. It is made
+# again when one of them changes; `result` is set to its path.
+function(clast_assets result header)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE files)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/assets.cpp)
   set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedAssets.cmake)
   add_custom_command(OUTPUT ${source} DEPENDS ${files} ${script} VERBATIM
-    COMMAND ${CMAKE_COMMAND} -D folder=${folder} -D source=${source} "-D files=${files}" -P ${script})
+    COMMAND ${CMAKE_COMMAND} -D folder=${folder} -D header=${folder}/${header} -D source=${source} "-D files=${files}" -P ${script})
   set(${result} ${source} PARENT_SCOPE)
 endfunction()
 

@@ -1,5 +1,5 @@
-# Writes `source`, which defines what FOLDER/html/assets.hpp declares, from the text in `files`.
-set(text "#include \"${folder}/html/assets.hpp\"\n\nnamespace clast::${folder}_detail::assets {\n\n")
+# Writes `source`, which defines what `header` declares, from the text in `files`.
+set(text "#include \"${header}\"\n\nnamespace clast::${folder}_detail::assets {\n\n")
 foreach(file ${files})
   get_filename_component(name ${file} NAME)
   string(MAKE_C_IDENTIFIER ${name} name)

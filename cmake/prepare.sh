@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing, configures, and builds in build/release.
+# Installs the Debian packages that are missing (and laz-perf of npm in build/npm, for the tests),
+# configures, and builds in build/release.
 #
 #   cmake/prepare.sh program   the clast program alone
 #   cmake/prepare.sh tests     the program and its tests
@@ -63,7 +64,23 @@ default_jobs() {
   echo $((jobs < 1 ? 1 : jobs))
 }
 
+# Tests of LAZ files run it with Node; without it they are left out, except with CI=true.
+install_laz_perf() {
+  local folder=build/npm
+  if [ -d $folder/node_modules/laz-perf ]; then return; fi
+  say "Installing laz-perf in $folder"
+  if ! command -v npm >/dev/null; then
+    say "npm is not installed: tests of LAZ files through Node are left out"
+  elif ! npm install --prefix $folder --no-save --no-audit --no-fund --loglevel=error laz-perf@0.0.7; then
+    say "npm could not install laz-perf: tests of LAZ files through Node are left out"
+  else
+    return
+  fi
+  if [ "${CI:-false}" = true ]; then fail "laz-perf is needed with CI=true"; fi
+}
+
 install_packages
+if [ "$1" = tests ]; then install_laz_perf; fi
 
 options=(-DCMAKE_BUILD_TYPE=Release)
 targets=(all)

@@ -8,6 +8,7 @@
 #include "core/files/input_file.hpp"
 #include "core/files/text_file.hpp"
 #include "mesh/detail/cloud_readers.hpp"
+#include "mesh/detail/laz_unpacker.hpp"
 #include "mesh/detail/mesh_readers.hpp"
 #include "mesh/mesh_io.hpp"
 
@@ -63,7 +64,8 @@ bool is_text_cloud(const std::string& extension) {
 
 CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::string& extension,
                                   mesh_detail::PointBatcher& sink,
-                                  const std::vector<std::string>& columns) {
+                                  const std::vector<std::string>& columns,
+                                  mesh_detail::LasCopy* copy) {
   if (!columns.empty() && !is_text_cloud(extension)) {
     throw InputError("`columns` applies only to clouds in text; leave it out");
   }
@@ -74,7 +76,7 @@ CloudSummary read_cloud_by_format(const std::filesystem::path& path, const std::
     if (!stream) throw InputError("can't be read; check its permissions");
     return is_text_cloud(extension)
                ? mesh_detail::read_text_cloud(stream, sink, columns, extension == ".pts")
-               : mesh_detail::read_las_cloud(stream, sink);
+               : mesh_detail::read_las_cloud(stream, path, sink, copy);
   }
   const std::optional<TriangleMesh> mesh =
       extension == ".ply" ? mesh_detail::read_ply_mesh(read_text_file(path)) : read_mesh(path);
@@ -96,21 +98,39 @@ std::string nothing_in(const CloudSummary& summary) {
   return "holds no points; export it again";
 }
 
-}  // namespace
-
-CloudSummary stream_cloud(const std::filesystem::path& path,
-                          const std::function<void(const PointBatch&)>& consume,
-                          const std::vector<std::string>& columns) {
+CloudSummary stream_points(const std::filesystem::path& path,
+                           const std::function<void(const PointBatch&)>& consume,
+                           const std::vector<std::string>& columns, mesh_detail::LasCopy* copy) {
   mesh_detail::PointBatcher sink(consume);
   const CloudSummary summary = with_file_context(path.string(), [&] {
     std::error_code code;
     if (std::filesystem::is_regular_file(path, code) && std::filesystem::is_empty(path, code)) {
       throw InputError("holds no points: the file is empty; copy or export it again");
     }
-    return read_cloud_by_format(path, lower_case_extension(path), sink, columns);
+    return read_cloud_by_format(path, lower_case_extension(path), sink, columns, copy);
   });
   if (summary.point_count == 0) throw InputError(path.string() + ": " + nothing_in(summary));
   return summary;
+}
+
+}  // namespace
+
+CloudSummary stream_cloud(const std::filesystem::path& path,
+                          const std::function<void(const PointBatch&)>& consume,
+                          const std::vector<std::string>& columns) {
+  return stream_points(path, consume, columns, nullptr);
+}
+
+CloudFile::CloudFile(std::filesystem::path path, std::vector<std::string> columns)
+    : path_(std::move(path)),
+      columns_(std::move(columns)),
+      copy_(std::make_unique<mesh_detail::LasCopy>()) {}
+CloudFile::~CloudFile() = default;
+CloudFile::CloudFile(CloudFile&&) noexcept = default;
+CloudFile& CloudFile::operator=(CloudFile&&) noexcept = default;
+
+CloudSummary CloudFile::stream(const std::function<void(const PointBatch&)>& consume) const {
+  return stream_points(path_, consume, columns_, copy_.get());
 }
 
 std::vector<Vec3> read_cloud(const std::filesystem::path& path) {

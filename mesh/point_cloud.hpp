@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,10 @@
 #include "mesh/reference_system.hpp"
 
 namespace clast {
+
+namespace mesh_detail {
+struct LasCopy;
+}
 
 /// Batch of points of a cloud, in the units and axes of its file.
 struct PointBatch {
@@ -30,8 +35,9 @@ struct CloudSummary {
 };
 
 /// Reads a cloud in batches, in file order, so that it need not fit into memory. Formats are text
-/// (.xyz, .txt, .csv, .pts, .asc), .las (1.0 to 1.4), .pcd (ascii, binary, compressed), and the
-/// vertices of .ply and other meshes.
+/// (.xyz, .txt, .csv, .pts, .asc), .las (1.0 to 1.4), .laz, .pcd (ascii, binary, compressed), and
+/// the vertices of .ply and other meshes. The points of .laz are unpacked by a program that is
+/// looked for on PATH: laszip, laszip64, las2las, node with the package laz-perf, or pdal.
 ///
 /// Columns of text are separated by semicolons, tabs, commas or blanks, as in the first line of
 /// points. Decimal commas are accepted unless commas separate the columns. A heading, which may be
@@ -39,12 +45,32 @@ struct CloudSummary {
 /// three columns. Comments (# or //) and point counts before scans are skipped.
 /// @param columns  names or numbers (from 1) of the columns x, y and z of a text; if empty, the
 ///                 heading decides
-/// @throws InputError  if the file is missing, corrupt, truncated, compressed (.laz) or without
-///                     points, if the heading does not name x, y and z, or if `columns` is given
-///                     for a format other than text; the message gives file and line
+/// @throws InputError  if the file is missing, corrupt, truncated or without points, if no program
+///                     at hand unpacks it (.laz), if the heading does not name x, y and z, or if
+///                     `columns` is given for a format other than text; the message gives file and
+///                     line
 CloudSummary stream_cloud(const std::filesystem::path& path,
                           const std::function<void(const PointBatch&)>& consume,
                           const std::vector<std::string>& columns = {});
+
+/// Point cloud file that is read several times.
+class CloudFile {
+ public:
+  explicit CloudFile(std::filesystem::path path, std::vector<std::string> columns = {});
+  ~CloudFile();
+  CloudFile(CloudFile&&) noexcept;
+  CloudFile& operator=(CloudFile&&) noexcept;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Reads the cloud as `stream_cloud`. A .laz file is unpacked only once: its points remain in a
+  /// temporary file without a name, unless there is no room for it.
+  CloudSummary stream(const std::function<void(const PointBatch&)>& consume) const;
+
+ private:
+  std::filesystem::path path_;
+  std::vector<std::string> columns_;
+  std::unique_ptr<mesh_detail::LasCopy> copy_;
+};
 
 /// Reads all points of a point cloud file.
 /// @throws InputError  as `stream_cloud`

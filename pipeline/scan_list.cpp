@@ -83,8 +83,9 @@ std::vector<fs::path> scans_in(const fs::path& folder) {
     std::string known;
     for (const std::string& extension : readable_mesh_extensions()) known += " " + extension;
     throw InputError(
-        folder.string() + ": this folder holds neither a mesh or cloud file (known formats:" +
-        known + " .las .pcd .pts .xyz .shp) nor three photographs (.jpg .png .tif) of a block");
+        folder.string() +
+        ": this folder holds neither a mesh or cloud file (known formats:" + known +
+        " .las .laz .pcd .pts .xyz .shp) nor three photographs (.jpg .png .tif) of a block");
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -13,7 +13,7 @@ namespace clast {
 /// Options for reading surface files and zones.
 struct TerrainOptions {
   /// Surface files: meshes (.stl, .ply, .obj, ...), one raster (.tif, .asc, ...), clouds (.las,
-  /// .xyz, .txt, .csv, .pts, .pcd), or one terrain file (.h5).
+  /// .laz, .xyz, .txt, .csv, .pts, .pcd), or one terrain file (.h5).
   std::vector<std::filesystem::path> surface = {};
   /// Ground zones in one of four forms. If empty, there is one zone, "ground".
   /// - One name per mesh.

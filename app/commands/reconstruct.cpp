@@ -254,7 +254,7 @@ void add_reconstruct_command(CLI::App& app) {
   command
       ->add_option("scans", args->scans,
                    "Mesh files (obj, ply, stl, off, glb, gltf, 3ds, tab), point clouds (ply, pcd, "
-                   "las, xyz, txt, csv), Rockable or ExaDEM shapes (shp: cores with their "
+                   "las, laz, xyz, txt, csv), Rockable or ExaDEM shapes (shp: cores with their "
                    "radius), or folders of them; a folder of photographs is one block")
       ->required()
       ->type_name("SCAN");

@@ -358,10 +358,11 @@ void add_terrain_command(CLI::App& app) {
   const auto args = std::make_shared<TerrainArgs>();
   CLI::App* command = &add_companion_command(app, "terrain");
   command
-      ->add_option("inputs", args->inputs,
-                   "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds (las, pcd, "
-                   "xyz, txt, "
-                   "csv, pts), or one terrain file (h5)")
+      ->add_option(
+          "inputs", args->inputs,
+          "Meshes (stl, obj, ply, ...), one raster (GeoTIFF, asc, ...), clouds (las, laz, pcd, "
+          "xyz, txt, "
+          "csv, pts), or one terrain file (h5)")
       ->required()
       ->type_name("INPUT");
   command->add_option("-o,--output", args->output, "Terrain file")

@@ -4,9 +4,6 @@
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <cerrno>
 #include <chrono>
@@ -16,6 +13,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "core/files/detail/program_call.hpp"
 
 namespace clast {
 
@@ -23,49 +21,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{20};
 constexpr int kPollsPerCall = 25;
-constexpr int kNotStarted = 127;
-
-/// Words and variables as `execve` takes them.
-class ProgramCall {
- public:
-  ProgramCall(const std::vector<std::string>& command,
-              const std::vector<std::pair<std::string, std::string>>& environment)
-      : words_(command) {
-    for (char** entry = environ; *entry != nullptr; ++entry) {
-      const std::string text = *entry;
-      bool replaced = false;
-      for (const auto& [name, value] : environment) replaced |= text.starts_with(name + "=");
-      if (!replaced) variables_.push_back(text);
-    }
-    for (const auto& [name, value] : environment) variables_.push_back(name + "=" + value);
-    for (std::string& word : words_) argv_.push_back(word.data());
-    for (std::string& variable : variables_) envp_.push_back(variable.data());
-    argv_.push_back(nullptr);
-    envp_.push_back(nullptr);
-  }
-  ProgramCall(const ProgramCall&) = delete;
-  ProgramCall& operator=(const ProgramCall&) = delete;
-
-  /// The child's part after the fork: no function in it allocates.
-  [[noreturn]] void run(const char* log, [[maybe_unused]] pid_t parent) const {
-    ::setpgid(0, 0);
-#ifdef __linux__
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(kNotStarted);
-#endif
-    const int in = ::open("/dev/null", O_RDONLY);
-    const int out = ::open(log, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    if (in < 0 || out < 0 || ::dup2(in, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(out, 2) < 0) {
-      ::_exit(kNotStarted);
-    }
-    ::execve(argv_[0], argv_.data(), envp_.data());
-    ::_exit(kNotStarted);
-  }
-
- private:
-  std::vector<std::string> words_, variables_;
-  std::vector<char*> argv_, envp_;
-};
 
 }  // namespace
 
@@ -89,16 +44,17 @@ ProcessResult run_child_process(const std::vector<std::string>& command,
                                 const std::vector<std::pair<std::string, std::string>>& environment,
                                 const std::filesystem::path& log, double time_limit,
                                 const std::function<void()>& on_wait) {
-  // Everything that allocates comes before the fork: another thread may hold the heap's lock.
-  const ProgramCall call(command, environment);
-  const std::string log_name = log.string();
-  const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) {
-    throw InputError(command[0] + " can't be started: " + std::strerror(errno));
+  const files_detail::ProgramCall call(command, environment);
+  const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (out < 0) throw InputError(log.string() + ": can't be written: " + std::strerror(errno));
+  pid_t child = -1;
+  try {
+    child = call.start(out, out);
+  } catch (...) {
+    ::close(out);
+    throw;
   }
-  if (child == 0) call.run(log_name.c_str(), parent);
-  ::setpgid(child, child);
+  ::close(out);
   const auto start = std::chrono::steady_clock::now();
   ProcessResult end;
   int status = 0;
@@ -110,14 +66,13 @@ ProcessResult run_child_process(const std::vector<std::string>& command,
     if (spent.count() > time_limit) {
       end.timed_out = true;
       ::kill(-child, SIGKILL);
-      while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-      }
-      break;
+      end.exit_code = files_detail::wait_for_exit(child);
+      return end;
     }
     if (on_wait && polls % kPollsPerCall == 0) on_wait();
     std::this_thread::sleep_for(kPoll);
   }
-  end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  end.exit_code = files_detail::exit_code_of(status);
   return end;
 }
 

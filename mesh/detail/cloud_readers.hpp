@@ -1,11 +1,14 @@
 #pragma once
 /// Readers of point cloud formats. Messages do not contain the file name.
+#include <filesystem>
 #include <istream>
 #include <string_view>
 
 #include "mesh/point_cloud.hpp"
 
 namespace clast::mesh_detail {
+
+struct LasCopy;
 
 /// Collects points and passes them on in batches that fit into the cache.
 class PointBatcher {
@@ -35,7 +38,10 @@ class PointBatcher {
 /// @throws InputError  if the file is corrupt or truncated
 CloudSummary read_text_cloud(std::istream& stream, PointBatcher& sink,
                              const std::vector<std::string>& columns, bool has_point_counts);
-CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink);
+/// @param path  the file, for the program that unpacks it if it is compressed (LAZ)
+/// @param copy  keeps the unpacked points for the next call with the same path; may be null
+CloudSummary read_las_cloud(std::istream& stream, const std::filesystem::path& path,
+                            PointBatcher& sink, LasCopy* copy);
 CloudSummary read_pcd_cloud(std::string_view content, PointBatcher& sink);
 
 }  // namespace clast::mesh_detail

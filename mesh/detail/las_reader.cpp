@@ -1,14 +1,17 @@
 // LAS 1.0 to 1.4 (ASPRS LAS Specification 1.4 R15); all numbers in it are little-endian.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "mesh/detail/cloud_readers.hpp"
 #include "mesh/detail/las_system.hpp"
+#include "mesh/detail/laz_unpacker.hpp"
 
 namespace clast::mesh_detail {
 namespace {
@@ -36,6 +39,7 @@ std::string read_bytes(std::istream& stream, std::size_t count) {
 }
 
 struct LasHeader {
+  bool compressed = false;
   std::uint64_t count = 0;
   std::uint64_t data_offset = 0;
   std::uint16_t header_size = 0;
@@ -65,6 +69,7 @@ void check_points(const LasHeader& header, std::uint64_t file_size) {
     throw InputError("its header says that the points start at byte " +
                      std::to_string(header.data_offset) + ", outside the file; it is corrupt");
   }
+  if (header.compressed) return;
   const std::uint64_t room = (file_size - header.data_offset) / header.record_size;
   if (header.count > room) {
     throw InputError("its header says " + std::to_string(header.count) + " points, the file has " +
@@ -72,8 +77,16 @@ void check_points(const LasHeader& header, std::uint64_t file_size) {
   }
 }
 
-LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
-  const std::string bytes = read_bytes(stream, kHeader14);
+/// Bytes of the header, which need not be followed by others; 227 to 375 unless they are missing.
+std::string read_header_bytes(std::istream& stream) {
+  std::string bytes = read_bytes(stream, kMinHeader);
+  if (bytes.size() < kMinHeader) return bytes;
+  const std::size_t end = std::min<std::size_t>(number_at<std::uint32_t>(bytes, 96), kHeader14);
+  if (end > kMinHeader) bytes += read_bytes(stream, end - kMinHeader);
+  return bytes;
+}
+
+LasHeader parse_las_header(const std::string& bytes, std::uint64_t file_size) {
   if (!bytes.starts_with("LASF")) {
     throw InputError("is not a LAS file: it does not start with LASF; export it as LAS or as text");
   }
@@ -88,7 +101,7 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
                     .end = header.data_offset,
                     .count = number_at<std::uint32_t>(bytes, 100),
                     .uses_wkt = (number_at<std::uint16_t>(bytes, 6) & 16) != 0};
-  const std::uint8_t format = number_at<std::uint8_t>(bytes, 104);
+  const auto format = number_at<std::uint8_t>(bytes, 104);
   header.record_size = number_at<std::uint16_t>(bytes, 105);
   header.count = number_at<std::uint32_t>(bytes, 107);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -101,13 +114,8 @@ LasHeader read_las_header(std::istream& stream, std::uint64_t file_size) {
     header.records.extended_begin = number_at<std::uint64_t>(bytes, 235);
     header.records.extended_count = number_at<std::uint32_t>(bytes, 243);
   }
-  if ((format & 0xC0) != 0) {
-    throw InputError(
-        "its points are compressed (LAZ), which can't be read; save it as LAS first: with "
-        "pdal translate cloud.laz cloud.las, in CloudCompare, or in Python with laspy and lazrs, "
-        "laspy.read(\"cloud.laz\").write(\"cloud.las\")");
-  }
-  header.format = format;
+  header.compressed = (format & 0xC0) != 0;
+  header.format = format & 0x3F;
   check_points(header, file_size);
   return header;
 }
@@ -123,22 +131,16 @@ Flags flags_of(std::string_view record, std::size_t format) {
   return {number_at<std::uint8_t>(record, 16), (byte & 0x04) != 0};
 }
 
-}  // namespace
-
-CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink) {
-  stream.seekg(0, std::ios::end);
-  const auto file_size = static_cast<std::uint64_t>(stream.tellg());
-  stream.seekg(0);
-  const LasHeader header = read_las_header(stream, file_size);
-  CloudSummary summary;
-  read_las_crs(stream, header.records, summary);
-  stream.clear();
-  stream.seekg(static_cast<std::streamoff>(header.data_offset));
-  for (std::uint64_t done = 0; done < header.count;) {
-    const std::size_t now = std::min<std::uint64_t>(kRecordsPerRead, header.count - done);
-    const std::string bytes = read_bytes(stream, now * header.record_size);
-    if (bytes.size() < now * header.record_size) throw InputError("can't be read completely");
-    for (std::size_t i = 0; i < now; ++i) {
+/// Reads the points, at which the stream is.
+/// @return  number of points that the stream holds, at most that of the header
+std::uint64_t read_points(std::istream& stream, const LasHeader& header, PointBatcher& sink,
+                          CloudSummary& summary) {
+  std::uint64_t done = 0;
+  while (done < header.count) {
+    const std::size_t wanted = std::min<std::uint64_t>(kRecordsPerRead, header.count - done);
+    const std::string bytes = read_bytes(stream, wanted * header.record_size);
+    const std::size_t got = bytes.size() / header.record_size;
+    for (std::size_t i = 0; i < got; ++i) {
       const std::string_view record =
           std::string_view(bytes).substr(i * header.record_size, header.record_size);
       const Flags flags = flags_of(record, header.format);
@@ -150,7 +152,68 @@ CloudSummary read_las_cloud(std::istream& stream, PointBatcher& sink) {
                        number_at<std::int32_t>(record, 8));
       sink.add_point(steps.cwiseProduct(header.scale) + header.offset, flags.asprs_class);
     }
-    done += now;
+    done += got;
+    if (got < wanted) break;
+  }
+  return done;
+}
+
+/// Reads an unpacked LAS file up to its points.
+/// @param packed  header of the LAZ file
+/// @throws InputError  if its points are not those of the LAZ file
+LasHeader read_unpacked_header(std::istream& stream, const LasHeader& packed) {
+  const std::string bytes = read_header_bytes(stream);
+  const LasHeader header = parse_las_header(bytes, std::numeric_limits<std::uint64_t>::max());
+  if (header.compressed) throw InputError("its points are compressed");
+  if (header.count != packed.count) {
+    throw InputError("its header says " + std::to_string(header.count) + " points instead of " +
+                     std::to_string(packed.count));
+  }
+  if (header.scale != packed.scale || header.offset != packed.offset) {
+    throw InputError("its coordinates have another scale or offset");
+  }
+  stream.ignore(static_cast<std::streamsize>(header.data_offset - bytes.size()));
+  return header;
+}
+
+void read_packed_points(const LasHeader& packed, const std::filesystem::path& path, LasCopy* copy,
+                        PointBatcher& sink, CloudSummary& summary) {
+  if (copy && copy->complete) {
+    read_las_copy(*copy, [&](std::istream& stream) {
+      read_points(stream, read_unpacked_header(stream, packed), sink, summary);
+    });
+    return;
+  }
+  LasHeader header;
+  LazUnpacker unpacker(
+      path, [&](std::istream& stream) { header = read_unpacked_header(stream, packed); }, copy);
+  const std::uint64_t count = read_points(unpacker.stream(), header, sink, summary);
+  if (count < packed.count) {
+    throw InputError("its header says " + std::to_string(packed.count) + " points, and " +
+                     std::to_string(count) +
+                     " could be unpacked; it was cut short or is damaged (" +
+                     unpacker.describe_end() + ")");
+  }
+  unpacker.finish();
+}
+
+}  // namespace
+
+CloudSummary read_las_cloud(std::istream& stream, const std::filesystem::path& path,
+                            PointBatcher& sink, LasCopy* copy) {
+  stream.seekg(0, std::ios::end);
+  const auto file_size = static_cast<std::uint64_t>(stream.tellg());
+  stream.seekg(0);
+  const LasHeader header = parse_las_header(read_header_bytes(stream), file_size);
+  CloudSummary summary;
+  read_las_crs(stream, header.records, summary);
+  if (header.compressed) {
+    read_packed_points(header, path, copy, sink, summary);
+  } else {
+    stream.clear();
+    stream.seekg(static_cast<std::streamoff>(header.data_offset));
+    if (read_points(stream, header, sink, summary) < header.count)
+      throw InputError("can't be read completely");
   }
   return sink.finish(summary);
 }

@@ -46,7 +46,7 @@ bool is_program(const SourceFile& file) {
 /// Runs of other programs, whose options are theirs.
 bool speaks_of_another_program(const SourceFile& file) {
   return file.path == "reconstruct/photos/colmap_run.cpp" || file.path == "report/page_pdf.cpp" ||
-         file.path == "terrain/gdal/gdal_raster.cpp";
+         file.path == "mesh/detail/laz_unpacker.cpp" || file.path == "terrain/gdal/gdal_raster.cpp";
 }
 
 bool declares_columns(const SourceFile& file) {

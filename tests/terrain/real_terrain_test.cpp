@@ -1,14 +1,18 @@
 // Surveyed grounds against what is known of them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
+#include "mesh/point_cloud.hpp"
 #include "terrain/terrain_file.hpp"
 #include "tests/support/reference_data.hpp"
+#include "tests/support/working_folder.hpp"
 #include "tests/terrain/asc_grid.hpp"
 #include "tests/terrain/ground_samples.hpp"
 
@@ -184,13 +188,42 @@ TEST(RealTerrain, TschamutProxyIsRead) {
   EXPECT_EQ(facing_down(terrain), 0u);
 }
 
-TEST(RealTerrain, CompressedLidarIsRefusedWithAWayOut) {
-  const std::string message =
-      refusal(TerrainOptions{.surface = {test_data("terrain/lidr_topography.laz")}});
-  EXPECT_TRUE(contains(message, "lidr_topography.laz"));
-  EXPECT_TRUE(contains(message, "compressed (LAZ), which can't be read; save it as LAS first"));
-  EXPECT_TRUE(contains(message, "pdal translate cloud.laz cloud.las"));
+#ifdef CLAST_LAZ_PERF
+
+class CompressedLidar : public WorkingFolder {
+ protected:
+  CompressedLidar() { std::filesystem::create_symlink(CLAST_LAZ_PERF, "node_modules"); }
+  std::filesystem::path file = test_data("terrain/lidr_topography.laz");
+};
+
+TEST_F(CompressedLidar, FillsTheBoxOfItsHeader) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<double, 6> box{};  // highest and lowest x, y, z
+  stream.seekg(179);
+  stream.read(reinterpret_cast<char*>(box.data()), sizeof box);
+  Bounds read;
+  const CloudSummary summary = stream_cloud(file, [&](const PointBatch& batch) {
+    for (const Vec3& point : batch.points) read.include(point);
+  });
+  EXPECT_EQ(summary.point_count + summary.withheld_points, 73403u);
+  EXPECT_EQ(summary.withheld_points, 0u);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<Eigen::Index>(axis);
+    EXPECT_NEAR(read.high[k], box[2 * axis], 1e-6);
+    EXPECT_NEAR(read.low[k], box[2 * axis + 1], 1e-6);
+  }
 }
+
+TEST_F(CompressedLidar, BecomesATerrain) {
+  const Terrain terrain = read_terrain({.surface = {file}});
+  EXPECT_EQ(terrain.frame.crs, "EPSG:2949");
+  // 300 m by 300 m with about four points of ground per cell of 10 m.
+  EXPECT_GT(terrain.surface.vertices.size(), 700u);
+  EXPECT_LE(terrain.surface.vertices.size(), 900u);
+  EXPECT_EQ(facing_down(terrain), 0u);
+}
+
+#endif
 
 }  // namespace
 }  // namespace clast

@@ -63,22 +63,18 @@ using Classes = std::array<bool, 256>;
 
 /// Streams a cloud file repeatedly.
 struct Cloud {
-  fs::path path;
+  CloudFile file;
   bool y_up = false;
-  std::vector<std::string> columns = {};  ///< as of the options
-  std::optional<Classes> kept = {};       ///< none: all points count
+  std::optional<Classes> kept = {};  ///< none: all points count
 
   template <class Take>  // Take(const Vec3&), on the map, z up
   CloudSummary each_point(const Take& take) const {
-    return stream_cloud(
-        path,
-        [&](const PointBatch& batch) {
-          for (std::size_t i = 0; i < batch.points.size(); ++i) {
-            if (kept && !(*kept)[batch.classes[i]]) continue;
-            take(y_up ? y_up_to_z_up(batch.points[i]) : batch.points[i]);
-          }
-        },
-        columns);
+    return file.stream([&](const PointBatch& batch) {
+      for (std::size_t i = 0; i < batch.points.size(); ++i) {
+        if (kept && !(*kept)[batch.classes[i]]) continue;
+        take(y_up ? y_up_to_z_up(batch.points[i]) : batch.points[i]);
+      }
+    });
   }
 };
 
@@ -176,19 +172,16 @@ void check_cloud_map(const fs::path& path, const CloudSummary& summary, const Ve
 Survey surveyed(const TerrainOptions& options, CloudGrid& result) {
   Survey survey;
   for (const fs::path& path : options.surface) {
-    Cloud cloud{.path = path, .y_up = options.up == "y", .columns = options.columns};
+    Cloud cloud{.file = CloudFile(path, options.columns), .y_up = options.up == "y"};
     ClassSurvey all;
     std::vector<ClassSurvey> by_class(std::tuple_size_v<Classes>);
-    const CloudSummary summary = stream_cloud(
-        path,
-        [&](const PointBatch& batch) {
-          for (std::size_t i = 0; i < batch.points.size(); ++i) {
-            const Vec3 point = cloud.y_up ? y_up_to_z_up(batch.points[i]) : batch.points[i];
-            all.include(point);
-            if (!batch.classes.empty()) by_class[batch.classes[i]].include(point);
-          }
-        },
-        cloud.columns);
+    const CloudSummary summary = cloud.file.stream([&](const PointBatch& batch) {
+      for (std::size_t i = 0; i < batch.points.size(); ++i) {
+        const Vec3 point = cloud.y_up ? y_up_to_z_up(batch.points[i]) : batch.points[i];
+        all.include(point);
+        if (!batch.classes.empty()) by_class[batch.classes[i]].include(point);
+      }
+    });
     check_cloud_map(path, summary, (all.box.low + all.box.high).head<2>() / 2.0, result);
     const auto note = [&](std::size_t count, const std::string& what) {
       if (count > 0) result.notes.push_back(path.string() + ": " + std::to_string(count) + what);
