@@ -176,8 +176,8 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
   // A part that was skipped is outside the ground. At the start, this is not known.
   const bool slept = !(part_expiry_[p] < 0.0);
   const double deepest = slept ? 0.0 : part.radius - clearance - touching;
-  state.near = std::make_unique<NearPart>(part);
-  for (VertexState& vertex : state.near->vertices) vertex.outside = slept;
+  state.near = std::make_unique<NearPart>();
+  state.near->depth_known = slept;
   state.near->centre = centre;
   state.near->turned = accumulated_rotation_;
   collect_part_ground(p, deepest);
@@ -246,6 +246,7 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   state.ground.collect_near(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
   state.tilts.clear();
+  state.prisms.clear();
   for (const LocalFaces::Face& face : state.ground.faces) {
     const double axial = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
     const std::array<std::uint32_t, 3>& of_face = ground_.features.faces[face.face].edges;
@@ -254,10 +255,7 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
     });
     const double transverse = std::sqrt(1.0 - axial * axial);
     state.tilts.push_back({axial, transverse, at_border ? 0.0 : 2.0 / (axial + transverse)});
-  }
-  for (VertexState& vertex : state.vertices) {
-    vertex.near_face = 0;
-    vertex.closest_plane = kNoFeature;
+    state.prisms.push_back(make_face_prism(ground_.features, face, at_border));
   }
   state.pairs.clear();
   state.features.clear();
@@ -273,23 +271,20 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   for (const std::uint32_t pointed_vertex : local_.pointed_vertices) {
     list_near(true, pointed_vertex, features.vertices[pointed_vertex]);
   }
-  shrink_capacity(state.tilts, state.features, state.pairs);
+  shrink_capacity(state.tilts, state.prisms, state.features, state.pairs);
 }
 
 void TerrainNarrowPhase::update_axis(std::uint32_t p) {
   NearPart& part = *part_states_[p].near;
   part.axis = part.ground.plane.normal;
-  for (VertexState& vertex : part.vertices) vertex.nearest_face = kNoFeature;
-  for (SeparationBound& separation_bound : part.vertex_bounds) separation_bound = {};
-  part.other_vertices = {};
+  part.all_vertices = {};
 }
 
 double TerrainNarrowPhase::next_update(std::uint32_t p) const {
   const NearPart& part = *part_states_[p].near;
-  if (!part.expired_vertices.empty()) return accumulated_displacement_;
   double least = list_expiry(part) - part.displacement.total;
   for (const SeparationBound* separation_bound :
-       {&part.other_vertices, &part.all_features, &part.all_pairs}) {
+       {&part.all_vertices, &part.all_features, &part.all_pairs}) {
     const double remaining = separation_bound->remaining(part.displacement);
     if (!(remaining > 0.0)) return accumulated_displacement_;
     // No point of the part moves farther than the bound for the block, along or across the axis.

@@ -4,9 +4,9 @@
 ///
 /// The block is divided into parts. A part far from the ground is skipped until the accumulated
 /// displacement `accumulated_displacement_` has grown by its distance from the ground. A part near
-/// the ground keeps a list of nearby ground features. Its vertices and sides (edges and faces) are
-/// tested against them. Each test gives a separation bound; it is not repeated before the bound
-/// expires (docs/theory.md, Contact search).
+/// the ground keeps a list of nearby ground features. All its vertices together, and each of its
+/// sides (edges and faces), are tested against them. Each test gives a separation bound; it is not
+/// repeated before the bound expires (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -15,6 +15,7 @@
 #include "dem/search/feature_tests.hpp"
 #include "dem/search/index_list.hpp"
 #include "dem/search/separation.hpp"
+#include "dem/search/vertex_filter.hpp"
 
 namespace clast::dem_detail {
 
@@ -61,7 +62,7 @@ class TerrainNarrowPhase {
       bool near = part_states_[p].near != nullptr;  ///< null if the part is far from the ground
       bytes(near);
       if constexpr (Bytes::kReads) {
-        if (near) part_states_[p].near = std::make_unique<NearPart>(parts_.parts[p]);
+        if (near) part_states_[p].near = std::make_unique<NearPart>();
       }
       if (near) bytes(*part_states_[p].near);
     }
@@ -106,32 +107,7 @@ class TerrainNarrowPhase {
       bytes(axial, transverse, displacement_per_height);
     }
   };
-  struct VertexState {
-    bool outside = false;  ///< true if the vertex cannot be in contact at present
-    // If `outside`: the listed face whose plane it may reach first, and the bound for all others.
-    std::uint32_t closest_plane = kNoFeature;
-    SeparationBound other_features_bound;
-    std::uint32_t near_face = 0;  ///< index of the nearest face in the list of the part
-    // While the vertex's foot stays on `nearest_face`, no other face needs a test. This holds up to
-    // a `displacement.total` of `inside_until` if the vertex is inside the ground, and of
-    // `outside_until` if it is outside but within reach.
-    std::uint32_t nearest_face = kNoFeature;
-    double foot_on_face_until = -1.0;  ///< bound before which the foot stays on the face
-    double inside_until = -1.0;
-    double outside_until = -1.0;
-
-    template <class Bytes>
-    void serialize(Bytes& bytes) {
-      bytes(outside, closest_plane, other_features_bound, near_face, nearest_face,
-            foot_on_face_until, inside_until, outside_until);
-    }
-  };
   struct NearPart {
-    explicit NearPart(const BlockPart& part)
-        : first_vertex(part.first_vertex),
-          vertices(part.end_vertex - part.first_vertex),
-          vertex_bounds(vertices.size()) {}
-
     LocalFaces ground;
     /// Distance from the part up to which its ground list was complete when made, m.
     double complete_distance = 0.0;
@@ -142,21 +118,18 @@ class TerrainNarrowPhase {
     Vec3 centre = Vec3::Zero();
     double turned = 0.0;                      ///< `accumulated_rotation_` at the same time
     std::vector<FaceNormalComponents> tilts;  ///< normal components of each face of `ground`
+    std::vector<FacePrism> prisms;            ///< prisms over the faces of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
-    std::uint32_t first_vertex;  ///< index into `BlockParts::vertices`
-    // Indexed by vertex within the part:
-    std::vector<VertexState> vertices;
-    std::vector<SeparationBound> vertex_bounds;
-    std::vector<std::uint32_t> expired_vertices;  ///< ascending; mostly vertices in contact
-    SeparationBound other_vertices, all_features,
-        all_pairs;  ///< combined bound of each group
+    /// True if the overlaps found by the last search bound the depth of all vertices.
+    bool depth_known = false;
+    // Combined bound of each group.
+    SeparationBound all_vertices, all_features, all_pairs;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
-            features, pairs, vertices, vertex_bounds, expired_vertices, other_vertices,
-            all_features, all_pairs);
+            prisms, features, pairs, depth_known, all_vertices, all_features, all_pairs);
     }
   };
   struct PartState {
@@ -196,6 +169,9 @@ class TerrainNarrowPhase {
     std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
     /// Those of `near_parts` that no plane separates from some ground face.
     std::vector<std::uint32_t> unseparated_parts;
+    IndexList close_faces;  ///< listed ground faces that may touch a vertex of a part
+    /// Vertices of a part with the results of the filter.
+    std::vector<FilteredVertices> vertices;
   };
   static Scratch& scratch();
 
@@ -257,28 +233,25 @@ class TerrainNarrowPhase {
   SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
-  // `vertex` is the index within the part. Contacts are added to `found`.
-
-  std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
-    return parts_.vertices[part.first_vertex + vertex];
-  }
-
-  /// Updates all vertices of a block part whose separation bounds have expired.
+  /// Tests all vertices of a block part if their separation bound has expired.
   /// @param ahead  further displacement for which contacts must be found
   void update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
-  void update_vertex(NearPart& part, std::uint32_t vertex, const AccumulatedDisplacement& ahead,
-                     FoundContacts& found);
-  /// Returns the separation bound of a vertex outside the ground; it is expired if contact is
-  /// possible.
-  SeparationBound ground_separation_bound(NearPart& part, std::uint32_t vertex, const Vec3& centre);
-  /// Returns the separation bound of a vertex from the plane that it may reach first; it is expired
-  /// if the bound from other features has expired.
-  SeparationBound plane_separation_bound(const NearPart& part, std::uint32_t vertex,
-                                         const Vec3& centre) const;
-  bool update_nearest_face(NearPart& part, std::uint32_t vertex, const Vec3& centre,
-                           FoundContacts& found);
-  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre,
-                      FoundContacts& found);
+  /// Fills `Scratch::vertices` with the vertices of a block part, compared with the ground faces
+  /// near it.
+  void filter_part_vertices(std::uint32_t p);
+  /// Makes the contact of a vertex with the only ground face within reach of it, or inside the
+  /// ground with the nearest face.
+  /// @param centre  position of the vertex in the frame of the ground
+  /// @return false if the vertex needs an exact test
+  bool add_face_contact(const NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                        std::uint32_t listed_face, FoundContacts& found) const;
+  /// Tests a vertex against all listed ground faces.
+  /// @param near_face  index of a listed face that is probably near
+  void test_vertex(const NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                   std::uint32_t near_face, FoundContacts& found) const;
+  /// Returns the separation bound of the filtered vertices of a block part, which are not in
+  /// contact.
+  SeparationBound vertices_separation_bound(std::uint32_t p) const;
   /// Updates all edges and faces of a block part whose separation bounds have expired.
   void update_sides(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
   /// Lists the edges and faces of a block part that are near a ground feature.

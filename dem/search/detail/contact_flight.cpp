@@ -128,14 +128,14 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   update_vertices(p, ahead, found);
   update_sides(p, ahead, found);
   part_expiry_[p] = next_update(p);
-  if (!part.expired_vertices.empty()) return 0.0;
+  if (part.all_vertices.is_expired(part.displacement)) return 0.0;
   const AccumulatedDisplacement then = part.displacement + ahead;
   double time = wanted;
   if (list_expiry(part) < then.total) {
     time = time_for(list_expiry(part) - part.displacement.total, 0.0, 1.0, speed);
   }
   for (const SeparationBound* separation_bound :
-       {&part.other_vertices, &part.all_features, &part.all_pairs}) {
+       {&part.all_vertices, &part.all_features, &part.all_pairs}) {
     if (!separation_bound->is_expired(then)) continue;
     time = std::min(time, time_for(separation_bound->remaining(part.displacement),
                                    separation_bound->axial_coefficient,

@@ -1,214 +1,141 @@
-// Contacts of block vertices: separation bounds and contact tests.
+// Contacts of block vertices: filter, exact tests and separation bounds.
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "dem/search/terrain_narrow_phase.hpp"
 
 namespace clast::dem_detail {
 namespace {
 
-/// A vertex this many margins above the bounding plane of the ground near its part needs no test.
-constexpr double kEnough = 0.25;
-/// Faces up to this many margins farther than the nearest are distinguished from it.
-constexpr double kDistinctGroundMargins = 4.0;
+/// A face this many margins from the bounding sphere of a part is not compared with its vertices.
+constexpr double kSphereMargins = 1.0;
+/// Depth of vertices of which nothing is known, m.
+constexpr double kUnknownDepth = 1e100;
 
 }  // namespace
 
 void TerrainNarrowPhase::update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead,
                                          FoundContacts& found) {
   NearPart& part = *part_states_[p].near;
-  const AccumulatedDisplacement displacement = part.displacement, then = displacement + ahead;
-  EarliestBoundExpiry first(displacement);
-  const std::span<const SeparationBound> separation_bound(part.vertex_bounds);
-  if (!part.other_vertices.is_expired(then)) {
-    if (part.expired_vertices.empty()) return;
-    first.include(part.other_vertices);
-    std::erase_if(part.expired_vertices, [&](std::uint32_t v) {
-      update_vertex(part, v, ahead, found);
-      if (separation_bound[v].is_expired(displacement)) return false;
-      first.include(separation_bound[v]);
-      return true;
-    });
-  } else {
-    part.expired_vertices.clear();
-    for (std::uint32_t v = 0; v < separation_bound.size(); ++v) {
-      if (separation_bound[v].is_expired(then)) {
-        update_vertex(part, v, ahead, found);
-        if (separation_bound[v].is_expired(displacement)) {
-          part.expired_vertices.push_back(v);
-          continue;
-        }
+  if (!part.all_vertices.is_expired(part.displacement + ahead)) return;
+  filter_part_vertices(p);
+  const std::uint32_t first = parts_.parts[p].first_vertex, end = parts_.parts[p].end_vertex;
+  const FilteredVertices* group = scratch().vertices.data();
+  const std::size_t known_contacts = found.contacts.size();
+  for (std::uint32_t v = first; v < end; v += 4, ++group) {
+    for (std::uint32_t lane = 0; lane < 4 && v + lane < end; ++lane) {
+      if (group->result[lane] == FilteredVertices::kClear) continue;
+      const std::uint32_t vertex = parts_.vertices[v + lane];
+      const auto face = static_cast<std::uint32_t>(group->face[lane]);
+      const Vec3 centre(group->placed.x[lane], group->placed.y[lane], group->placed.z[lane]);
+      if (group->result[lane] == FilteredVertices::kUnknown ||
+          !add_face_contact(part, vertex, centre, face, found)) {
+        test_vertex(part, vertex, centre, face, found);
       }
-      first.include(separation_bound[v]);
     }
   }
-  part.other_vertices = first.separation_bound();
+  part.depth_known = true;
+  part.all_vertices =
+      found.contacts.size() > known_contacts ? SeparationBound() : vertices_separation_bound(p);
 }
 
-void TerrainNarrowPhase::update_vertex(NearPart& part, std::uint32_t v,
-                                       const AccumulatedDisplacement& ahead, FoundContacts& found) {
-  const Vec3 centre = in_ground_frame(block_.vertices[block_vertex(part, v)]);
-  if (update_nearest_face(part, v, centre, found)) return;
-  const SeparationBound by_closest = plane_separation_bound(part, v, centre);
-  if (!by_closest.is_expired(part.displacement + ahead)) {
-    part.vertex_bounds[v] = by_closest;
-    return;
-  }
-  const BoundingPlane& plane = part.ground.plane;
-  const double above = plane.clearance(centre) - reach_;
-  if (above > kEnough * margin_) {
-    const SeparationBound by_plane =
-        separation_bound(part, plane.normal, above, remaining_complete_distance(part) - reach_);
-    if (!by_plane.is_expired(part.displacement + ahead)) {
-      part.vertices[v].outside = true;
-      part.vertex_bounds[v] = by_plane;
-      return;
-    }
-  }
-  if (part.vertices[v].outside) {
-    const SeparationBound clear = ground_separation_bound(part, v, centre);
-    if (!clear.is_expired(part.displacement)) {
-      part.vertex_bounds[v] = clear;
-      return;
-    }
-  }
-  measure_vertex(part, v, centre, found);
+void TerrainNarrowPhase::filter_part_vertices(std::uint32_t p) {
+  const NearPart& part = *part_states_[p].near;
+  const BlockPart& of_block = parts_.parts[p];
+  // A vertex inside the ground was a contact of the last search, or has entered the ground since.
+  const double max_depth = part.depth_known ? deepest_ + last_move_ : kUnknownDepth;
+  const double touching = of_block.radius + std::max(reach_, max_depth);
+  const Vec3& centre = part.centre;
+  IndexList& close_faces = scratch().close_faces;
+  close_faces.fill_if(static_cast<std::uint32_t>(part.prisms.size()), [&](std::uint32_t i) {
+    const FacePrism& face = part.prisms[i];
+    const auto distance_from = [&](const double* normal, double offset) {
+      return normal[0] * centre.x() + normal[1] * centre.y() + normal[2] * centre.z() - offset;
+    };
+    return std::abs(distance_from(face.normal, face.offset)) <= touching &&
+           distance_from(face.inward[0], face.inward_offset[0]) >= -touching &&
+           distance_from(face.inward[1], face.inward_offset[1]) >= -touching &&
+           distance_from(face.inward[2], face.inward_offset[2]) >= -touching;
+  });
+  const std::size_t group_count = of_block.end_group - of_block.first_group;
+  std::vector<FilteredVertices>& vertices = scratch().vertices;
+  vertices.resize(std::max(vertices.size(), group_count));
+  filter_vertices({.rotation = tests_.rotation().data(),
+                   .position = tests_.position().data(),
+                   .reach = reach_,
+                   .max_depth = max_depth},
+                  parts_.vertex_groups.data() + of_block.first_group, group_count,
+                  part.prisms.data(), close_faces.begin(), close_faces.size(), vertices.data());
 }
 
-SeparationBound TerrainNarrowPhase::plane_separation_bound(const NearPart& part, std::uint32_t v,
-                                                           const Vec3& centre) const {
-  const VertexState& state = part.vertices[v];
-  if (state.closest_plane == kNoFeature) return {};
-  const LocalFaces::Face& face = part.ground.faces[state.closest_plane];
-  const double height = face.normal.dot(centre) - face.offset - reach_;
-  if (!(height > 0.0)) return {};
-  const FaceNormalComponents& tilt = part.tilts[state.closest_plane];
-  EarliestBoundExpiry first(part.displacement);
-  first.include(state.other_features_bound);
-  first.include(
-      SeparationCoefficients{tilt.axial / height, tilt.transverse / height}.separation_bound(
-          part.displacement));
-  return first.separation_bound();
+bool TerrainNarrowPhase::add_face_contact(const NearPart& part, std::uint32_t vertex,
+                                          const Vec3& centre, std::uint32_t listed_face,
+                                          FoundContacts& found) const {
+  const std::uint32_t index = part.ground.faces[listed_face].face;
+  const SurfaceFace& face = ground_.features.faces[index];
+  const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
+  if (height >= reach_) return true;  // by rounding
+  if (-height >= remaining_complete_distance(part)) return false;
+  if (height < 0.0 && tests_.pushes_through_block(vertex, face.normal)) return false;
+  ContactPoint& contact = found.contacts.emplace_back();
+  contact.block_feature = vertex;
+  contact.ground_feature = contact.ground_face = index;
+  contact.normal = face.normal;
+  contact.overlap = reach_ - height;
+  contact.surface_point = centre + (ground_.radius - height) * face.normal;
+  return true;
 }
 
-SeparationBound TerrainNarrowPhase::ground_separation_bound(NearPart& part, std::uint32_t v,
-                                                            const Vec3& centre) {
-  VertexState& state = part.vertices[v];
-  state.closest_plane = kNoFeature;
-  const double complete = remaining_complete_distance(part) - reach_;
-  if (!(complete > 0.0)) return {};
-  double apart_from_far = complete;
-  SeparationCoefficients others, plane;
-  std::uint32_t closest = kNoFeature;
-  for (std::uint32_t i = 0; i < part.ground.faces.size(); ++i) {
-    const LocalFaces::Face& face = part.ground.faces[i];
-    const FaceNormalComponents& tilt = part.tilts[i];
-    // The separating plane is that of the face, or one that touches its bounding sphere.
-    const double height = face.normal.dot(centre) - face.offset - reach_;
-    const double by_plane = height * tilt.displacement_per_height;
-    const double ball = face.radius + reach_, near = ball + std::max(0.0, by_plane);
-    const double squared = (centre - face.centre).squaredNorm();
-    if (!tilt.is_at_border() && squared > near * near) {
-      const double farther = ball + apart_from_far;
-      if (squared < farther * farther) apart_from_far = std::sqrt(squared) - ball;
-    } else if (height > 0.0) {
-      SeparationCoefficients by_this{tilt.axial / height, tilt.transverse / height};
-      if (by_this.sum() > plane.sum()) {
-        std::swap(by_this, plane);
-        closest = i;
-      }
-      others.include(by_this);
-    } else if (tilt.is_at_border()) {
-      return {};
-    } else {
-      const NearestPoint nearest = nearest_point_on_face(ground_.features, face.face, centre);
-      const double distance = nearest.distance - reach_;
-      if (!(distance > 0.0)) return {};
-      const Vec3 away = (centre - nearest.point) / nearest.distance;
-      const double axial = std::min(std::abs(away.dot(part.axis)), 1.0);
-      others.include({axial / distance, std::sqrt(1.0 - axial * axial) / distance});
-    }
-  }
-  others.include({1.0 / apart_from_far, 1.0 / apart_from_far});
-  state.closest_plane = closest;
-  state.other_features_bound = others.separation_bound(part.displacement);
-  others.include(plane);
-  return others.separation_bound(part.displacement);
-}
-
-void TerrainNarrowPhase::measure_vertex(NearPart& part, std::uint32_t v, const Vec3& centre,
-                                        FoundContacts& found) {
-  VertexState& state = part.vertices[v];
+void TerrainNarrowPhase::test_vertex(const NearPart& part, std::uint32_t vertex,
+                                     const Vec3& centre, std::uint32_t near_face,
+                                     FoundContacts& found) const {
   const double complete = remaining_complete_distance(part);
-  const LocalFaces::NearestFace of_faces = part.ground.nearest(
-      ground_.features, centre, complete, kDistinctGroundMargins * margin_, state.near_face);
-  const NearestPoint& nearest = of_faces.nearest;
-  state.near_face = of_faces.entry;
-  const double depth = std::abs(nearest.distance);
-
-  state.nearest_face = kNoFeature;
-  state.outside = nearest.distance >= reach_ && depth < complete;
-  part.vertex_bounds[v] = {};
-  if (depth >= complete) {
-    // Nothing is known about ground that is not listed.
-    part.vertex_bounds[v] = separation_bound(part, part.axis, complete - reach_, complete - reach_);
-    return;
-  }
-  const bool inverted =
-      nearest.distance < 0.0 && tests_.is_inverted_push(block_vertex(part, v), centre, nearest);
-  if (nearest.within_face && !inverted) {
-    state.nearest_face = nearest.face;
-    state.foot_on_face_until = part.displacement.total;
-    state.inside_until = part.displacement.total + 0.5 * (of_faces.second - depth);
-    state.outside_until = part.displacement.total + (of_faces.second - reach_);
-  }
-  if (nearest.distance >= reach_) {
-    const Vec3 away = nearest.within_face ? nearest.normal : Vec3((centre - nearest.point) / depth);
-    part.vertex_bounds[v] =
-        separation_bound(part, away, nearest.distance - reach_, of_faces.second - reach_);
-    return;
-  }
-  const std::uint32_t vertex = block_vertex(part, v);
+  const NearestPoint nearest =
+      part.ground.nearest(ground_.features, centre, complete, 0.0, near_face).nearest;
+  // Nothing is known about ground that is not listed.
+  if (std::abs(nearest.distance) >= complete || nearest.distance >= reach_) return;
   if (nearest.distance >= 0.0) {
     return tests_.add_outside_contacts(vertex, centre, part.ground.faces, found.contacts);
   }
   found.contacts.push_back(tests_.make_inside_contact(
       vertex, centre,
-      inverted ? tests_.nearest_valid_push_point(vertex, centre, nearest, part.ground.faces)
-               : nearest));
+      tests_.is_inverted_push(vertex, centre, nearest)
+          ? tests_.nearest_valid_push_point(vertex, centre, nearest, part.ground.faces)
+          : nearest));
 }
 
-bool TerrainNarrowPhase::update_nearest_face(NearPart& part, std::uint32_t v, const Vec3& centre,
-                                             FoundContacts& found) {
-  VertexState& state = part.vertices[v];
-  if (state.nearest_face == kNoFeature) return false;
-  const double displacement = part.displacement.total;
-  const SurfaceFace& face = ground_.features.faces[state.nearest_face];
-  const double height = face.normal.dot(centre - ground_.features.vertices[face.vertices[0]]);
-  if (displacement >= (height < 0.0 ? state.inside_until : state.outside_until)) return false;
-  if (height >= reach_) {
-    const double others = state.outside_until - displacement;
-    if (others < height - reach_) return false;
-    state.outside = true;
-    part.vertex_bounds[v] = separation_bound(part, face.normal, height - reach_, others);
-    return true;
+SeparationBound TerrainNarrowPhase::vertices_separation_bound(std::uint32_t p) const {
+  const NearPart& part = *part_states_[p].near;
+  const BlockPart& of_block = parts_.parts[p];
+  const double complete = remaining_complete_distance(part) - reach_;
+  if (!(complete > 0.0)) return {};
+  double from_faces = complete;
+  SeparationCoefficients all;
+  for (std::size_t i = 0; i < part.prisms.size(); ++i) {
+    const LocalFaces::Face& face = part.ground.faces[i];
+    const FaceNormalComponents& tilt = part.tilts[i];
+    // The separating plane is that of the face, or one that touches its bounding sphere.
+    const double touching = of_block.radius + reach_;
+    PrismClearance clearance{face.normal.dot(part.centre) - face.offset - touching, 1e300};
+    const double by_plane = clearance.over_plane * tilt.displacement_per_height;
+    const double enough = std::max(by_plane, kSphereMargins * margin_);
+    const double far = touching + face.radius + enough;
+    if (const double squared = (part.centre - face.centre).squaredNorm();
+        !tilt.is_at_border() && squared > far * far) {
+      from_faces = std::min(from_faces, std::sqrt(squared) - touching - face.radius);
+      continue;
+    }
+    if (by_plane < kSphereMargins * margin_) {
+      clearance = measure_prism_clearance(part.prisms[i], tilt.displacement_per_height, reach_,
+                                          scratch().vertices.data(),
+                                          of_block.end_group - of_block.first_group);
+    }
+    if (!(clearance.over_plane > 0.0 && clearance.from_face > 0.0)) return {};
+    from_faces = std::min(from_faces, clearance.from_face);
+    all.include({tilt.axial / clearance.over_plane, tilt.transverse / clearance.over_plane});
   }
-  if (displacement >= state.foot_on_face_until) {
-    const double inside = distance_inside_face(ground_.features, face, centre);
-    if (inside < 0.0) return false;
-    state.foot_on_face_until = displacement + inside;
-  }
-  if (height < 0.0 && tests_.pushes_through_block(block_vertex(part, v), face.normal)) return false;
-  part.vertex_bounds[v] = {};
-  ContactPoint contact;
-  contact.block_feature = block_vertex(part, v);
-  contact.ground_feature = contact.ground_face = state.nearest_face;
-  contact.normal = face.normal;
-  contact.overlap = reach_ - height;
-  contact.surface_point = centre + (ground_.radius - height) * face.normal;
-  found.contacts.push_back(contact);
-  return true;
+  all.include({1.0 / from_faces, 1.0 / from_faces});
+  return all.separation_bound(part.displacement);
 }
 
 }  // namespace clast::dem_detail
