@@ -246,16 +246,12 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   state.ground.collect_near(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
   state.tilts.clear();
-  state.prisms.clear();
   for (const LocalFaces::Face& face : state.ground.faces) {
     const double axial = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
-    const std::array<std::uint32_t, 3>& of_face = ground_.features.faces[face.face].edges;
-    const bool at_border = std::any_of(of_face.begin(), of_face.end(), [&](std::uint32_t edge) {
-      return ground_.features.edges[edge].kind == EdgeKind::kBorder;
-    });
     const double transverse = std::sqrt(1.0 - axial * axial);
-    state.tilts.push_back({axial, transverse, at_border ? 0.0 : 2.0 / (axial + transverse)});
-    state.prisms.push_back(make_face_prism(ground_.features, face, at_border));
+    state.tilts.push_back(
+        {axial, transverse,
+         is_at_border(ground_.features, face.face) ? 0.0 : 2.0 / (axial + transverse)});
   }
   state.pairs.clear();
   state.features.clear();
@@ -271,7 +267,7 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   for (const std::uint32_t pointed_vertex : local_.pointed_vertices) {
     list_near(true, pointed_vertex, features.vertices[pointed_vertex]);
   }
-  shrink_capacity(state.tilts, state.prisms, state.features, state.pairs);
+  shrink_capacity(state.tilts, state.features, state.pairs);
 }
 
 void TerrainNarrowPhase::update_axis(std::uint32_t p) {

@@ -118,7 +118,6 @@ class TerrainNarrowPhase {
     Vec3 centre = Vec3::Zero();
     double turned = 0.0;                      ///< `accumulated_rotation_` at the same time
     std::vector<FaceNormalComponents> tilts;  ///< normal components of each face of `ground`
-    std::vector<FacePrism> prisms;            ///< prisms over the faces of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
     /// True if the overlaps found by the last search bound the depth of all vertices.
@@ -129,7 +128,7 @@ class TerrainNarrowPhase {
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
-            prisms, features, pairs, depth_known, all_vertices, all_features, all_pairs);
+            features, pairs, depth_known, all_vertices, all_features, all_pairs);
     }
   };
   struct PartState {

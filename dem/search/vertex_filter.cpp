@@ -1,7 +1,5 @@
 #include "dem/search/vertex_filter.hpp"
 
-#include <algorithm>
-
 #if defined(__x86_64__) && defined(__GNUC__)
 #define CLAST_HAS_AVX2_FUNCTIONS
 #endif
@@ -38,8 +36,8 @@ CLAST_VECTOR_BODY store(double* to, const Lanes& lanes) {
 CLAST_VECTOR_BODY project(const FacePrism& face, const Lanes& x, const Lanes& y, const Lanes& z,
                           Lanes& height, Lanes& inside) {
   height = face.normal[0] * x + face.normal[1] * y + face.normal[2] * z - face.offset;
-  inside = face.inward[0][0] * x + face.inward[0][1] * y + face.inward[0][2] * z -
-           face.inward_offset[0];
+  inside =
+      face.inward[0][0] * x + face.inward[0][1] * y + face.inward[0][2] * z - face.inward_offset[0];
   for (int k = 1; k < 3; ++k) {
     const Lanes one = face.inward[k][0] * x + face.inward[k][1] * y + face.inward[k][2] * z -
                       face.inward_offset[k];
@@ -71,8 +69,8 @@ CLAST_VECTOR_BODY filter_in_lanes(const VertexFilterSettings& settings, const Ve
     store(filtered[g].placed.y, y);
     store(filtered[g].placed.z, z);
 
-    // Squared distance bounds: of the nearest face, of all other faces, of the nearest face with the
-    // vertex below its plane, and of the nearest with the vertex over it, which is exact.
+    // Squared distance bounds: of the nearest face, of all other faces, of the nearest face with
+    // the vertex below its plane, and of the nearest with the vertex over it, which is exact.
     Lanes nearest = zero + kFar, others = nearest, below = nearest, over = nearest;
     Lanes height_of_nearest = zero, inside_of_nearest = zero;
     LaneMask nearest_face = {};
@@ -102,11 +100,11 @@ CLAST_VECTOR_BODY filter_in_lanes(const VertexFilterSettings& settings, const Ve
     const LaneMask within = inside_of_nearest > zero + kDistanceRounding;
     const LaneMask one_inside =
         (height_of_nearest < zero) & (others > nearest * kSquareFraction + kSquareRounding);
-    const LaneMask one_outside = (height_of_nearest >= zero) & outside &
-                                 (nearest < reach_squared) & (others > clear_squared);
+    const LaneMask one_outside = (height_of_nearest >= zero) & outside & (nearest < reach_squared) &
+                                 (others > clear_squared);
     const LaneMask one_face = within & (one_inside | one_outside);
-    const LaneMask touching = one_face ? no_mask + FilteredVertices::kOneFace
-                                       : no_mask + FilteredVertices::kUnknown;
+    const LaneMask touching =
+        one_face ? no_mask + FilteredVertices::kOneFace : no_mask + FilteredVertices::kUnknown;
     const LaneMask result = is_clear ? no_mask + FilteredVertices::kClear : touching;
     __builtin_memcpy(filtered[g].result, &result, sizeof result);
     __builtin_memcpy(filtered[g].face, &nearest_face, sizeof nearest_face);
@@ -150,9 +148,11 @@ __attribute__((target("avx2"))) void filter_with_avx2(
     FilteredVertices* filtered) {
   filter_in_lanes(settings, groups, group_count, faces, close_faces, close_face_count, filtered);
 }
-__attribute__((target("avx2"))) void measure_with_avx2(
-    const FacePrism& face, double displacement_per_height, double reach,
-    const FilteredVertices* vertices, std::size_t group_count, PrismClearance& result) {
+__attribute__((target("avx2"))) void measure_with_avx2(const FacePrism& face,
+                                                       double displacement_per_height, double reach,
+                                                       const FilteredVertices* vertices,
+                                                       std::size_t group_count,
+                                                       PrismClearance& result) {
   measure_in_lanes(face, displacement_per_height, reach, vertices, group_count, result);
 }
 #endif
@@ -167,21 +167,6 @@ InstructionSet widest_instruction_set() {
 #else
   return InstructionSet::kPortable;
 #endif
-}
-
-FacePrism make_face_prism(const SurfaceFeatures& ground, const LocalFaces::Face& face,
-                          bool is_at_border) {
-  FacePrism prism{{face.normal.x(), face.normal.y(), face.normal.z()}, face.offset, {}, {}};
-  if (is_at_border) return prism;
-  const SurfaceFace& of_ground = ground.faces[face.face];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& start = ground.vertices[of_ground.vertices[k]];
-    const Vec3& end = ground.vertices[of_ground.vertices[(k + 1) % 3]];
-    const Vec3 inward = face.normal.cross(end - start).normalized();
-    std::copy_n(inward.data(), 3, prism.inward[k]);
-    prism.inward_offset[k] = inward.dot(start);
-  }
-  return prism;
 }
 
 void filter_vertices(const VertexFilterSettings& settings, const VertexGroup* groups,

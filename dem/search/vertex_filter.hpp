@@ -1,7 +1,7 @@
 #pragma once
-/// Vertex filter: compares all vertices of a block part with the ground faces near it, four vertices
-/// at a time. It proves that most vertices touch nothing, or one face only; the others need an exact
-/// test. The results are the same to the last bit with every instruction set.
+/// Vertex filter: compares all vertices of a block part with the ground faces near it, four
+/// vertices at a time. It proves that most vertices touch nothing, or one face only; the others
+/// need an exact test. The results are the same to the last bit with every instruction set.
 #include <cstddef>
 #include <cstdint>
 
@@ -14,27 +14,6 @@ namespace clast::dem_detail {
 enum class InstructionSet { kPortable, kAvx2 };
 /// Returns the widest of these instruction sets that the processor has.
 InstructionSet widest_instruction_set();
-
-/// Prism over a ground face: the plane of the face, and the planes through its edges perpendicular
-/// to it.
-struct FacePrism {
-  double normal[3];  ///< unit normal of the face, out of the ground
-  double offset;     ///< a point is normal.dot(point) - offset above the plane, m
-  /// Unit normals of the planes through the edges, towards the face, and their offsets, m. All are
-  /// zero for a face at a border: the ground continues there as a plane, which has no edges.
-  double inward[3][3];
-  double inward_offset[3];
-
-  template <class Bytes>
-  void serialize(Bytes& bytes) {
-    bytes(offset);
-    for (int k = 0; k < 3; ++k) {
-      bytes(normal[k], inward[k][0], inward[k][1], inward[k][2], inward_offset[k]);
-    }
-  }
-};
-FacePrism make_face_prism(const SurfaceFeatures& ground, const LocalFaces::Face& face,
-                          bool is_at_border);
 
 struct VertexFilterSettings {
   /// Rotation matrix from the body frame to the frame of the ground, by columns.
@@ -83,7 +62,8 @@ struct PrismClearance {
 };
 /// Measures the clearances of filtered vertices from one face.
 /// @param displacement_per_height  displacement before contact, per height over the plane; 0 for a
-///                                 face at a border, which only its plane may separate from vertices
+///                                 face at a border, which only its plane may separate from
+///                                 vertices
 PrismClearance measure_prism_clearance(const FacePrism& face, double displacement_per_height,
                                        double reach, const FilteredVertices* vertices,
                                        std::size_t group_count,

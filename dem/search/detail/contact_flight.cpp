@@ -60,14 +60,6 @@ struct Approach {
   double falling;  ///< acceleration towards the plane, m/s^2
 };
 
-/// True if the face is at a border, beyond which the ground continues as a plane.
-bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
-  const std::array<std::uint32_t, 3>& edges = surface.faces[face].edges;
-  return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
-    return surface.edges[edge].kind == EdgeKind::kBorder;
-  });
-}
-
 }  // namespace
 
 double TerrainNarrowPhase::contact_free_displacement() {

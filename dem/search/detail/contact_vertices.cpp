@@ -8,7 +8,7 @@ namespace clast::dem_detail {
 namespace {
 
 /// A face this many margins from the bounding sphere of a part is not compared with its vertices.
-constexpr double kSphereMargins = 1.0;
+constexpr double kSphereMargins = 0.5;
 /// Depth of vertices of which nothing is known, m.
 constexpr double kUnknownDepth = 1e100;
 
@@ -45,17 +45,11 @@ void TerrainNarrowPhase::filter_part_vertices(std::uint32_t p) {
   // A vertex inside the ground was a contact of the last search, or has entered the ground since.
   const double max_depth = part.depth_known ? deepest_ + last_move_ : kUnknownDepth;
   const double touching = of_block.radius + std::max(reach_, max_depth);
-  const Vec3& centre = part.centre;
+  const std::vector<FacePrism>& prisms = part.ground.prisms;
   IndexList& close_faces = scratch().close_faces;
-  close_faces.fill_if(static_cast<std::uint32_t>(part.prisms.size()), [&](std::uint32_t i) {
-    const FacePrism& face = part.prisms[i];
-    const auto distance_from = [&](const double* normal, double offset) {
-      return normal[0] * centre.x() + normal[1] * centre.y() + normal[2] * centre.z() - offset;
-    };
-    return std::abs(distance_from(face.normal, face.offset)) <= touching &&
-           distance_from(face.inward[0], face.inward_offset[0]) >= -touching &&
-           distance_from(face.inward[1], face.inward_offset[1]) >= -touching &&
-           distance_from(face.inward[2], face.inward_offset[2]) >= -touching;
+  close_faces.fill_if(static_cast<std::uint32_t>(prisms.size()), [&](std::uint32_t i) {
+    return std::abs(prisms[i].height(part.centre)) <= touching &&
+           prisms[i].distance_beside(part.centre) <= touching;
   });
   const std::size_t group_count = of_block.end_group - of_block.first_group;
   std::vector<FilteredVertices>& vertices = scratch().vertices;
@@ -64,8 +58,8 @@ void TerrainNarrowPhase::filter_part_vertices(std::uint32_t p) {
                    .position = tests_.position().data(),
                    .reach = reach_,
                    .max_depth = max_depth},
-                  parts_.vertex_groups.data() + of_block.first_group, group_count,
-                  part.prisms.data(), close_faces.begin(), close_faces.size(), vertices.data());
+                  parts_.vertex_groups.data() + of_block.first_group, group_count, prisms.data(),
+                  close_faces.begin(), close_faces.size(), vertices.data());
 }
 
 bool TerrainNarrowPhase::add_face_contact(const NearPart& part, std::uint32_t vertex,
@@ -86,9 +80,8 @@ bool TerrainNarrowPhase::add_face_contact(const NearPart& part, std::uint32_t ve
   return true;
 }
 
-void TerrainNarrowPhase::test_vertex(const NearPart& part, std::uint32_t vertex,
-                                     const Vec3& centre, std::uint32_t near_face,
-                                     FoundContacts& found) const {
+void TerrainNarrowPhase::test_vertex(const NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                                     std::uint32_t near_face, FoundContacts& found) const {
   const double complete = remaining_complete_distance(part);
   const NearestPoint nearest =
       part.ground.nearest(ground_.features, centre, complete, 0.0, near_face).nearest;
@@ -109,30 +102,31 @@ SeparationBound TerrainNarrowPhase::vertices_separation_bound(std::uint32_t p) c
   const BlockPart& of_block = parts_.parts[p];
   const double complete = remaining_complete_distance(part) - reach_;
   if (!(complete > 0.0)) return {};
+  const double touching = of_block.radius + reach_, enough = kSphereMargins * margin_;
   double from_faces = complete;
   SeparationCoefficients all;
-  for (std::size_t i = 0; i < part.prisms.size(); ++i) {
-    const LocalFaces::Face& face = part.ground.faces[i];
+  for (std::size_t i = 0; i < part.ground.prisms.size(); ++i) {
+    // First the bounding sphere of the part is measured, then, if it is near, the vertices.
+    const FacePrism& prism = part.ground.prisms[i];
     const FaceNormalComponents& tilt = part.tilts[i];
-    // The separating plane is that of the face, or one that touches its bounding sphere.
-    const double touching = of_block.radius + reach_;
-    PrismClearance clearance{face.normal.dot(part.centre) - face.offset - touching, 1e300};
-    const double by_plane = clearance.over_plane * tilt.displacement_per_height;
-    const double enough = std::max(by_plane, kSphereMargins * margin_);
-    const double far = touching + face.radius + enough;
-    if (const double squared = (part.centre - face.centre).squaredNorm();
-        !tilt.is_at_border() && squared > far * far) {
-      from_faces = std::min(from_faces, std::sqrt(squared) - touching - face.radius);
-      continue;
+    const double height = prism.height(part.centre);
+    double over_plane = height - touching;
+    double from_face = std::max(std::abs(height), prism.distance_beside(part.centre)) - touching;
+    if (tilt.is_at_border() ||
+        std::max(over_plane * tilt.displacement_per_height, from_face) < enough) {
+      const PrismClearance clearance = measure_prism_clearance(
+          prism, tilt.displacement_per_height, reach_, scratch().vertices.data(),
+          of_block.end_group - of_block.first_group);
+      if (!(clearance.over_plane > 0.0 && clearance.from_face > 0.0)) return {};
+      over_plane = clearance.over_plane;
+      from_face = clearance.from_face;
+    } else if (over_plane * tilt.displacement_per_height > from_face) {
+      from_face = 1e300;
+    } else {
+      over_plane = 1e300;
     }
-    if (by_plane < kSphereMargins * margin_) {
-      clearance = measure_prism_clearance(part.prisms[i], tilt.displacement_per_height, reach_,
-                                          scratch().vertices.data(),
-                                          of_block.end_group - of_block.first_group);
-    }
-    if (!(clearance.over_plane > 0.0 && clearance.from_face > 0.0)) return {};
-    from_faces = std::min(from_faces, clearance.from_face);
-    all.include({tilt.axial / clearance.over_plane, tilt.transverse / clearance.over_plane});
+    from_faces = std::min(from_faces, from_face);
+    all.include({tilt.axial / over_plane, tilt.transverse / over_plane});
   }
   all.include({1.0 / from_faces, 1.0 / from_faces});
   return all.separation_bound(part.displacement);
