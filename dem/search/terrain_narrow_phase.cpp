@@ -44,6 +44,7 @@ TerrainNarrowPhase::TerrainNarrowPhase(const IndexedSurface& ground, const Block
   for (const BlockPart& part : parts_.parts) {
     farthest_ = std::max(farthest_, part.centre.norm() + part.radius);
   }
+  accumulated_per_displacement_ = std::min(1.0, farthest_ / block.bounding_radius);
 }
 
 TerrainNarrowPhase::Scratch& TerrainNarrowPhase::scratch() {
@@ -288,7 +289,7 @@ double TerrainNarrowPhase::next_update(std::uint32_t p) const {
         separation_bound->axial_coefficient + separation_bound->transverse_coefficient;
     if (remaining < least * used) least = remaining / used;
   }
-  return accumulated_displacement_ + least;
+  return std::min(accumulated_displacement_ + least, part.pairs_contact_free_until);
 }
 
 SeparationBound TerrainNarrowPhase::separation_bound(const NearPart& part, const Vec3& away,

@@ -87,10 +87,13 @@ class TerrainNarrowPhase {
     std::uint32_t side;  ///< index into BlockParts::sides
     std::uint32_t ground_feature;
     SeparationBound separation_bound;
+    /// Value of `accumulated_displacement_` below which contact is impossible. It is used if the
+    /// two features have passed each other and no plane separates them.
+    double contact_free_until = -1.0;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(kind, side, ground_feature, separation_bound);
+      bytes(kind, side, ground_feature, separation_bound, contact_free_until);
     }
   };
   /// Components of the normal of a ground face along the axis of a block part and perpendicular to
@@ -124,11 +127,14 @@ class TerrainNarrowPhase {
     bool depth_known = false;
     // Combined bound of each group.
     SeparationBound all_vertices, all_features, all_pairs;
+    /// Least `contact_free_until` of the pairs that need it, m.
+    double pairs_contact_free_until = 1e300;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
-            features, pairs, depth_known, all_vertices, all_features, all_pairs);
+            features, pairs, depth_known, all_vertices, all_features, all_pairs,
+            pairs_contact_free_until);
     }
   };
   struct PartState {
@@ -258,6 +264,10 @@ class TerrainNarrowPhase {
   void update_pair(const NearPart& part, FeaturePair& pair, FoundContacts& found);
   /// Returns the largest distance between a block edge or face and a ground feature in contact, m.
   double contact_distance() const { return std::max(reach_, depth_limit_.depth()); }
+  /// Returns the largest distance at which block edges on one side of a plane may touch a ground
+  /// edge on its other side, m. It is the reach if the plane faces out of the ground.
+  /// @param away  normal of the plane towards the block, of any length
+  double contact_distance_across(const SurfaceEdge& ground_edge, const Vec3& away) const;
   void add_side_contacts(FoundContacts& found);
   Vec3 in_ground_frame(const Vec3& in_body) const { return tests_.in_ground_frame(in_body); }
 
@@ -268,10 +278,12 @@ class TerrainNarrowPhase {
   double reach_;                   ///< sum of the rounding radii of block and ground, m
   double bounding_radius_ = 0.0;   ///< bounding radius of the core about the centre of mass, m
   double farthest_ = 0.0;          ///< largest distance of part spheres from the centre, m
-  double size_;                    ///< smallest side of the block, m
-  double margin_;                  ///< margin of the feature lists, m
-  double list_lifetime_;           ///< displacement of a part for which its ground list is valid, m
-  FeatureTests tests_;             ///< tests at the present pose
+  /// Accumulated displacement per displacement of `FeatureSeparation`, at least.
+  double accumulated_per_displacement_ = 1.0;
+  double size_;           ///< smallest side of the block, m
+  double margin_;         ///< margin of the feature lists, m
+  double list_lifetime_;  ///< displacement of a part for which its ground list is valid, m
+  FeatureTests tests_;    ///< tests at the present pose
 
   bool started_ = false;
   double displacement_ = 0.0;              ///< displacement passed to `find_contacts`, m

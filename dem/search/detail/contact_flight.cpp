@@ -126,6 +126,8 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   if (list_expiry(part) < then.total) {
     time = time_for(list_expiry(part) - part.displacement.total, 0.0, 1.0, speed);
   }
+  time = std::min(time, min_travel_time(part.pairs_contact_free_until - accumulated_displacement_,
+                                        flight.max_point_speed, flight.gravity));
   for (const SeparationBound* separation_bound :
        {&part.all_vertices, &part.all_features, &part.all_pairs}) {
     if (!separation_bound->is_expired(then)) continue;
