@@ -59,7 +59,7 @@ WorldSettings damped(WorldSettings settings) {
 /// Boxes in columns above an incline, turned at random.
 std::vector<RigidState> loose_boxes(int per_side, int layers, double apart, double angle) {
   std::vector<RigidState> starts;
-  Random random(5);
+  Random random(11);
   for (int k = 0; k < layers; ++k) {
     for (int i = 0; i < per_side; ++i) {
       for (int j = 0; j < per_side; ++j) {
