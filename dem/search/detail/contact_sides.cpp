@@ -39,17 +39,20 @@ void TerrainNarrowPhase::update_sides(std::uint32_t p, const AccumulatedDisplace
   part.pairs_contact_free_until = 1e300;
   EarliestBoundExpiry first(part.displacement);
   for (FeaturePair& pair : part.pairs) {
-    if (pair.separation_bound.is_expired(then) &&
-        !(accumulated_displacement_ < pair.contact_free_until)) {
-      update_pair(part, pair, found);
-    }
-    if (pair.separation_bound.is_expired(part.displacement) &&
-        accumulated_displacement_ < pair.contact_free_until) {
-      part.pairs_contact_free_until =
-          std::min(part.pairs_contact_free_until, pair.contact_free_until);
-    } else {
+    if (!pair.separation_bound.is_expired(then)) {
       first.include(pair.separation_bound);
+      continue;
     }
+    if (!(accumulated_displacement_ < pair.contact_free_until)) {
+      update_pair(part, pair, found);
+      if (!pair.separation_bound.is_expired(part.displacement) ||
+          !(accumulated_displacement_ < pair.contact_free_until)) {
+        first.include(pair.separation_bound);
+        continue;
+      }
+    }
+    part.pairs_contact_free_until =
+        std::min(part.pairs_contact_free_until, pair.contact_free_until);
   }
   part.all_pairs = first.separation_bound();
 }
@@ -95,17 +98,20 @@ void TerrainNarrowPhase::update_feature(std::uint32_t p, GroundFeature& feature)
     const BlockSide& side = parts_.sides[s];
     if (feature.is_vertex ? !side.is_face && !(reach_ > 0.0) : side.is_face) continue;
     const Vec3 away_from_side = away_from(in_ground_frame(side.centre));
-    const double touching = side.radius + contact_distance_along(away_from_side);
-    const double listed = kPairMargins * margin_ + touching;
     const double squared = away_from_side.squaredNorm();
+    double touching = side.radius + contact_distance();
+    if (const double near = kPairMargins * margin_ + touching; squared < near * near) {
+      touching = side.radius + contact_distance_along(away_from_side);
+    }
+    const double listed = kPairMargins * margin_ + touching;
     if (squared < listed * listed) {
       const ContactKind kind = !feature.is_vertex ? ContactKind::kEdgeEdge
                                : side.is_face     ? ContactKind::kFaceVertex
                                                   : ContactKind::kEdgeVertex;
       part.pairs.push_back(
           {.kind = kind, .side = s, .ground_feature = index, .separation_bound = {}});
-    } else {
-      others = std::min(others, std::sqrt(squared) - touching);
+    } else if (const double nearer = others + touching; squared < nearer * nearer) {
+      others = std::sqrt(squared) - touching;
     }
   }
   feature.separation_bound = separation_bound(part, part.axis, others, others);
