@@ -246,6 +246,7 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   const double reach = part.radius + state.complete_distance;
   state.ground.collect_near(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
+  state.close_faces_until = -1.0;
   state.tilts.clear();
   for (const LocalFaces::Face& face : state.ground.faces) {
     const double axial = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
@@ -274,14 +275,15 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
 void TerrainNarrowPhase::update_axis(std::uint32_t p) {
   NearPart& part = *part_states_[p].near;
   part.axis = part.ground.plane.normal;
-  part.all_vertices = {};
+  part.other_vertices = {};
 }
 
 double TerrainNarrowPhase::next_update(std::uint32_t p) const {
   const NearPart& part = *part_states_[p].near;
+  if (!part.touching_groups.empty()) return accumulated_displacement_;
   double least = list_expiry(part) - part.displacement.total;
   for (const SeparationBound* separation_bound :
-       {&part.all_vertices, &part.all_features, &part.all_pairs}) {
+       {&part.other_vertices, &part.all_features, &part.all_pairs}) {
     const double remaining = separation_bound->remaining(part.displacement);
     if (!(remaining > 0.0)) return accumulated_displacement_;
     // No point of the part moves farther than the bound for the block, along or across the axis.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dem/search/feature_tests.hpp"
@@ -125,16 +126,24 @@ class TerrainNarrowPhase {
     std::vector<FeaturePair> pairs;
     /// True if the overlaps found by the last search bound the depth of all vertices.
     bool depth_known = false;
-    // Combined bound of each group.
-    SeparationBound all_vertices, all_features, all_pairs;
+    /// Groups of vertices with contacts, by index in `BlockParts::vertex_groups`, and those that
+    /// had contacts since all were compared. They are compared with the ground in each search.
+    std::vector<std::uint32_t> touching_groups;
+    /// Indices of the faces of `ground` that may be in contact, while `displacement.total` is below
+    /// `close_faces_until` and no vertex is deeper than `close_faces_depth`, m.
+    std::vector<std::uint32_t> close_faces;
+    double close_faces_until = -1.0, close_faces_depth = -1.0;
+    // Combined bounds: of all vertices that are in no touching group, of all features, of all
+    // pairs.
+    SeparationBound other_vertices, all_features, all_pairs;
     /// Least `contact_free_until` of the pairs that need it, m.
     double pairs_contact_free_until = 1e300;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
-            features, pairs, depth_known, all_vertices, all_features, all_pairs,
-            pairs_contact_free_until);
+            features, pairs, depth_known, touching_groups, close_faces, close_faces_until,
+            close_faces_depth, other_vertices, all_features, all_pairs, pairs_contact_free_until);
     }
   };
   struct PartState {
@@ -174,9 +183,12 @@ class TerrainNarrowPhase {
     std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
     /// Those of `near_parts` that no plane separates from some ground face.
     std::vector<std::uint32_t> unseparated_parts;
-    IndexList close_faces;  ///< listed ground faces that may touch a vertex of a part
-    /// Vertices of a part with the results of the filter.
-    std::vector<FilteredVertices> vertices;
+    struct VertexTest {
+      std::vector<std::uint32_t> groups;  ///< groups of vertices that are compared with the ground
+      std::vector<FilteredVertices> vertices;      ///< their results
+      std::vector<std::uint32_t> touching_groups;  ///< those of them that have contacts
+    };
+    VertexTest vertex_test;
   };
   static Scratch& scratch();
 
@@ -238,12 +250,20 @@ class TerrainNarrowPhase {
   SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
-  /// Tests all vertices of a block part if their separation bound has expired.
+  /// Tests the vertices of a block part: all if their separation bound has expired, otherwise those
+  /// of the touching groups.
   /// @param ahead  further displacement for which contacts must be found
   void update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
-  /// Fills `Scratch::vertices` with the vertices of a block part, compared with the ground faces
-  /// near it.
-  void filter_part_vertices(std::uint32_t p);
+  /// Compares the groups of vertices in `Scratch::vertex_test` with the ground.
+  void filter_groups(std::uint32_t p);
+  /// Lists the ground faces that may be in contact with vertices of a block part.
+  /// @param max_depth  upper bound of the depth of all vertices, m
+  void list_close_faces(std::uint32_t p, double max_depth);
+  /// True if vertices stay separated from the ground for so long that a bound is worth its cost.
+  bool stay_separated(std::span<const FilteredVertices> vertices) const;
+  /// Adds the contacts of a group of compared vertices.
+  void add_group_contacts(std::uint32_t p, std::uint32_t group, const FilteredVertices& vertices,
+                          FoundContacts& found) const;
   /// Makes the contact of a vertex with the only ground face within reach of it, or inside the
   /// ground with the nearest face.
   /// @param centre  position of the vertex in the frame of the ground
@@ -254,9 +274,9 @@ class TerrainNarrowPhase {
   /// @param near_face  index of a listed face that is probably near
   void test_vertex(const NearPart& part, std::uint32_t vertex, const Vec3& centre,
                    std::uint32_t near_face, FoundContacts& found) const;
-  /// Returns the separation bound of the filtered vertices of a block part, which are not in
-  /// contact.
-  SeparationBound vertices_separation_bound(std::uint32_t p) const;
+  /// Returns the separation bound of vertices of a block part that are not in contact.
+  SeparationBound vertices_separation_bound(std::uint32_t p,
+                                            std::span<const FilteredVertices> vertices) const;
   /// Updates all edges and faces of a block part whose separation bounds have expired.
   void update_sides(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
   /// Lists the edges and faces of a block part that are near a ground feature.

@@ -46,9 +46,9 @@ CLAST_VECTOR_BODY project(const FacePrism& face, const Lanes& x, const Lanes& y,
 }
 
 CLAST_VECTOR_BODY filter_in_lanes(const VertexFilterSettings& settings, const VertexGroup* groups,
-                                  std::size_t group_count, const FacePrism* faces,
-                                  const std::uint32_t* close_faces, std::size_t close_face_count,
-                                  FilteredVertices* filtered) {
+                                  const std::uint32_t* wanted_groups, std::size_t group_count,
+                                  const FacePrism* faces, const std::uint32_t* close_faces,
+                                  std::size_t close_face_count, FilteredVertices* filtered) {
   const double* r = settings.rotation;
   const double* at = settings.position;
   const Lanes zero = {};
@@ -59,9 +59,10 @@ CLAST_VECTOR_BODY filter_in_lanes(const VertexFilterSettings& settings, const Ve
   const double depth_squared = depth * depth;
   for (std::size_t g = 0; g < group_count; ++g) {
     Lanes a, b, c;
-    load(a, groups[g].x);
-    load(b, groups[g].y);
-    load(c, groups[g].z);
+    const VertexGroup& group = groups[wanted_groups[g]];
+    load(a, group.x);
+    load(b, group.y);
+    load(c, group.z);
     const Lanes x = at[0] + (r[0] * a + r[3] * b + r[6] * c);
     const Lanes y = at[1] + (r[1] * a + r[4] * b + r[7] * c);
     const Lanes z = at[2] + (r[2] * a + r[5] * b + r[8] * c);
@@ -108,6 +109,7 @@ CLAST_VECTOR_BODY filter_in_lanes(const VertexFilterSettings& settings, const Ve
     const LaneMask result = is_clear ? no_mask + FilteredVertices::kClear : touching;
     __builtin_memcpy(filtered[g].result, &result, sizeof result);
     __builtin_memcpy(filtered[g].face, &nearest_face, sizeof nearest_face);
+    store(filtered[g].squared_distance, nearest);
   }
 }
 
@@ -143,10 +145,11 @@ CLAST_VECTOR_BODY measure_in_lanes(const FacePrism& face, double displacement_pe
 
 #ifdef CLAST_HAS_AVX2_FUNCTIONS
 __attribute__((target("avx2"))) void filter_with_avx2(
-    const VertexFilterSettings& settings, const VertexGroup* groups, std::size_t group_count,
-    const FacePrism* faces, const std::uint32_t* close_faces, std::size_t close_face_count,
-    FilteredVertices* filtered) {
-  filter_in_lanes(settings, groups, group_count, faces, close_faces, close_face_count, filtered);
+    const VertexFilterSettings& settings, const VertexGroup* groups,
+    const std::uint32_t* wanted_groups, std::size_t group_count, const FacePrism* faces,
+    const std::uint32_t* close_faces, std::size_t close_face_count, FilteredVertices* filtered) {
+  filter_in_lanes(settings, groups, wanted_groups, group_count, faces, close_faces,
+                  close_face_count, filtered);
 }
 __attribute__((target("avx2"))) void measure_with_avx2(const FacePrism& face,
                                                        double displacement_per_height, double reach,
@@ -170,15 +173,17 @@ InstructionSet widest_instruction_set() {
 }
 
 void filter_vertices(const VertexFilterSettings& settings, const VertexGroup* groups,
-                     std::size_t group_count, const FacePrism* faces,
-                     const std::uint32_t* close_faces, std::size_t close_face_count,
-                     FilteredVertices* filtered, InstructionSet instructions) {
+                     const std::uint32_t* wanted_groups, std::size_t group_count,
+                     const FacePrism* faces, const std::uint32_t* close_faces,
+                     std::size_t close_face_count, FilteredVertices* filtered,
+                     InstructionSet instructions) {
 #ifdef CLAST_HAS_AVX2_FUNCTIONS
   if (instructions == InstructionSet::kAvx2)
-    return filter_with_avx2(settings, groups, group_count, faces, close_faces, close_face_count,
-                            filtered);
+    return filter_with_avx2(settings, groups, wanted_groups, group_count, faces, close_faces,
+                            close_face_count, filtered);
 #endif
-  filter_in_lanes(settings, groups, group_count, faces, close_faces, close_face_count, filtered);
+  filter_in_lanes(settings, groups, wanted_groups, group_count, faces, close_faces,
+                  close_face_count, filtered);
 }
 
 PrismClearance measure_prism_clearance(const FacePrism& face, double displacement_per_height,

@@ -32,24 +32,27 @@ struct FilteredVertices {
   /// The vertex needs an exact test; `face` is probably the nearest.
   static constexpr std::int64_t kUnknown = 2;
 
+  bool all_clear() const { return (result[0] | result[1] | result[2] | result[3]) == kClear; }
+
   VertexGroup placed;  ///< vertices in the frame of the ground
   std::int64_t result[4];
-  std::int64_t face[4];  ///< index into the list of faces
+  std::int64_t face[4];        ///< index into the list of faces
+  double squared_distance[4];  ///< square of the distance from the faces, m^2, or a smaller value
 };
 
 /// Transforms vertices to the frame of the ground and classifies them.
 ///
 /// The distance of a vertex from a face is at least that from the infinite prism under and over it
 /// combined with its height over the plane. It is exactly the height if the vertex is in the prism.
-/// @param groups  vertices in the body frame
+/// @param groups  vertices in the body frame; `wanted_groups` are the indices of those to compare
 /// @param faces  list of faces
 /// @param close_faces  indices into `faces`: all that may touch a vertex or be nearest to a vertex
 ///                     inside the ground
-/// @param filtered  results, one entry per group
+/// @param filtered  results, one entry per wanted group
 void filter_vertices(const VertexFilterSettings& settings, const VertexGroup* groups,
-                     std::size_t group_count, const FacePrism* faces,
-                     const std::uint32_t* close_faces, std::size_t close_face_count,
-                     FilteredVertices* filtered,
+                     const std::uint32_t* wanted_groups, std::size_t group_count,
+                     const FacePrism* faces, const std::uint32_t* close_faces,
+                     std::size_t close_face_count, FilteredVertices* filtered,
                      InstructionSet instructions = widest_instruction_set());
 
 /// Clearances of vertices outside the ground from one face.

@@ -11,7 +11,7 @@ namespace clast::dem_detail {
 namespace {
 
 /// Parts per square root of the vertex count.
-constexpr double kPartsPerRoot = 1.0;
+constexpr double kPartsPerRoot = 1.4;
 /// Smallest number of features of a part; smaller parts cost more than they save.
 constexpr std::size_t kMinPartFeatures = 16;
 

@@ -53,12 +53,15 @@ struct Scene {
   }
   std::vector<FilteredVertices> filter(InstructionSet instructions) const {
     std::vector<FilteredVertices> result(block.parts.vertex_groups.size());
+    std::vector<std::uint32_t> all_groups(result.size());
+    std::iota(all_groups.begin(), all_groups.end(), 0u);
     filter_vertices({.rotation = rotation.data(),
                      .position = position.data(),
                      .reach = reach,
                      .max_depth = max_depth},
-                    block.parts.vertex_groups.data(), result.size(), prisms.data(),
-                    close_faces.data(), close_faces.size(), result.data(), instructions);
+                    block.parts.vertex_groups.data(), all_groups.data(), result.size(),
+                    prisms.data(), close_faces.data(), close_faces.size(), result.data(),
+                    instructions);
     return result;
   }
 
@@ -166,10 +169,11 @@ TEST(VertexFilter, LeavesVerticesBelowThePlaneOfABorderToExactTests) {
   const Vec3 position = Vec3::Zero();
   std::vector<std::uint32_t> faces(prisms.size());
   std::iota(faces.begin(), faces.end(), 0u);
+  const std::uint32_t first_group = 0;
   FilteredVertices filtered;
   filter_vertices(
       {.rotation = rotation.data(), .position = position.data(), .reach = 0.0, .max_depth = 0.2},
-      &group, 1, prisms.data(), faces.data(), faces.size(), &filtered);
+      &group, &first_group, 1, prisms.data(), faces.data(), faces.size(), &filtered);
   EXPECT_EQ(filtered.result[0], FilteredVertices::kClear);
   EXPECT_EQ(filtered.result[1], FilteredVertices::kUnknown);
   EXPECT_EQ(filtered.result[2], FilteredVertices::kClear);

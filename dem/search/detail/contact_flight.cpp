@@ -120,7 +120,8 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   update_vertices(p, ahead, found);
   update_sides(p, ahead, found);
   part_expiry_[p] = next_update(p);
-  if (part.all_vertices.is_expired(part.displacement)) return 0.0;
+  if (!part.touching_groups.empty() || part.other_vertices.is_expired(part.displacement))
+    return 0.0;
   const AccumulatedDisplacement then = part.displacement + ahead;
   double time = wanted;
   if (list_expiry(part) < then.total) {
@@ -129,7 +130,7 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   time = std::min(time, min_travel_time(part.pairs_contact_free_until - accumulated_displacement_,
                                         flight.max_point_speed, flight.gravity));
   for (const SeparationBound* separation_bound :
-       {&part.all_vertices, &part.all_features, &part.all_pairs}) {
+       {&part.other_vertices, &part.all_features, &part.all_pairs}) {
     if (!separation_bound->is_expired(then)) continue;
     time = std::min(time, time_for(separation_bound->remaining(part.displacement),
                                    separation_bound->axial_coefficient,

@@ -1,6 +1,8 @@
 // Contacts of block vertices: filter, exact tests and separation bounds.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include "dem/search/terrain_narrow_phase.hpp"
 
@@ -9,6 +11,11 @@ namespace {
 
 /// A face this many margins from the bounding sphere of a part is not compared with its vertices.
 constexpr double kSphereMargins = 0.5;
+/// The list of the ground faces that may be in contact reaches this many margins ahead.
+constexpr double kCloseFacesMargins = 0.1;
+/// Beside vertices in contact, the others get a separation bound if it lasts for this many moves as
+/// long as the last. Otherwise it costs more than their comparison in each search.
+constexpr double kWorthwhileMoves = 8.0;
 /// Depth of vertices of which nothing is known, m.
 constexpr double kUnknownDepth = 1e100;
 
@@ -17,49 +24,104 @@ constexpr double kUnknownDepth = 1e100;
 void TerrainNarrowPhase::update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead,
                                          FoundContacts& found) {
   NearPart& part = *part_states_[p].near;
-  if (!part.all_vertices.is_expired(part.displacement + ahead)) return;
-  filter_part_vertices(p);
-  const std::uint32_t first = parts_.parts[p].first_vertex, end = parts_.parts[p].end_vertex;
-  const FilteredVertices* group = scratch().vertices.data();
-  const std::size_t known_contacts = found.contacts.size();
-  for (std::uint32_t v = first; v < end; v += 4, ++group) {
-    for (std::uint32_t lane = 0; lane < 4 && v + lane < end; ++lane) {
-      if (group->result[lane] == FilteredVertices::kClear) continue;
-      const std::uint32_t vertex = parts_.vertices[v + lane];
-      const auto face = static_cast<std::uint32_t>(group->face[lane]);
-      const Vec3 centre(group->placed.x[lane], group->placed.y[lane], group->placed.z[lane]);
-      if (group->result[lane] == FilteredVertices::kUnknown ||
-          !add_face_contact(part, vertex, centre, face, found)) {
-        test_vertex(part, vertex, centre, face, found);
+  const bool all = part.other_vertices.is_expired(part.displacement + ahead);
+  if (!all && part.touching_groups.empty()) return;
+  auto& [groups, vertices, touching_groups] = scratch().vertex_test;
+  groups = part.touching_groups;
+  if (all) {
+    groups.resize(parts_.parts[p].end_group - parts_.parts[p].first_group);
+    std::iota(groups.begin(), groups.end(), parts_.parts[p].first_group);
+  }
+  filter_groups(p);
+  touching_groups.clear();
+  std::size_t separated = 0;  // the first of `vertices` are those of groups without contact
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!vertices[g].all_clear()) {
+      const std::size_t known_contacts = found.contacts.size();
+      add_group_contacts(p, groups[g], vertices[g], found);
+      if (found.contacts.size() > known_contacts) {
+        touching_groups.push_back(groups[g]);
+        continue;
       }
     }
+    if (separated != g) vertices[separated] = vertices[g];
+    ++separated;
   }
   part.depth_known = true;
-  part.all_vertices =
-      found.contacts.size() > known_contacts ? SeparationBound() : vertices_separation_bound(p);
+  if (all) {
+    const std::span<const FilteredVertices> others(vertices.data(), separated);
+    part.touching_groups.assign(touching_groups.begin(), touching_groups.end());
+    part.other_vertices = touching_groups.empty() || stay_separated(others)
+                              ? vertices_separation_bound(p, others)
+                              : SeparationBound();
+  } else if (touching_groups.empty()) {
+    part.touching_groups.clear();
+    part.other_vertices = {};
+    update_vertices(p, ahead, found);
+  }
 }
 
-void TerrainNarrowPhase::filter_part_vertices(std::uint32_t p) {
+void TerrainNarrowPhase::add_group_contacts(std::uint32_t p, std::uint32_t group,
+                                            const FilteredVertices& vertices,
+                                            FoundContacts& found) const {
   const NearPart& part = *part_states_[p].near;
   const BlockPart& of_block = parts_.parts[p];
+  const std::uint32_t first = of_block.first_vertex + 4 * (group - of_block.first_group);
+  for (std::uint32_t lane = 0; lane < std::min(4u, of_block.end_vertex - first); ++lane) {
+    if (vertices.result[lane] == FilteredVertices::kClear) continue;
+    const std::uint32_t vertex = parts_.vertices[first + lane];
+    const auto face = static_cast<std::uint32_t>(vertices.face[lane]);
+    const Vec3 centre(vertices.placed.x[lane], vertices.placed.y[lane], vertices.placed.z[lane]);
+    if (vertices.result[lane] == FilteredVertices::kUnknown ||
+        !add_face_contact(part, vertex, centre, face, found)) {
+      test_vertex(part, vertex, centre, face, found);
+    }
+  }
+}
+
+void TerrainNarrowPhase::filter_groups(std::uint32_t p) {
+  const NearPart& part = *part_states_[p].near;
+  auto& [groups, vertices, touching_groups] = scratch().vertex_test;
   // A vertex inside the ground was a contact of the last search, or has entered the ground since.
   const double max_depth = part.depth_known ? deepest_ + last_move_ : kUnknownDepth;
-  const double touching = of_block.radius + std::max(reach_, max_depth);
-  const std::vector<FacePrism>& prisms = part.ground.prisms;
-  IndexList& close_faces = scratch().close_faces;
-  close_faces.fill_if(static_cast<std::uint32_t>(prisms.size()), [&](std::uint32_t i) {
-    return std::abs(prisms[i].height(part.centre)) <= touching &&
-           prisms[i].distance_beside(part.centre) <= touching;
-  });
-  const std::size_t group_count = of_block.end_group - of_block.first_group;
-  std::vector<FilteredVertices>& vertices = scratch().vertices;
-  vertices.resize(std::max(vertices.size(), group_count));
+  list_close_faces(p, max_depth);
+  if (vertices.size() < groups.size()) vertices.resize(groups.size());
   filter_vertices({.rotation = tests_.rotation().data(),
                    .position = tests_.position().data(),
                    .reach = reach_,
                    .max_depth = max_depth},
-                  parts_.vertex_groups.data() + of_block.first_group, group_count, prisms.data(),
-                  close_faces.begin(), close_faces.size(), vertices.data());
+                  parts_.vertex_groups.data(), groups.data(), groups.size(),
+                  part.ground.prisms.data(), part.close_faces.data(), part.close_faces.size(),
+                  vertices.data());
+}
+
+void TerrainNarrowPhase::list_close_faces(std::uint32_t p, double max_depth) {
+  NearPart& part = *part_states_[p].near;
+  if (part.displacement.total < part.close_faces_until && max_depth <= part.close_faces_depth) {
+    return;
+  }
+  const double slack = kCloseFacesMargins * margin_;
+  part.close_faces_until = part.displacement.total + slack;
+  part.close_faces_depth = max_depth + slack;
+  const double touching = parts_.parts[p].radius + std::max(reach_, part.close_faces_depth) + slack;
+  part.close_faces.clear();
+  for (std::uint32_t i = 0; i < part.ground.prisms.size(); ++i) {
+    const FacePrism& prism = part.ground.prisms[i];
+    if (std::abs(prism.height(part.centre)) <= touching &&
+        prism.distance_beside(part.centre) <= touching) {
+      part.close_faces.push_back(i);
+    }
+  }
+}
+
+bool TerrainNarrowPhase::stay_separated(std::span<const FilteredVertices> vertices) const {
+  const double distance = reach_ + kWorthwhileMoves * last_move_;
+  for (const FilteredVertices& group : vertices) {
+    for (const double squared : group.squared_distance) {
+      if (squared < distance * distance) return false;
+    }
+  }
+  return true;
 }
 
 bool TerrainNarrowPhase::add_face_contact(const NearPart& part, std::uint32_t vertex,
@@ -97,7 +159,8 @@ void TerrainNarrowPhase::test_vertex(const NearPart& part, std::uint32_t vertex,
           : nearest));
 }
 
-SeparationBound TerrainNarrowPhase::vertices_separation_bound(std::uint32_t p) const {
+SeparationBound TerrainNarrowPhase::vertices_separation_bound(
+    std::uint32_t p, std::span<const FilteredVertices> vertices) const {
   const NearPart& part = *part_states_[p].near;
   const BlockPart& of_block = parts_.parts[p];
   const double complete = remaining_complete_distance(part) - reach_;
@@ -115,8 +178,7 @@ SeparationBound TerrainNarrowPhase::vertices_separation_bound(std::uint32_t p) c
     if (tilt.is_at_border() ||
         std::max(over_plane * tilt.displacement_per_height, from_face) < enough) {
       const PrismClearance clearance = measure_prism_clearance(
-          prism, tilt.displacement_per_height, reach_, scratch().vertices.data(),
-          of_block.end_group - of_block.first_group);
+          prism, tilt.displacement_per_height, reach_, vertices.data(), vertices.size());
       if (!(clearance.over_plane > 0.0 && clearance.from_face > 0.0)) return {};
       over_plane = clearance.over_plane;
       from_face = clearance.from_face;
