@@ -255,13 +255,19 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
         {axial, transverse,
          is_at_border(ground_.features, face.face) ? 0.0 : 2.0 / (axial + transverse)});
   }
-  state.pairs.clear();
+  // Features that are listed again keep their bound and their pairs. Lists are sorted.
+  std::vector<GroundFeature>& before = scratch().features_before;
+  before.swap(state.features);
   state.features.clear();
   state.all_features = state.all_pairs = {};
   const SurfaceFeatures& features = ground_.features;
+  auto known = before.cbegin();
   const auto list_near = [&](bool is_vertex, std::uint32_t index, const Vec3& nearest) {
     if ((state.centre - nearest).squaredNorm() > reach * reach) return;
-    state.features.push_back({.is_vertex = is_vertex, .index = index, .separation_bound = {}});
+    const GroundFeature listed{.is_vertex = is_vertex, .index = index, .separation_bound = {}};
+    known = std::lower_bound(known, before.cend(), listed);
+    const bool is_known = known != before.cend() && !(listed < *known);
+    state.features.push_back(is_known ? *known : listed);
   };
   for (const std::uint32_t edge : local_.edges) {
     list_near(false, edge, features.segment(features.edges[edge]).nearest_point(state.centre));
@@ -269,6 +275,12 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   for (const std::uint32_t pointed_vertex : local_.pointed_vertices) {
     list_near(true, pointed_vertex, features.vertices[pointed_vertex]);
   }
+  std::erase_if(state.pairs, [&](const FeaturePair& pair) {
+    return !std::binary_search(state.features.begin(), state.features.end(),
+                               GroundFeature{.is_vertex = pair.kind != ContactKind::kEdgeEdge,
+                                             .index = pair.ground_feature,
+                                             .separation_bound = {}});
+  });
   shrink_capacity(state.tilts, state.features, state.pairs);
 }
 
@@ -276,6 +288,8 @@ void TerrainNarrowPhase::update_axis(std::uint32_t p) {
   NearPart& part = *part_states_[p].near;
   part.axis = part.ground.plane.normal;
   part.other_vertices = {};
+  for (GroundFeature& feature : part.features) feature.separation_bound = {};
+  part.pairs.clear();
 }
 
 double TerrainNarrowPhase::next_update(std::uint32_t p) const {

@@ -77,6 +77,10 @@ class TerrainNarrowPhase {
     /// Separation bound from all block edges and faces that have no listed pair with it.
     SeparationBound separation_bound;
 
+    /// Order of the features of a list.
+    bool operator<(const GroundFeature& other) const {
+      return is_vertex != other.is_vertex ? other.is_vertex : index < other.index;
+    }
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(is_vertex, index, separation_bound);
@@ -189,6 +193,7 @@ class TerrainNarrowPhase {
       std::vector<std::uint32_t> touching_groups;  ///< those of them that have contacts
     };
     VertexTest vertex_test;
+    std::vector<GroundFeature> features_before;  ///< used by `collect_part_ground`
   };
   static Scratch& scratch();
 
