@@ -46,7 +46,7 @@ struct BlockParts {
 };
 
 /// Partitions the features of a block by repeated bisection along their longest extent, into about
-/// 2 sqrt(n) parts for n vertices.
+/// 1.4 sqrt(n) parts for n vertices.
 BlockParts partition_block(const SurfaceFeatures& block);
 
 }  // namespace clast::dem_detail
