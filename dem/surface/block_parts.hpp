@@ -39,8 +39,8 @@ struct BlockPart {
 struct BlockParts {
   std::vector<BlockPart> parts;
   std::vector<std::uint32_t> vertices;  ///< indices of the vertices, ordered by part
-  /// The same vertices in groups of four, in the body frame. The last group of a part is filled with
-  /// copies of its last vertex.
+  /// The same vertices in groups of four, in the body frame. The last group of a part is filled
+  /// with copies of its last vertex.
   std::vector<VertexGroup> vertex_groups;
   std::vector<BlockSide> sides;  ///< edges and faces, ordered by part
 };
