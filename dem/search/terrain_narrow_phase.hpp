@@ -191,6 +191,7 @@ class TerrainNarrowPhase {
       std::vector<std::uint32_t> groups;  ///< groups of vertices that are compared with the ground
       std::vector<FilteredVertices> vertices;      ///< their results
       std::vector<std::uint32_t> touching_groups;  ///< those of them that have contacts
+      std::vector<PrismClearance> clearances;      ///< used by `vertices_separation_bound`
     };
     VertexTest vertex_test;
     std::vector<GroundFeature> features_before;  ///< used by `collect_part_ground`

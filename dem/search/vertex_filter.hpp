@@ -57,19 +57,22 @@ void filter_vertices(const VertexFilterSettings& settings, const VertexGroup* gr
 
 /// Clearances of vertices outside the ground from one face.
 struct PrismClearance {
+  std::uint32_t face;  ///< index into the list of faces
+  /// Displacement before contact, per height over the plane; 0 for a face at a border, which only
+  /// its plane may separate from vertices.
+  double displacement_per_height;
   /// Least height over the plane minus the reach, m, of the vertices that the plane separates best
   /// from the face; 1e300 without such vertices.
-  double over_plane;
+  double over_plane = 0.0;
   /// Least distance from the face minus the reach, m, of all other vertices.
-  double from_face;
+  double from_face = 0.0;
 };
-/// Measures the clearances of filtered vertices from one face.
-/// @param displacement_per_height  displacement before contact, per height over the plane; 0 for a
-///                                 face at a border, which only its plane may separate from
-///                                 vertices
-PrismClearance measure_prism_clearance(const FacePrism& face, double displacement_per_height,
-                                       double reach, const FilteredVertices* vertices,
-                                       std::size_t group_count,
-                                       InstructionSet instructions = widest_instruction_set());
+/// Measures the clearances of filtered vertices from faces.
+/// @param reach  distance of an outside vertex below which it is in contact, m
+/// @param clearances  their faces and displacements are read, their clearances are written
+void measure_prism_clearances(const FacePrism* faces, double reach,
+                              const FilteredVertices* vertices, std::size_t group_count,
+                              PrismClearance* clearances, std::size_t clearance_count,
+                              InstructionSet instructions = widest_instruction_set());
 
 }  // namespace clast::dem_detail

@@ -16,6 +16,9 @@ constexpr double kCloseFacesMargins = 0.1;
 /// Beside vertices in contact, the others get a separation bound if it lasts for this many moves as
 /// long as the last. Otherwise it costs more than their comparison in each search.
 constexpr double kWorthwhileMoves = 8.0;
+/// A bounding sphere is measured instead of this many groups of vertices, or more. One group is as
+/// fast as the sphere.
+constexpr std::size_t kGroupsInSphere = 2;
 /// Depth of vertices of which nothing is known, m.
 constexpr double kUnknownDepth = 1e100;
 
@@ -26,7 +29,7 @@ void TerrainNarrowPhase::update_vertices(std::uint32_t p, const AccumulatedDispl
   NearPart& part = *part_states_[p].near;
   const bool all = part.other_vertices.is_expired(part.displacement + ahead);
   if (!all && part.touching_groups.empty()) return;
-  auto& [groups, vertices, touching_groups] = scratch().vertex_test;
+  auto& [groups, vertices, touching_groups, clearances] = scratch().vertex_test;
   groups = part.touching_groups;
   if (all) {
     groups.resize(parts_.parts[p].end_group - parts_.parts[p].first_group);
@@ -81,7 +84,7 @@ void TerrainNarrowPhase::add_group_contacts(std::uint32_t p, std::uint32_t group
 
 void TerrainNarrowPhase::filter_groups(std::uint32_t p) {
   const NearPart& part = *part_states_[p].near;
-  auto& [groups, vertices, touching_groups] = scratch().vertex_test;
+  auto& [groups, vertices, touching_groups, clearances] = scratch().vertex_test;
   // A vertex inside the ground was a contact of the last search, or has entered the ground since.
   const double max_depth = part.depth_known ? deepest_ + last_move_ : kUnknownDepth;
   list_close_faces(p, max_depth);
@@ -166,31 +169,39 @@ SeparationBound TerrainNarrowPhase::vertices_separation_bound(
   const double complete = remaining_complete_distance(part) - reach_;
   if (!(complete > 0.0)) return {};
   const double touching = of_block.radius + reach_, enough = kSphereMargins * margin_;
+  std::vector<PrismClearance>& clearances = scratch().vertex_test.clearances;
+  clearances.clear();
   double from_faces = complete;
   SeparationCoefficients all;
-  for (std::size_t i = 0; i < part.ground.prisms.size(); ++i) {
-    // First the bounding sphere of the part is measured, then, if it is near, the vertices.
-    const FacePrism& prism = part.ground.prisms[i];
+  for (std::uint32_t i = 0; i < part.ground.prisms.size(); ++i) {
     const FaceNormalComponents& tilt = part.tilts[i];
-    const double height = prism.height(part.centre);
-    double over_plane = height - touching;
-    double from_face = std::max(std::abs(height), prism.distance_beside(part.centre)) - touching;
-    if (tilt.is_at_border() ||
-        std::max(over_plane * tilt.displacement_per_height, from_face) < enough) {
-      const PrismClearance clearance = measure_prism_clearance(
-          prism, tilt.displacement_per_height, reach_, vertices.data(), vertices.size());
-      if (!(clearance.over_plane > 0.0 && clearance.from_face > 0.0)) return {};
-      over_plane = clearance.over_plane;
-      from_face = clearance.from_face;
-    } else if (over_plane * tilt.displacement_per_height > from_face) {
-      from_face = 1e300;
-    } else {
-      over_plane = 1e300;
+    if (vertices.size() >= kGroupsInSphere && !tilt.is_at_border()) {
+      const FacePrism& prism = part.ground.prisms[i];
+      const double height = prism.height(part.centre);
+      const double over_plane = height - touching,
+                   by_plane = over_plane * tilt.displacement_per_height;
+      const double from_face =
+          std::max(std::abs(height), prism.distance_beside(part.centre)) - touching;
+      if (std::max(by_plane, from_face) >= enough) {
+        if (by_plane > from_face) {
+          all.include_distance(tilt.axial, tilt.transverse, over_plane);
+        } else {
+          from_faces = std::min(from_faces, from_face);
+        }
+        continue;
+      }
     }
-    from_faces = std::min(from_faces, from_face);
-    all.include({tilt.axial / over_plane, tilt.transverse / over_plane});
+    clearances.push_back({.face = i, .displacement_per_height = tilt.displacement_per_height});
   }
-  all.include({1.0 / from_faces, 1.0 / from_faces});
+  measure_prism_clearances(part.ground.prisms.data(), reach_, vertices.data(), vertices.size(),
+                           clearances.data(), clearances.size());
+  for (const PrismClearance& clearance : clearances) {
+    if (!(clearance.over_plane > 0.0 && clearance.from_face > 0.0)) return {};
+    const FaceNormalComponents& tilt = part.tilts[clearance.face];
+    all.include_distance(tilt.axial, tilt.transverse, clearance.over_plane);
+    from_faces = std::min(from_faces, clearance.from_face);
+  }
+  all.include_distance(1.0, 1.0, from_faces);
   return all.separation_bound(part.displacement);
 }
 
