@@ -88,7 +88,17 @@ std::span<const double> ContactPatches::compute_weights(const std::vector<Contac
     if (weighting_ != ContactWeighting::kOverlap) return point_weights;
   }
   patch_overlap.assign(count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) patch_overlap[patch_[i]] += points[i].overlap;
+  double* sum = patch_overlap.data();
+  double sum_so_far = 0.0;  // of the present patch: most neighbours in the list share theirs
+  for (std::size_t i = 0; i < count; ++i) {
+    if (double* const of_point = &patch_overlap[patch_[i]]; of_point != sum) {
+      *sum = sum_so_far;
+      sum = of_point;
+      sum_so_far = *sum;
+    }
+    sum_so_far += points[i].overlap;
+  }
+  *sum = sum_so_far;
   for (std::size_t i = 0; i < count; ++i)
     point_weights[i] = points[i].overlap / patch_overlap[patch_[i]];
   return point_weights;

@@ -4,6 +4,21 @@
 
 namespace clast::dem_detail {
 
+/// Returns the velocity of a point of a rigid body. The components are written out: a load of two
+/// components together would wait for both to be stored one by one.
+/// @param centre  point of the body with the velocity `velocity`
+inline Vec3 velocity_of_point(const Vec3& velocity, const Vec3& angular_velocity,
+                              const Vec3& centre, const Vec3& point) {
+  const double x = point.x() - centre.x(), y = point.y() - centre.y(), z = point.z() - centre.z();
+  const Vec3& w = angular_velocity;
+  return {velocity.x() + (w.y() * z - w.z() * y), velocity.y() + (w.z() * x - w.x() * z),
+          velocity.z() + (w.x() * y - w.y() * x)};
+}
+/// Returns the scalar product of two vectors, component by component, for the same reason.
+inline double scalar_product(const Vec3& a, const Vec3& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
 /// Motion of a body over a time step: final pose, mean velocities, and initial position and
 /// velocities. By default, the body is at rest.
 struct BodyMotion {
@@ -20,14 +35,14 @@ struct BodyMotion {
   Vec3 inverse_moments = Vec3::Zero();
 
   Vec3 velocity_at(const Vec3& point) const {
-    return velocity + angular_velocity.cross(point - world_from_body.translation);
+    return velocity_of_point(velocity, angular_velocity, world_from_body.translation, point);
   }
   /// Returns the mean velocity of the material point that was at `point` at the start of the step.
   Vec3 velocity_of_start_point(const Vec3& point) const {
-    return velocity + angular_velocity.cross(point - begin_position);
+    return velocity_of_point(velocity, angular_velocity, begin_position, point);
   }
   Vec3 start_velocity_at(const Vec3& point) const {
-    return begin_velocity + begin_angular_velocity.cross(point - begin_position);
+    return velocity_of_point(begin_velocity, begin_angular_velocity, begin_position, point);
   }
   /// True if the body moved during the step; false for the ground.
   bool is_moving() const {

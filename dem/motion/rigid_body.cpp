@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "dem/motion/free_flight.hpp"
+#include "dem/motion/rotation.hpp"
 
 namespace clast {
 
@@ -33,7 +34,7 @@ double translational_energy(const RigidBody& body, const RigidState& state) {
 }
 
 double rotational_energy(const RigidBody& body, const RigidState& state) {
-  const Vec3 spin = state.orientation.conjugate() * state.angular_velocity;
+  const Vec3 spin = rotated(state.orientation.conjugate(), state.angular_velocity);
   return 0.5 * spin.dot(body.moments.cwiseProduct(spin));
 }
 

@@ -12,7 +12,7 @@ constexpr double kFlightTurn = 0.003;
 constexpr double kSmallHalfSquared = 1e-3;
 
 Vec3 body_spin(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
-  const Vec3 in_body = orientation.conjugate() * momentum;
+  const Vec3 in_body = rotated(orientation.conjugate(), momentum);
   return in_body.cwiseQuotient(moments);
 }
 
@@ -41,12 +41,12 @@ Quat rotation_from_vector(const Vec3& rotation) {
 }
 
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity) {
-  const Vec3 spin = orientation.conjugate() * angular_velocity;
-  return orientation * Vec3(moments.cwiseProduct(spin));
+  const Vec3 spin = rotated(orientation.conjugate(), angular_velocity);
+  return rotated(orientation, moments.cwiseProduct(spin));
 }
 
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum) {
-  return orientation * body_spin(moments, orientation, momentum);
+  return rotated(orientation, body_spin(moments, orientation, momentum));
 }
 
 RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientation,
@@ -55,7 +55,8 @@ RotationStep integrate_rotation_step(const Vec3& moments, const Quat& orientatio
   const Quat middle = orientation * rotation_from_vector(0.5 * step * first);
   const Vec3 spin = body_spin(moments, middle, momentum);
   const Quat turned = (orientation * rotation_from_vector(step * spin)).normalized();
-  return {turned, 0.5 * (orientation * first + angular_velocity(moments, turned, momentum))};
+  return {turned,
+          0.5 * (rotated(orientation, first) + angular_velocity(moments, turned, momentum))};
 }
 
 Quat integrate_free_rotation(const Vec3& moments, const Quat& orientation, const Vec3& momentum,

@@ -5,6 +5,15 @@
 
 namespace clast::dem_detail {
 
+/// Returns a rotated vector, with the bits of Eigen's product. The components are written out: a
+/// load of two components together would wait for both to be stored one by one.
+inline Vec3 rotated(const Quat& rotation, const Vec3& vector) {
+  const double w = rotation.w(), x = rotation.x(), y = rotation.y(), z = rotation.z();
+  const double a = vector.x(), b = vector.y(), c = vector.z();
+  const double p = 2.0 * (y * c - z * b), q = 2.0 * (z * a - x * c), r = 2.0 * (x * b - y * a);
+  return {a + w * p + (y * r - z * q), b + w * q + (z * p - x * r), c + w * r + (x * q - y * p)};
+}
+
 Vec3 angular_momentum(const Vec3& moments, const Quat& orientation, const Vec3& angular_velocity);
 Vec3 angular_velocity(const Vec3& moments, const Quat& orientation, const Vec3& momentum);
 

@@ -55,7 +55,15 @@ struct SeparationCoefficients {
     axial_coefficient = std::max(axial_coefficient, other.axial_coefficient);
     transverse_coefficient = std::max(transverse_coefficient, other.transverse_coefficient);
   }
-  double sum() const { return axial_coefficient + transverse_coefficient; }
+  /// Includes the coefficients of a separating normal, m apart. Most distances are too large to
+  /// count; the comparison needs no division.
+  /// @param axial, transverse  components of the unit normal
+  /// @param distance  positive, m
+  void include_distance(double axial, double transverse, double distance) {
+    if (axial > axial_coefficient * distance) axial_coefficient = axial / distance;
+    if (transverse > transverse_coefficient * distance)
+      transverse_coefficient = transverse / distance;
+  }
   SeparationBound separation_bound(const AccumulatedDisplacement& displacement) const {
     return {axial_coefficient, transverse_coefficient,
             1.0 + axial_coefficient * displacement.axial +
@@ -72,12 +80,7 @@ class EarliestBoundExpiry {
     const double remaining = one.remaining(displacement_);
     expired_ = expired_ || !(remaining > 0.0);
     if (expired_) return;
-    // Most bounds are weaker than those before them; the comparison needs no division.
-    SeparationCoefficients& all = separation_;
-    if (one.axial_coefficient > all.axial_coefficient * remaining)
-      all.axial_coefficient = one.axial_coefficient / remaining;
-    if (one.transverse_coefficient > all.transverse_coefficient * remaining)
-      all.transverse_coefficient = one.transverse_coefficient / remaining;
+    separation_.include_distance(one.axial_coefficient, one.transverse_coefficient, remaining);
   }
   SeparationBound separation_bound() const {
     return expired_ ? SeparationBound() : separation_.separation_bound(displacement_);

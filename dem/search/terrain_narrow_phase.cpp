@@ -44,6 +44,7 @@ TerrainNarrowPhase::TerrainNarrowPhase(const IndexedSurface& ground, const Block
   for (const BlockPart& part : parts_.parts) {
     farthest_ = std::max(farthest_, part.centre.norm() + part.radius);
   }
+  accumulated_per_displacement_ = std::min(1.0, farthest_ / block.bounding_radius);
 }
 
 TerrainNarrowPhase::Scratch& TerrainNarrowPhase::scratch() {
@@ -176,8 +177,8 @@ void TerrainNarrowPhase::update_part(std::uint32_t p, double until) {
   // A part that was skipped is outside the ground. At the start, this is not known.
   const bool slept = !(part_expiry_[p] < 0.0);
   const double deepest = slept ? 0.0 : part.radius - clearance - touching;
-  state.near = std::make_unique<NearPart>(part);
-  for (VertexState& vertex : state.near->vertices) vertex.outside = slept;
+  state.near = std::make_unique<NearPart>();
+  state.near->depth_known = slept;
   state.near->centre = centre;
   state.near->turned = accumulated_rotation_;
   collect_part_ground(p, deepest);
@@ -245,27 +246,28 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   const double reach = part.radius + state.complete_distance;
   state.ground.collect_near(ground_.features, local_, state.centre, reach);
   if (is_new || state.axis.dot(state.ground.plane.normal) < kSameAxis) update_axis(p);
+  state.close_faces_until = -1.0;
   state.tilts.clear();
   for (const LocalFaces::Face& face : state.ground.faces) {
     const double axial = std::min(std::abs(face.normal.dot(state.axis)), 1.0);
-    const std::array<std::uint32_t, 3>& of_face = ground_.features.faces[face.face].edges;
-    const bool at_border = std::any_of(of_face.begin(), of_face.end(), [&](std::uint32_t edge) {
-      return ground_.features.edges[edge].kind == EdgeKind::kBorder;
-    });
     const double transverse = std::sqrt(1.0 - axial * axial);
-    state.tilts.push_back({axial, transverse, at_border ? 0.0 : 2.0 / (axial + transverse)});
+    state.tilts.push_back(
+        {axial, transverse,
+         is_at_border(ground_.features, face.face) ? 0.0 : 2.0 / (axial + transverse)});
   }
-  for (VertexState& vertex : state.vertices) {
-    vertex.near_face = 0;
-    vertex.closest_plane = kNoFeature;
-  }
-  state.pairs.clear();
+  // Features that are listed again keep their bound and their pairs. Lists are sorted.
+  std::vector<GroundFeature>& before = scratch().features_before;
+  before.swap(state.features);
   state.features.clear();
   state.all_features = state.all_pairs = {};
   const SurfaceFeatures& features = ground_.features;
+  auto known = before.cbegin();
   const auto list_near = [&](bool is_vertex, std::uint32_t index, const Vec3& nearest) {
     if ((state.centre - nearest).squaredNorm() > reach * reach) return;
-    state.features.push_back({.is_vertex = is_vertex, .index = index, .separation_bound = {}});
+    const GroundFeature listed{.is_vertex = is_vertex, .index = index, .separation_bound = {}};
+    known = std::lower_bound(known, before.cend(), listed);
+    const bool is_known = known != before.cend() && !(listed < *known);
+    state.features.push_back(is_known ? *known : listed);
   };
   for (const std::uint32_t edge : local_.edges) {
     list_near(false, edge, features.segment(features.edges[edge]).nearest_point(state.centre));
@@ -273,20 +275,26 @@ void TerrainNarrowPhase::collect_part_ground(std::uint32_t p, double deepest) {
   for (const std::uint32_t pointed_vertex : local_.pointed_vertices) {
     list_near(true, pointed_vertex, features.vertices[pointed_vertex]);
   }
+  std::erase_if(state.pairs, [&](const FeaturePair& pair) {
+    return !std::binary_search(state.features.begin(), state.features.end(),
+                               GroundFeature{.is_vertex = pair.kind != ContactKind::kEdgeEdge,
+                                             .index = pair.ground_feature,
+                                             .separation_bound = {}});
+  });
   shrink_capacity(state.tilts, state.features, state.pairs);
 }
 
 void TerrainNarrowPhase::update_axis(std::uint32_t p) {
   NearPart& part = *part_states_[p].near;
   part.axis = part.ground.plane.normal;
-  for (VertexState& vertex : part.vertices) vertex.nearest_face = kNoFeature;
-  for (SeparationBound& separation_bound : part.vertex_bounds) separation_bound = {};
   part.other_vertices = {};
+  for (GroundFeature& feature : part.features) feature.separation_bound = {};
+  part.pairs.clear();
 }
 
 double TerrainNarrowPhase::next_update(std::uint32_t p) const {
   const NearPart& part = *part_states_[p].near;
-  if (!part.expired_vertices.empty()) return accumulated_displacement_;
+  if (!part.touching_groups.empty()) return accumulated_displacement_;
   double least = list_expiry(part) - part.displacement.total;
   for (const SeparationBound* separation_bound :
        {&part.other_vertices, &part.all_features, &part.all_pairs}) {
@@ -297,7 +305,7 @@ double TerrainNarrowPhase::next_update(std::uint32_t p) const {
         separation_bound->axial_coefficient + separation_bound->transverse_coefficient;
     if (remaining < least * used) least = remaining / used;
   }
-  return accumulated_displacement_ + least;
+  return std::min(accumulated_displacement_ + least, part.pairs_contact_free_until);
 }
 
 SeparationBound TerrainNarrowPhase::separation_bound(const NearPart& part, const Vec3& away,

@@ -4,17 +4,19 @@
 ///
 /// The block is divided into parts. A part far from the ground is skipped until the accumulated
 /// displacement `accumulated_displacement_` has grown by its distance from the ground. A part near
-/// the ground keeps a list of nearby ground features. Its vertices and sides (edges and faces) are
-/// tested against them. Each test gives a separation bound; it is not repeated before the bound
-/// expires (docs/theory.md, Contact search).
+/// the ground keeps a list of nearby ground features. All its vertices together, and each of its
+/// sides (edges and faces), are tested against them. Each test gives a separation bound; it is not
+/// repeated before the bound expires (docs/theory.md, Contact search).
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dem/search/feature_tests.hpp"
 #include "dem/search/index_list.hpp"
 #include "dem/search/separation.hpp"
+#include "dem/search/vertex_filter.hpp"
 
 namespace clast::dem_detail {
 
@@ -61,7 +63,7 @@ class TerrainNarrowPhase {
       bool near = part_states_[p].near != nullptr;  ///< null if the part is far from the ground
       bytes(near);
       if constexpr (Bytes::kReads) {
-        if (near) part_states_[p].near = std::make_unique<NearPart>(parts_.parts[p]);
+        if (near) part_states_[p].near = std::make_unique<NearPart>();
       }
       if (near) bytes(*part_states_[p].near);
     }
@@ -75,6 +77,10 @@ class TerrainNarrowPhase {
     /// Separation bound from all block edges and faces that have no listed pair with it.
     SeparationBound separation_bound;
 
+    /// Order of the features of a list.
+    bool operator<(const GroundFeature& other) const {
+      return is_vertex != other.is_vertex ? other.is_vertex : index < other.index;
+    }
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(is_vertex, index, separation_bound);
@@ -86,10 +92,13 @@ class TerrainNarrowPhase {
     std::uint32_t side;  ///< index into BlockParts::sides
     std::uint32_t ground_feature;
     SeparationBound separation_bound;
+    /// Value of `accumulated_displacement_` below which contact is impossible. It is used if the
+    /// two features have passed each other and no plane separates them.
+    double contact_free_until = -1.0;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
-      bytes(kind, side, ground_feature, separation_bound);
+      bytes(kind, side, ground_feature, separation_bound, contact_free_until);
     }
   };
   /// Components of the normal of a ground face along the axis of a block part and perpendicular to
@@ -106,32 +115,7 @@ class TerrainNarrowPhase {
       bytes(axial, transverse, displacement_per_height);
     }
   };
-  struct VertexState {
-    bool outside = false;  ///< true if the vertex cannot be in contact at present
-    // If `outside`: the listed face whose plane it may reach first, and the bound for all others.
-    std::uint32_t closest_plane = kNoFeature;
-    SeparationBound other_features_bound;
-    std::uint32_t near_face = 0;  ///< index of the nearest face in the list of the part
-    // While the vertex's foot stays on `nearest_face`, no other face needs a test. This holds up to
-    // a `displacement.total` of `inside_until` if the vertex is inside the ground, and of
-    // `outside_until` if it is outside but within reach.
-    std::uint32_t nearest_face = kNoFeature;
-    double foot_on_face_until = -1.0;  ///< bound before which the foot stays on the face
-    double inside_until = -1.0;
-    double outside_until = -1.0;
-
-    template <class Bytes>
-    void serialize(Bytes& bytes) {
-      bytes(outside, closest_plane, other_features_bound, near_face, nearest_face,
-            foot_on_face_until, inside_until, outside_until);
-    }
-  };
   struct NearPart {
-    explicit NearPart(const BlockPart& part)
-        : first_vertex(part.first_vertex),
-          vertices(part.end_vertex - part.first_vertex),
-          vertex_bounds(vertices.size()) {}
-
     LocalFaces ground;
     /// Distance from the part up to which its ground list was complete when made, m.
     double complete_distance = 0.0;
@@ -144,19 +128,26 @@ class TerrainNarrowPhase {
     std::vector<FaceNormalComponents> tilts;  ///< normal components of each face of `ground`
     std::vector<GroundFeature> features;
     std::vector<FeaturePair> pairs;
-    std::uint32_t first_vertex;  ///< index into `BlockParts::vertices`
-    // Indexed by vertex within the part:
-    std::vector<VertexState> vertices;
-    std::vector<SeparationBound> vertex_bounds;
-    std::vector<std::uint32_t> expired_vertices;  ///< ascending; mostly vertices in contact
-    SeparationBound other_vertices, all_features,
-        all_pairs;  ///< combined bound of each group
+    /// True if the overlaps found by the last search bound the depth of all vertices.
+    bool depth_known = false;
+    /// Groups of vertices with contacts, by index in `BlockParts::vertex_groups`, and those that
+    /// had contacts since all were compared. They are compared with the ground in each search.
+    std::vector<std::uint32_t> touching_groups;
+    /// Indices of the faces of `ground` that may be in contact, while `displacement.total` is below
+    /// `close_faces_until` and no vertex is deeper than `close_faces_depth`, m.
+    std::vector<std::uint32_t> close_faces;
+    double close_faces_until = -1.0, close_faces_depth = -1.0;
+    // Combined bounds: of all vertices that are in no touching group, of all features, of all
+    // pairs.
+    SeparationBound other_vertices, all_features, all_pairs;
+    /// Least `contact_free_until` of the pairs that need it, m.
+    double pairs_contact_free_until = 1e300;
 
     template <class Bytes>
     void serialize(Bytes& bytes) {
       bytes(ground, complete_distance, collected_at, axis, displacement, centre, turned, tilts,
-            features, pairs, vertices, vertex_bounds, expired_vertices, other_vertices,
-            all_features, all_pairs);
+            features, pairs, depth_known, touching_groups, close_faces, close_faces_until,
+            close_faces_depth, other_vertices, all_features, all_pairs, pairs_contact_free_until);
     }
   };
   struct PartState {
@@ -196,6 +187,14 @@ class TerrainNarrowPhase {
     std::vector<std::uint32_t> near_parts;  ///< used by `contact_free_time_over_face`
     /// Those of `near_parts` that no plane separates from some ground face.
     std::vector<std::uint32_t> unseparated_parts;
+    struct VertexTest {
+      std::vector<std::uint32_t> groups;  ///< groups of vertices that are compared with the ground
+      std::vector<FilteredVertices> vertices;      ///< their results
+      std::vector<std::uint32_t> touching_groups;  ///< those of them that have contacts
+      std::vector<PrismClearance> clearances;      ///< used by `vertices_separation_bound`
+    };
+    VertexTest vertex_test;
+    std::vector<GroundFeature> features_before;  ///< used by `collect_part_ground`
   };
   static Scratch& scratch();
 
@@ -257,28 +256,33 @@ class TerrainNarrowPhase {
   SeparationBound separation_bound(const NearPart& part, const Vec3& away, double distance,
                                    double others) const;
 
-  // `vertex` is the index within the part. Contacts are added to `found`.
-
-  std::uint32_t block_vertex(const NearPart& part, std::uint32_t vertex) const {
-    return parts_.vertices[part.first_vertex + vertex];
-  }
-
-  /// Updates all vertices of a block part whose separation bounds have expired.
+  /// Tests the vertices of a block part: all if their separation bound has expired, otherwise those
+  /// of the touching groups.
   /// @param ahead  further displacement for which contacts must be found
   void update_vertices(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
-  void update_vertex(NearPart& part, std::uint32_t vertex, const AccumulatedDisplacement& ahead,
-                     FoundContacts& found);
-  /// Returns the separation bound of a vertex outside the ground; it is expired if contact is
-  /// possible.
-  SeparationBound ground_separation_bound(NearPart& part, std::uint32_t vertex, const Vec3& centre);
-  /// Returns the separation bound of a vertex from the plane that it may reach first; it is expired
-  /// if the bound from other features has expired.
-  SeparationBound plane_separation_bound(const NearPart& part, std::uint32_t vertex,
-                                         const Vec3& centre) const;
-  bool update_nearest_face(NearPart& part, std::uint32_t vertex, const Vec3& centre,
-                           FoundContacts& found);
-  void measure_vertex(NearPart& part, std::uint32_t vertex, const Vec3& centre,
-                      FoundContacts& found);
+  /// Compares the groups of vertices in `Scratch::vertex_test` with the ground.
+  void filter_groups(std::uint32_t p);
+  /// Lists the ground faces that may be in contact with vertices of a block part.
+  /// @param max_depth  upper bound of the depth of all vertices, m
+  void list_close_faces(std::uint32_t p, double max_depth);
+  /// True if vertices stay separated from the ground for so long that a bound is worth its cost.
+  bool stay_separated(std::span<const FilteredVertices> vertices) const;
+  /// Adds the contacts of a group of compared vertices.
+  void add_group_contacts(std::uint32_t p, std::uint32_t group, const FilteredVertices& vertices,
+                          FoundContacts& found) const;
+  /// Makes the contact of a vertex with the only ground face within reach of it, or inside the
+  /// ground with the nearest face.
+  /// @param centre  position of the vertex in the frame of the ground
+  /// @return false if the vertex needs an exact test
+  bool add_face_contact(const NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                        std::uint32_t listed_face, FoundContacts& found) const;
+  /// Tests a vertex against all listed ground faces.
+  /// @param near_face  index of a listed face that is probably near
+  void test_vertex(const NearPart& part, std::uint32_t vertex, const Vec3& centre,
+                   std::uint32_t near_face, FoundContacts& found) const;
+  /// Returns the separation bound of vertices of a block part that are not in contact.
+  SeparationBound vertices_separation_bound(std::uint32_t p,
+                                            std::span<const FilteredVertices> vertices) const;
   /// Updates all edges and faces of a block part whose separation bounds have expired.
   void update_sides(std::uint32_t p, const AccumulatedDisplacement& ahead, FoundContacts& found);
   /// Lists the edges and faces of a block part that are near a ground feature.
@@ -286,6 +290,10 @@ class TerrainNarrowPhase {
   void update_pair(const NearPart& part, FeaturePair& pair, FoundContacts& found);
   /// Returns the largest distance between a block edge or face and a ground feature in contact, m.
   double contact_distance() const { return std::max(reach_, depth_limit_.depth()); }
+  /// Returns the largest distance at which block edges on one side of a plane may touch a ground
+  /// edge on its other side, m. It is the reach if the plane faces out of the ground.
+  /// @param away  normal of the plane towards the block, of any length
+  double contact_distance_across(const SurfaceEdge& ground_edge, const Vec3& away) const;
   void add_side_contacts(FoundContacts& found);
   Vec3 in_ground_frame(const Vec3& in_body) const { return tests_.in_ground_frame(in_body); }
 
@@ -296,10 +304,12 @@ class TerrainNarrowPhase {
   double reach_;                   ///< sum of the rounding radii of block and ground, m
   double bounding_radius_ = 0.0;   ///< bounding radius of the core about the centre of mass, m
   double farthest_ = 0.0;          ///< largest distance of part spheres from the centre, m
-  double size_;                    ///< smallest side of the block, m
-  double margin_;                  ///< margin of the feature lists, m
-  double list_lifetime_;           ///< displacement of a part for which its ground list is valid, m
-  FeatureTests tests_;             ///< tests at the present pose
+  /// Accumulated displacement per displacement of `FeatureSeparation`, at least.
+  double accumulated_per_displacement_ = 1.0;
+  double size_;           ///< smallest side of the block, m
+  double margin_;         ///< margin of the feature lists, m
+  double list_lifetime_;  ///< displacement of a part for which its ground list is valid, m
+  FeatureTests tests_;    ///< tests at the present pose
 
   bool started_ = false;
   double displacement_ = 0.0;              ///< displacement passed to `find_contacts`, m

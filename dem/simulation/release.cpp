@@ -32,15 +32,16 @@ constexpr double kSettledSlack = 1.1;
 /// Run in progress.
 class Release {
  public:
+  /// @param surface  surface of `body.shape`
   Release(const TerrainSurface& terrain, std::span<const GroundParameters> zones,
-          const RigidBody& body, const RigidState& start, const ReleaseSettings& settings,
-          const MotionObserver& observe)
+          const RigidBody& body, const BlockSurface& surface, const RigidState& start,
+          const ReleaseSettings& settings, const MotionObserver& observe)
       : terrain_(terrain),
         zones_(zones),
         body_(body),
         settings_(settings),
         observe_(observe),
-        surface_(body.shape),
+        surface_(surface),
         search_(terrain.impl().surface, surface_, body.size()),
         rules_(zones, terrain.impl().zones, settings.stiffness, settings.weighting, settings.law),
         forces_(rules_, surface_, body.size()),
@@ -330,7 +331,7 @@ class Release {
   const RigidBody& body_;
   const ReleaseSettings& settings_;
   const MotionObserver& observe_;
-  BlockSurface surface_;
+  const BlockSurface& surface_;
   TerrainNarrowPhase search_;
   ContactModel rules_;
   ContactForces forces_;
@@ -405,12 +406,14 @@ ReleaseResult simulate_release(const TerrainSurface& terrain,
   }
   check_zone_parameters(terrain, zones);
   check_start_position(terrain, start.position, "the block");
-  const double overlap = Release(terrain, zones, body, start, settings, observe).start_overlap();
+  const BlockSurface surface(body.shape);
+  const double overlap =
+      Release(terrain, zones, body, surface, start, settings, observe).start_overlap();
   if (overlap > settings.start_overlap * body.smallest_side) {
     throw SimulationError("the block starts inside the ground, " + format_significant(overlap, 6) +
                           " m deep; raise the release point or give height_m");
   }
-  return Release(terrain, zones, body, start, settings, observe).run();
+  return Release(terrain, zones, body, surface, start, settings, observe).run();
 }
 
 }  // namespace clast

@@ -11,7 +11,7 @@ namespace clast::dem_detail {
 namespace {
 
 /// Parts per square root of the vertex count.
-constexpr double kPartsPerRoot = 2.0;
+constexpr double kPartsPerRoot = 1.4;
 /// Smallest number of features of a part; smaller parts cost more than they save.
 constexpr std::size_t kMinPartFeatures = 16;
 
@@ -42,6 +42,22 @@ std::vector<Item> items_of(const SurfaceFeatures& block) {
     items.push_back({{f, true, middle, radius}, false});
   }
   return items;
+}
+
+void add_vertex_groups(BlockParts& made, BlockPart& part, const SurfaceFeatures& block) {
+  part.first_group = static_cast<std::uint32_t>(made.vertex_groups.size());
+  for (std::uint32_t first = part.first_vertex; first < part.end_vertex; first += 4) {
+    VertexGroup group;
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      const std::uint32_t v = std::min(first + lane, part.end_vertex - 1);
+      const Vec3& vertex = block.vertices[made.vertices[v]];
+      group.x[lane] = vertex.x();
+      group.y[lane] = vertex.y();
+      group.z[lane] = vertex.z();
+    }
+    made.vertex_groups.push_back(group);
+  }
+  part.end_group = static_cast<std::uint32_t>(made.vertex_groups.size());
 }
 
 void add_part(BlockParts& made, const std::vector<Item>& items, std::span<std::uint32_t> members) {
@@ -97,6 +113,7 @@ BlockParts partition_block(const SurfaceFeatures& block) {
   const auto part_count = static_cast<std::size_t>(static_cast<double>(items.size()) / parts);
   BlockParts made;
   if (!items.empty()) cut(made, items, members, std::max(kMinPartFeatures, part_count));
+  for (BlockPart& part : made.parts) add_vertex_groups(made, part, block);
   return made;
 }
 

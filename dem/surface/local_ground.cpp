@@ -18,9 +18,35 @@ LocalFaces::Face make_local_face(const SurfaceFeatures& features, std::uint32_t 
   return {face.normal, face.normal.dot(a), middle, radius, index};
 }
 
+bool is_at_border(const SurfaceFeatures& features, std::uint32_t face) {
+  const std::array<std::uint32_t, 3>& edges = features.faces[face].edges;
+  return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
+    return features.edges[edge].kind == EdgeKind::kBorder;
+  });
+}
+
+FacePrism make_face_prism(const SurfaceFeatures& features, std::uint32_t index) {
+  const SurfaceFace& face = features.faces[index];
+  const Vec3& normal = face.normal;
+  FacePrism prism{{normal.x(), normal.y(), normal.z()},
+                  normal.dot(features.vertices[face.vertices[0]]),
+                  {},
+                  {}};
+  if (is_at_border(features, index)) return prism;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SurfaceEdge& edge = features.edges[face.edges[k]];
+    const Vec3 inward =
+        inward_direction(face, edge.direction, edge.forward[edge.faces[0] == index ? 0 : 1]);
+    std::copy_n(inward.data(), 3, prism.inward[k]);
+    prism.inward_offset[k] = inward.dot(features.vertices[edge.vertices[0]]);
+  }
+  return prism;
+}
+
 void LocalGround::collect_near(const IndexedSurface& ground, const Vec3& centre, double reach) {
   const SurfaceFeatures& features = ground.features;
   faces.clear();
+  prisms.clear();
   edges.clear();
   pointed_vertices.clear();
   Bounds box;
@@ -29,6 +55,7 @@ void LocalGround::collect_near(const IndexedSurface& ground, const Vec3& centre,
     const Face found = make_local_face(features, f);
     if ((centre - found.centre).norm() > reach + found.radius) continue;
     faces.push_back(found);
+    prisms.push_back(make_face_prism(features, f));
     const SurfaceFace& face = features.faces[f];
     for (int k = 0; k < 3; ++k) {
       if (features.edges[face.edges[k]].is_convex()) edges.push_back(face.edges[k]);
@@ -42,18 +69,25 @@ void LocalGround::collect_near(const IndexedSurface& ground, const Vec3& centre,
   };
   each_once(edges);
   each_once(pointed_vertices);
-  shrink_capacity(faces, edges, pointed_vertices);
+  shrink_capacity(faces, prisms, edges, pointed_vertices);
   fit_bounding_plane(features);
 }
 
 void LocalFaces::collect_near(const SurfaceFeatures& features, const LocalFaces& from,
                               const Vec3& centre, double reach) {
   faces.clear();
-  for (const Face& face : from.faces) {
-    const double near = reach + face.radius;
-    if ((centre - face.centre).squaredNorm() <= near * near) faces.push_back(face);
+  prisms.clear();
+  for (std::size_t i = 0; i < from.faces.size(); ++i) {
+    const FacePrism& prism = from.prisms[i];
+    const double near = reach + from.faces[i].radius;
+    if ((centre - from.faces[i].centre).squaredNorm() > near * near ||
+        std::abs(prism.height(centre)) > reach || prism.distance_beside(centre) > reach) {
+      continue;
+    }
+    faces.push_back(from.faces[i]);
+    prisms.push_back(prism);
   }
-  shrink_capacity(faces);
+  shrink_capacity(faces, prisms);
   fit_bounding_plane(features);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// Ground near a block, copied to contiguous memory for fast queries.
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,42 @@ struct BoundingPlane {
     bytes(normal, offset);
   }
 };
+/// Prism over and under a ground face: the plane of the face, and the planes through its edges
+/// perpendicular to it.
+struct FacePrism {
+  double normal[3];  ///< unit normal of the face, out of the ground
+  double offset;     ///< offset of the plane of the face: normal.dot(point) of its points, m
+  /// Unit normals of the planes through the edges, towards the face, and their offsets, m. All are
+  /// zero for a face at a border: the ground continues there as a plane, which has no edges.
+  double inward[3][3];
+  double inward_offset[3];
+
+  /// Returns the height of a point over the plane of the face, m.
+  double height(const Vec3& point) const { return distance(normal, offset, point); }
+  /// Returns the distance from the prism of a point outside it, m, or a smaller value; negative
+  /// inside; 0 for a face at a border.
+  double distance_beside(const Vec3& point) const {
+    return -std::min({distance(inward[0], inward_offset[0], point),
+                      distance(inward[1], inward_offset[1], point),
+                      distance(inward[2], inward_offset[2], point)});
+  }
+  template <class Bytes>
+  void serialize(Bytes& bytes) {
+    bytes(offset);
+    for (int k = 0; k < 3; ++k) {
+      bytes(normal[k], inward[k][0], inward[k][1], inward[k][2], inward_offset[k]);
+    }
+  }
+
+ private:
+  static double distance(const double* normal, double offset, const Vec3& point) {
+    return normal[0] * point.x() + normal[1] * point.y() + normal[2] * point.z() - offset;
+  }
+};
+/// True if the face is at a border of the ground.
+bool is_at_border(const SurfaceFeatures& features, std::uint32_t face);
+FacePrism make_face_prism(const SurfaceFeatures& features, std::uint32_t face);
+
 struct LocalFaces {
   struct Face {
     Vec3 normal;
@@ -35,11 +72,12 @@ struct LocalFaces {
     }
   };
   std::vector<Face> faces;
-  BoundingPlane plane;  ///< plane above all faces
+  std::vector<FacePrism> prisms;  ///< prisms over `faces`
+  BoundingPlane plane;            ///< plane above all faces
 
   template <class Bytes>
   void serialize(Bytes& bytes) {
-    bytes(faces, plane);
+    bytes(faces, prisms, plane);
   }
 
   /// Copies the faces of `from` within the distance `reach` of a point, in the same order.

@@ -192,7 +192,7 @@ TEST(SleepingPairs, MissNoContact) {
       }
     }
   }
-  EXPECT_GT(touching, 300u);
+  EXPECT_GT(touching, 200u);
 }
 
 class Threads : public testing::TestWithParam<unsigned> {};

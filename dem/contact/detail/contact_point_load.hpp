@@ -22,8 +22,10 @@ struct ContactKinematics {
   ContactKinematics(const Contact& contact, const RelativeMotion& motion)
       : arm(contact.position - motion.block.world_from_body.translation),
         velocity(motion.velocity_at(contact.position)),
-        approach_speed(-velocity.dot(contact.point.normal)),
-        sliding_velocity(velocity + approach_speed * contact.point.normal) {}
+        approach_speed(-scalar_product(velocity, contact.point.normal)),
+        sliding_velocity(velocity.x() + approach_speed * contact.point.normal.x(),
+                         velocity.y() + approach_speed * contact.point.normal.y(),
+                         velocity.z() + approach_speed * contact.point.normal.z()) {}
   Vec3 arm;               ///< position relative to the centre of the block, m
   Vec3 velocity;          ///< mean relative velocity at the contact, m/s
   double approach_speed;  ///< component of `velocity` opposite to the contact normal, m/s
@@ -54,7 +56,7 @@ inline ContactStepStart start_of_continued_contact(const Contact& contact, const
                     (point_before.ground_feature == point.ground_feature ||
                      point_before.normal.dot(point.normal) > kMinSameNormalCosine);
   start.path.initial_rate =
-      same ? -motion.start_velocity_at(previous.position).dot(point_before.normal)
+      same ? -scalar_product(motion.start_velocity_at(previous.position), point_before.normal)
            : (start.path.final_overlap - start.path.initial_overlap) / motion.duration;
   return start;
 }

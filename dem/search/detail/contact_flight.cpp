@@ -60,14 +60,6 @@ struct Approach {
   double falling;  ///< acceleration towards the plane, m/s^2
 };
 
-/// True if the face is at a border, beyond which the ground continues as a plane.
-bool is_at_border(const SurfaceFeatures& surface, std::uint32_t face) {
-  const std::array<std::uint32_t, 3>& edges = surface.faces[face].edges;
-  return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t edge) {
-    return surface.edges[edge].kind == EdgeKind::kBorder;
-  });
-}
-
 }  // namespace
 
 double TerrainNarrowPhase::contact_free_displacement() {
@@ -128,12 +120,15 @@ double TerrainNarrowPhase::part_contact_free_time(std::uint32_t p, const FlightB
   update_vertices(p, ahead, found);
   update_sides(p, ahead, found);
   part_expiry_[p] = next_update(p);
-  if (!part.expired_vertices.empty()) return 0.0;
+  if (!part.touching_groups.empty() || part.other_vertices.is_expired(part.displacement))
+    return 0.0;
   const AccumulatedDisplacement then = part.displacement + ahead;
   double time = wanted;
   if (list_expiry(part) < then.total) {
     time = time_for(list_expiry(part) - part.displacement.total, 0.0, 1.0, speed);
   }
+  time = std::min(time, min_travel_time(part.pairs_contact_free_until - accumulated_displacement_,
+                                        flight.max_point_speed, flight.gravity));
   for (const SeparationBound* separation_bound :
        {&part.other_vertices, &part.all_features, &part.all_pairs}) {
     if (!separation_bound->is_expired(then)) continue;
