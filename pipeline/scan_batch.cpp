@@ -13,7 +13,6 @@
 #include "core/number_text.hpp"
 #include "core/ordered_jobs.hpp"
 #include "library/library_update.hpp"
-#include "mesh/labelled_cloud.hpp"
 #include "pipeline/shape_to_block.hpp"
 
 namespace clast {
@@ -106,11 +105,6 @@ class Batch {
         .on_block_made = [&](const Block& block,
                              const BlockOrigin& origin) { observer_.on_block_made(block, origin); },
         .on_note = [&](const std::string& note) { outcome.notes.push_back(note); },
-        .on_split =
-            [&](const FieldScan& split) {
-              if (options_.labelled.empty()) return;
-              write_labelled_cloud(options_.labelled, split.raw.vertices, split.block_of_point);
-            },
         .on_block_lost = [&](const std::string&,
                              const std::string& reason) { outcome.failures.push_back(reason); }};
     if (!scan.is_shp()) {
@@ -262,10 +256,9 @@ class Reasons : public ScanBatchObserver {
 
 void ScanBatchOptions::check(std::size_t scans) const {
   scan.check();
-  if (!labelled.empty() && (scans != 1 || !scan.split)) {
-    throw InputError("`labelled` is for a single scan with `split`, but " +
-                     (scan.split ? std::to_string(scans) + " scans are given"
-                                 : std::string("`split` is not given")));
+  if (!scan.labelled.empty() && scans != 1) {
+    throw InputError("`labelled` is for a single scan, but " + std::to_string(scans) +
+                     " scans are given");
   }
   if (!scan.block.mass || (scans < 2 && !scan.split)) return;
   throw InputError(

@@ -14,11 +14,8 @@ struct ScanBatchOptions {
   std::filesystem::path library = "blocks.h5";  ///< library to which the blocks are added
   unsigned jobs = 1;                            ///< number of parallel scans; 0: one per core
   bool replace = false;  ///< true: existing blocks with the same id are replaced
-  /// File to which the points of a single split scan are written with the block of each, as PLY
-  /// (`write_labelled_cloud`); empty: none is written.
-  std::filesystem::path labelled = {};
-  bool resume = false;  ///< true: scans are skipped if their block exists and was made from the
-                        ///< same bytes with the same options
+  bool resume = false;   ///< true: scans are skipped if their block exists and was made from the
+                         ///< same bytes with the same options
   ScanToBlockOptions scan;
 
   /// Checks all options.

@@ -12,6 +12,7 @@
 #include "core/utf8.hpp"
 #include "library/block_bracket.hpp"
 #include "massprops/solid.hpp"
+#include "mesh/labelled_cloud.hpp"
 #include "mesh/mesh_io.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
 #include "pipeline/detail/photographed_blocks.hpp"
@@ -205,7 +206,9 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
   if (options.scale_points) note_distant_scale_points(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
-  if (options.split && callbacks.on_split) callbacks.on_split(found);
+  if (!options.labelled.empty()) {
+    write_labelled_cloud(options.labelled, found.raw.vertices, found.block_of_point);
+  }
   if (callbacks.on_note) {
     for (const std::string& note : describe_left_out(found.left_out)) callbacks.on_note(note);
   }
@@ -252,6 +255,7 @@ std::string compute_scan_digest(const std::filesystem::path& path) {
 void ScanToBlockOptions::check() const {
   scan.check();
   if (vertices) SimplifyOptions{*vertices}.check();
+  if (!labelled.empty() && !split) throw InputError("`labelled` needs `split`");
   block.check();
 }
 

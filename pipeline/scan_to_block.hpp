@@ -34,7 +34,10 @@ struct ScanToBlockOptions {
   bool find_ground = true;
   bool split = false;          ///< true: makes all blocks of a deposit
   double smallest_axis = 0.0;  ///< with `split`: least intermediate axis I of a block, m
-  PhotoScanOptions photos;     ///< options for folders of photographs
+  /// With `split`: PLY file to which the points are written with the block of each
+  /// (`write_labelled_cloud`); empty: none is written.
+  std::filesystem::path labelled = {};
+  PhotoScanOptions photos;  ///< options for folders of photographs
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -42,7 +45,7 @@ struct ScanToBlockOptions {
 template <class Visit>
 void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   const auto& [scan, units, scale_points, scale_factor, vertices, block, radius_given, any_size,
-               up_given, find_ground, split, smallest_axis, photos] = options;
+               up_given, find_ground, split, smallest_axis, labelled, photos] = options;
   visit("scan", scan);
   visit("units", units);
   visit("scale_points", scale_points);
@@ -55,6 +58,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("find_ground", find_ground);
   visit("split", split);
   visit("smallest_axis", smallest_axis);
+  visit("labelled", ExcludedField{labelled});
   visit("photos", photos);
 }
 
@@ -74,7 +78,6 @@ struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
   std::function<void(const std::string& note)> on_note = {};  ///< called with notes on the scan
-  std::function<void(const FieldScan& scan)> on_split = {};   ///< called with a split scan
   /// Called for a failed block of a split scan. If it is set, the other blocks are still made.
   std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 

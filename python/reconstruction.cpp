@@ -73,6 +73,10 @@ void take_scan(Keywords& given, ScanToBlockOptions& options) {
     options.find_ground = ground == "auto";
   }
   given.read("split", options.split);
+  given.read("smallest", options.smallest_axis);
+  std::optional<fs::path> labelled;
+  given.read("labelled", labelled);
+  if (labelled) options.labelled = *labelled;
   given.read("any_size", options.allow_any_size);
   given.read("keep_inner_shells", options.scan.repair.keep_inner_shells);
 }

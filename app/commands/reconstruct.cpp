@@ -151,7 +151,7 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       ->type_name("M")
       ->needs("--split");
   command
-      .add_option("--labelled", args.batch.labelled,
+      .add_option("--labelled", args.batch.scan.labelled,
                   "With --split: also write the points as PLY with the integer property block: 0 "
                   "ground and fines, 1, 2, ... the blocks ID_1, ID_2, ...")
       ->type_name("FILE")

@@ -33,6 +33,8 @@ def reconstruct(
     columns: Iterable[str] | None = None,
     ground: str | None = None,
     split: bool = False,
+    smallest: float | None = None,
+    labelled: PathLike | None = None,
     any_size: bool = False,
     vertices: int | None = None,
     radius: float | None = None,
@@ -68,7 +70,9 @@ def reconstruct(
         up: axis of the scan that points up, "y" or "z".
         columns: names or numbers from 1 of the columns x, y and z of a cloud in text.
         ground: "auto": remove the ground around a block; "none": the scan has no ground.
-        split: make a block of each object on the ground, as ID_1, ID_2, ...
+        split: make all blocks of a deposit, apart or touching, as ID_1, ID_2, ...
+        smallest: with `split`: smallest intermediate axis I of a block, m.
+        labelled: with `split`: PLY file to which the points are written with the block of each.
         any_size: also accept blocks over 20 m, over 10,000 t or under 1 mm.
         vertices: largest number of vertices; default: the smallest number within the tolerance.
         radius: Minkowski radius of the rounding, m; `radius_share`: the same as a fraction of S, 0 to 0.25.
@@ -91,7 +95,8 @@ def reconstruct(
     """
     options = dict(
         units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
-        columns=columns, ground=ground, split=split, any_size=any_size, vertices=vertices, radius=radius,
+        columns=columns, ground=ground, split=split, smallest=smallest, labelled=labelled, any_size=any_size,
+        vertices=vertices, radius=radius,
         radius_share=radius_share, core=core, convex=convex, density=density, mass=mass,
         accuracy=accuracy, tolerance=tolerance, keep_inner_shells=keep_inner_shells,
         scale_bar=scale_bar, board=board, marker_size=marker_size, markers=markers,

@@ -13,6 +13,11 @@
 #include "tests/support/scratch_folder.hpp"
 
 namespace clast {
+
+/// Names a kind in the name of a test.
+void PrintTo(DepositKind kind, std::ostream* out);
+void PrintTo(DepositKind kind, std::ostream* out) { *out << name_of(kind); }
+
 namespace {
 
 /// Few blocks of similar size and few points, so that a test is short.
