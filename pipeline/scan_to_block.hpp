@@ -34,7 +34,7 @@ struct ScanToBlockOptions {
   bool find_ground = true;
   bool split = false;          ///< true: makes all blocks of a deposit
   double smallest_axis = 0.0;  ///< with `split`: least intermediate axis I of a block, m
-  /// With `split`: PLY file to which the points are written with the block of each
+  /// PLY file to which the points of a split scan are written with the block of each
   /// (`write_labelled_cloud`); empty: none is written.
   std::filesystem::path labelled = {};
   PhotoScanOptions photos;  ///< options for folders of photographs
