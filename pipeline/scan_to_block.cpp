@@ -179,7 +179,6 @@ std::vector<std::string> describe_left_out(std::vector<LeftOutPart> parts) {
   const std::vector<std::pair<LeftOutReason, std::string>> reasons = {
       {LeftOutReason::kTooFewPoints, "too few points for a block"},
       {LeftOutReason::kTooSmall, "I is less than `smallest_axis`"},
-      {LeftOutReason::kCutByBorder, "the scan ends on them"},
       {LeftOutReason::kMostlyHidden, "too little of their surface is visible"}};
   std::vector<std::string> notes;
   for (const auto& [reason, words] : reasons) {

@@ -31,7 +31,7 @@ struct FourLanes {
   using Mask = std::int64_t __attribute__((vector_size(32)));
 };
 
-// What every function here begins with. They must become part of their callers.
+// Attributes of all functions here, which must become part of their callers.
 #define CLAST_VECTOR_BODY static inline __attribute__((always_inline)) void
 
 template <class Lanes>

@@ -22,7 +22,6 @@ struct DepositOptions {
 enum class LeftOutReason {
   kTooFewPoints,  ///< fewer points than describe a block
   kTooSmall,      ///< smaller than `DepositOptions::smallest_axis`
-  kCutByBorder,   ///< the scan ends on it
   kMostlyHidden,  ///< too little of its surface is visible
 };
 

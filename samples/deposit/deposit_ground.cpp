@@ -17,13 +17,13 @@ constexpr double kPlanMargin = 0.4;  // m
 
 constexpr double kShortestWave = 3.0;  // of the relief, spacings
 
-// Of the floor.
+// Constants of the floor.
 constexpr double kFloorRelief = 0.012;  // m, of the longest waves
 constexpr double kFloorWave = 1.5;      // m
 constexpr double kTopCell = 0.1;        // m, of the height over which fines are spread
 constexpr int kSmoothing = 5;           // cells; fines are even over twice as many
 
-// Of natural ground.
+// Constants of natural ground.
 constexpr double kNaturalRelief = 0.10;  // m, of the longest waves
 constexpr double kNaturalWave = 4.0;     // m
 constexpr double kAreaPerRock = 7.0;     // area in plan over L I

@@ -86,7 +86,7 @@ double chance_of_loss(double cosine) {
   return std::clamp((incidence - kGrazing) / (kLost - kGrazing), 0.0, 1.0);
 }
 
-/// What a ray measures.
+/// Measurement along a ray.
 struct Measurement {
   Vec3 place = Vec3::Zero();  ///< on the surface, m
   Vec3 error = Vec3::Zero();  ///< along the ray, m

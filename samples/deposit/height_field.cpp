@@ -8,7 +8,7 @@
 namespace clast {
 namespace {
 
-// In spacings.
+// Lengths in spacings.
 constexpr double kGravel = 0.3;           // standard deviation of the height of each vertex
 constexpr double kPebbleRadius = 3.0;     // largest
 constexpr double kPebbleDistance = 18.0;  // mean one

@@ -141,7 +141,7 @@ double concavity_at(const OrientedPoints& cloud, std::size_t point) {
   SineSum near, far;
   const auto neighbours = cloud.neighbours_of(point);
   for (const std::uint32_t n : neighbours) near.add(cloud, point, n);
-  // Every eighth of the outer neighbours, and their own outermost ones, lie twice as far.
+  // The outermost neighbours of the eight outermost neighbours lie about twice as far.
   const std::size_t k = cloud.neighbour_count;
   for (std::size_t a = k - 8; a < k; ++a) {
     const auto onwards = cloud.neighbours_of(neighbours[a]);

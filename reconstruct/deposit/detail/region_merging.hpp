@@ -10,7 +10,8 @@ namespace clast::reconstruct_detail {
 
 /// Merges patches, the pair with the lowest cost first, until no cost is below a limit. The cost of
 /// a pair is the visibility defect of the union near the smaller region plus the mean concavity
-/// of the seam between both, and is computed anew when one of them has grown nearby.
+/// of the seam between both. It is computed anew before the pair is merged if one of them has
+/// grown.
 /// @returns the region of each patch, numbered by their first patch
 std::vector<std::uint32_t> merge_patches(const OrientedPoints& cloud, const ConvexPatches& patches,
                                          std::span<const SampledPatch> sampled, unsigned threads);

@@ -15,8 +15,8 @@ struct StarBody {
 };
 
 /// Makes a closed surface whose distance from a centre is a function of direction. In the frame in
-/// which the ellipsoid is the unit sphere, the radius in a direction follows from the tangent
-/// planes of the nearest points. Beyond the points, the deviation from the ellipsoid decays with
+/// which the ellipsoid is the unit sphere, the radius in a direction is interpolated linearly
+/// between the nearest points. Beyond the points, it tends to 0.85 of the mean observed radius with
 /// the angle from the nearest point, and the surface stays below those tangent planes that have
 /// nearly all visible points below them, as the surface of a convex body does.
 /// @param points  points and normals of the visible surface, at least 12
