@@ -33,6 +33,17 @@ struct FieldNotes {
   std::optional<double> weighed_mass;  ///< kg
 };
 
+/// Visibility and certainty of a block in the scan of a deposit.
+struct DepositRecord {
+  std::size_t points = 0;         ///< number of points on its surface
+  double spacing = 0.0;           ///< distance of these points, m
+  double visible_fraction = 0.0;  ///< observed area over the area of the body
+  /// Probability that the outline is that of one block (`DepositBlock::confidence`).
+  double confidence = 0.0;
+  std::vector<std::string> contacts = {};  ///< ids of the blocks that it touches
+  std::size_t blocks = 1;                  ///< number of blocks that were found in the scan
+};
+
 /// Block: shape, mass properties, source and field notes. Geometry is in the frame of the source,
 /// in metres, z up.
 struct Block {
@@ -50,6 +61,7 @@ struct Block {
   bool from_core = false;
   std::optional<VolumeBracket>
       volume_bracket;  ///< bounds of volume and axes; empty if the scan is practically complete
+  std::optional<DepositRecord> deposit;  ///< empty if it was not split off the scan of a deposit
   std::vector<std::string> warnings;
   FieldNotes field;
 

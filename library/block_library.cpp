@@ -103,6 +103,34 @@ VolumeBracket read_unseen(const Hdf5Group& group, const std::string& where) {
   return unseen;
 }
 
+void write_deposit_record(Hdf5Group group, const DepositRecord& deposit) {
+  group.set_attribute("points", static_cast<std::int64_t>(deposit.points));
+  group.set_attribute("blocks", static_cast<std::int64_t>(deposit.blocks));
+  group.set_attribute("spacing_m", deposit.spacing);
+  group.set_attribute("visible_fraction", deposit.visible_fraction);
+  group.set_attribute("confidence", deposit.confidence);
+  group.write<std::string>("contacts", deposit.contacts);
+  group.set_unit("contacts", "1");
+}
+
+DepositRecord read_deposit_record(const Hdf5Group& group, const std::string& where) {
+  DepositRecord deposit;
+  const auto count = [&](const std::string& name) {
+    const auto number = group.read_attribute<std::int64_t>(name);
+    check_stored_value(number > 0, where, name + " is not positive");
+    return static_cast<std::size_t>(number);
+  };
+  deposit.points = count("points");
+  deposit.blocks = count("blocks");
+  deposit.spacing = read_scalar(group, "spacing_m", 0.0, where);
+  deposit.visible_fraction = read_scalar(group, "visible_fraction", 0.0, where);
+  deposit.confidence = read_scalar(group, "confidence", 0.0, where);
+  check_stored_value(deposit.visible_fraction <= 1.0 && deposit.confidence <= 1.0, where,
+                     "visible_fraction or confidence is more than 1");
+  deposit.contacts = group.read<std::string>("contacts");
+  return deposit;
+}
+
 void write_block(Hdf5Group group, const Block& block) {
   group.set_attribute("source_file", block.source.file);
   group.set_attribute("source_sha256", block.source.sha256);
@@ -147,6 +175,7 @@ void write_block(Hdf5Group group, const Block& block) {
   group.set_unit("warnings", "1");
   write_field_notes(group.create_group("field"), block.field);
   if (block.volume_bracket) write_unseen(group.create_group("unseen"), *block.volume_bracket);
+  if (block.deposit) write_deposit_record(group.create_group("deposit"), *block.deposit);
 }
 
 Block read_block(const Hdf5Group& group, const std::string& id, const std::string& where) {
@@ -198,6 +227,9 @@ Block read_block(const Hdf5Group& group, const std::string& id, const std::strin
   block.field = read_field_notes(group.open_group("field"), where);
   if (group.contains("unseen"))
     block.volume_bracket = read_unseen(group.open_group("unseen"), where);
+  if (group.contains("deposit")) {
+    block.deposit = read_deposit_record(group.open_group("deposit"), where);
+  }
   check_block_consistency(block, where);
   return block;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "classify/axis_orientation.hpp"
+#include "core/angle.hpp"
 #include "library/block_bracket.hpp"
 #include "library/block_measures.hpp"
 #include "library/unscaled.hpp"
@@ -81,6 +83,19 @@ Json unseen_json(const Block& block) {
           {"assumption", unseen.assumption}};
 }
 
+Json deposit_json(const Block& block) {
+  const DepositRecord& deposit = *block.deposit;
+  const AxisOrientation long_axis = axis_orientation(block.box.axes.col(0));
+  return {{"points", deposit.points},
+          {"spacing_m", deposit.spacing},
+          {"visible_fraction", deposit.visible_fraction},
+          {"confidence", deposit.confidence},
+          {"contacts", deposit.contacts},
+          {"blocks", deposit.blocks},
+          {"trend_deg", long_axis.trend * kDegreesPerRadian},
+          {"plunge_deg", long_axis.plunge * kDegreesPerRadian}};
+}
+
 /// Keys of lengths, areas and volumes show that no unit is known; masses and moments are null.
 Json without_metres(const Json& metric) {
   Json json = Json::object();
@@ -88,7 +103,7 @@ Json without_metres(const Json& metric) {
     const std::string unit = key.substr(std::min(key.rfind('_'), key.size()));
     if (key == "field" || key.starts_with("density")) {
       json[key] = value;  // of the rock, not of the model
-    } else if (key == "unseen") {
+    } else if (key == "unseen" || key == "deposit") {
       json[key] = without_metres(value);
     } else if (unit == "_kg" || key.ends_with("_kg_m2")) {
       json[key] = nullptr;
@@ -151,6 +166,7 @@ Json block_json(const Block& block) {
                          {"area_relative", block.deviation.area_relative},
                          {"moments_relative", block.deviation.moments_relative}};
   if (block.volume_bracket) json["unseen"] = unseen_json(block);
+  if (block.deposit) json["deposit"] = deposit_json(block);
   json["warnings"] = block.warnings;
   const Json field = field_json(block.field);
   if (!field.empty()) json["field"] = field;
