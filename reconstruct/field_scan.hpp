@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "core/progress.hpp"
 #include "reconstruct/cloud/cloud_surface.hpp"
 #include "reconstruct/deposit/deposit.hpp"
 #include "reconstruct/ground/ground.hpp"
@@ -26,6 +27,7 @@ struct FieldScanOptions {
   CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
   /// Observed free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
+  ProgressCallback progress = {};  ///< called with the name of each step before it starts
 
   void check() const;  ///< throws what its members throw
 };
@@ -35,8 +37,9 @@ struct FieldBlock {
   std::optional<Underside> underside;  ///< for an open scan, in the frame of `scan`
   std::optional<VolumeBracket>
       bounds;  ///< bounds of the volume; empty if the scan is practically closed
-  /// Point spacing of a block of a deposit, m, which limits the detail of its body; otherwise 0.
-  double spacing = 0.0;
+  /// Visible part of a block of a deposit; `points` are indices of points as read. Its body and its
+  /// bounds are moved to `scan` and `bounds`. Empty for a block that was not split off a deposit.
+  std::optional<DepositBlock> in_deposit = {};
   /// Transform from file coordinates in metres, z up, to the frame of `scan`.
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };
@@ -45,6 +48,7 @@ struct FieldBlock {
 struct FieldDeposit {
   std::vector<FieldBlock> blocks = {};     ///< ordered by x, then y
   std::vector<LeftOutPart> left_out = {};  ///< parts that may be blocks but are not among them
+  std::vector<std::string> notes = {};     ///< notes on the whole scan
   /// Block of each point as read, from 1; 0: ground, fines or left out.
   std::vector<std::uint32_t> block_of_point = {};
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapes/convex_hull.hpp"
+#include "shapes/convex_outline.hpp"
 #include "shapes/detail/calipers.hpp"
 
 namespace clast {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "shapes/detail/calipers.hpp"
+#include "shapes/convex_outline.hpp"
 
 namespace clast {
 namespace {

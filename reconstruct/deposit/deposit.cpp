@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/parallel.hpp"
-#include "reconstruct/cloud/cloud.hpp"
-#include "reconstruct/deposit/detail/prior_ellipsoid.hpp"
-#include "reconstruct/deposit/detail/region_classes.hpp"
-#include "reconstruct/deposit/detail/region_merging.hpp"
-#include "reconstruct/deposit/detail/size_uncertainty.hpp"
-#include "reconstruct/deposit/detail/star_body.hpp"
-#include "shapes/oriented_box.hpp"
+#include "reconstruct/deposit/detail/deposit_candidates.hpp"
+#include "reconstruct/deposit/detail/plan_tiles.hpp"
 
 namespace clast {
 
@@ -21,92 +15,118 @@ using namespace reconstruct_detail;
 
 namespace {
 
-constexpr std::size_t kMinDepositPoints = 100;                  ///< points of a deposit
-constexpr std::size_t kMinBlockPoints = 250;                    ///< points of a block
-constexpr std::size_t kFitSamples = 250, kAroundSamples = 200;  ///< for the ellipsoid of a block
-constexpr double kAroundReach = 1.5;  ///< radius of the surroundings, in the block's largest radii
-constexpr double kMinVisibleFraction = 0.12;  ///< of the surface of a block
-constexpr std::size_t kContactNeighbours = 12;
-
-/// Returns at most `count` evenly chosen entries.
-template <class Entry>
-std::vector<Entry> choose_evenly(std::span<const Entry> entries, std::size_t count) {
-  std::vector<Entry> chosen;
-  const std::size_t total = std::min(count, entries.size());
-  for (std::size_t k = 0; k < total; ++k) {
-    chosen.push_back(entries[(2 * k + 1) * entries.size() / (2 * total)]);
-  }
-  return chosen;
-}
-
-/// Region of each point: 0 for ground and fines, 1, 2, ... for blocks.
-std::vector<std::uint32_t> label_points(const OrientedPoints& cloud, unsigned threads) {
-  const ConvexPatches patches = find_convex_patches(cloud);
-  const std::vector<SampledPatch> sampled = sample_patches(cloud, patches, threads);
-  const std::vector<std::uint32_t> region = merge_patches(cloud, patches, sampled, threads);
-  const std::vector<RegionMeasures> measures =
-      measure_regions(cloud, patches, sampled, region, threads);
-  std::vector<std::uint32_t> number(measures.size(), 0);
-  std::uint32_t blocks = 0;
-  for (std::size_t r = 0; r < measures.size(); ++r) {
-    if (measures[r].is_block()) number[r] = ++blocks;
-  }
-  std::vector<std::uint32_t> labels(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    labels[i] = number[region[patches.patch_of_point[i]]];
-  }
-  refine_borders(cloud, labels, threads);
-  return labels;
-}
-
-/// Blocks whose points are beside those of each block, by label.
-std::vector<std::set<std::uint32_t>> find_contacts(const OrientedPoints& cloud,
-                                                   std::span<const std::uint32_t> labels,
-                                                   std::size_t count) {
-  std::vector<std::set<std::uint32_t>> contacts(count);
-  const std::size_t degree = std::min(kContactNeighbours, cloud.neighbour_count);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    for (const std::uint32_t n : cloud.neighbours_of(i).first(degree)) {
-      if (labels[n] == labels[i] || labels[n] == 0 || labels[i] == 0) continue;
-      contacts[labels[i]].insert(labels[n]);
-      contacts[labels[n]].insert(labels[i]);
-    }
-  }
-  return contacts;
-}
-
-/// Estimates the body of a block from its points and those around it.
-void estimate_body(DepositBlock& block, const OrientedPoints& cloud, const SampledPatch& seen,
-                   std::span<const SurfaceSample> others) {
-  std::vector<SurfaceSample> around;
-  for (const SurfaceSample& s : others) {
-    if ((s.position - seen.centre).norm() < kAroundReach * seen.reach) around.push_back(s);
-  }
-  const Ellipsoid ellipsoid =
-      fit_prior_ellipsoid(choose_evenly<SurfaceSample>(seen.samples, kFitSamples),
-                          choose_evenly<SurfaceSample>(around, kAroundSamples));
-  std::vector<SurfaceSample> points;
-  for (const std::uint32_t i : block.points) {
-    points.push_back({cloud.positions[i], cloud.normals[i]});
-  }
-  StarBody body = fit_star_body(points, ellipsoid, seen.spacing);
-  for (Vec3& v : body.mesh.vertices) {
-    v += cloud.origin;
-    block.centre += v / static_cast<double>(body.mesh.vertices.size());
-  }
-  block.body = std::move(body.mesh);
-  block.is_observed = std::move(body.is_vertex_observed);
-  block.spacing = seen.spacing;
-  block.visible_fraction = body.visible_fraction;
-  block.bounds = estimate_size_uncertainty(
-      signed_volume(block.body), smallest_box(block.body.vertices).lengths, block.visible_fraction);
-}
+constexpr std::size_t kMinDepositPoints = 100;  ///< points of a deposit
+constexpr double kTileOverlap = 0.1;    ///< width of the overlap of tiles at first, in tile sides
+constexpr double kLeastOverlap = 50.0;  ///< in spacings
+constexpr int kOverlapDoublings = 3;    ///< at most
+constexpr double kTileBorder = 6.0;     ///< width of the border of a tile, in spacings
+constexpr std::uint32_t kNoBlock = std::numeric_limits<std::uint32_t>::max();
 
 bool precedes_in_plan(const Vec3& a, const Vec3& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
+/// Longer side in plan of the bounding box of the points in a box, m.
+double extent_in_plan(std::span<const Vec3> points, const PlanBox& box) {
+  Bounds extent;
+  for (const Vec3& p : points) {
+    if (box.contains(p)) extent.include(p);
+  }
+  return (extent.high - extent.low).head<2>().maxCoeff();
+}
+
+/// Finds the candidates whose centres are in a tile, with indices of `points`. If one of them
+/// reaches the border of what is segmented, the overlap with the other tiles is doubled.
+DepositCandidates find_tile_candidates(std::span<const Vec3> points, const PlanBox& tile,
+                                       const ScanExtent& scan, const DepositOptions& options) {
+  double overlap = kTileOverlap * extent_in_plan(points, tile);
+  for (int doublings = 0;; ++doublings, overlap *= 2.0) {
+    const PlanBox extent = tile.expanded(overlap);
+    const std::vector<std::uint32_t> members = find_points_within(points, extent);
+    if (members.size() < kMinDepositPoints) return {};
+    std::vector<Vec3> part;
+    for (const std::uint32_t i : members) part.push_back(points[i]);
+    DepositCandidates found = find_candidates(part, tile, scan, options);
+    const PlanBox inside = extent.expanded(-kTileBorder * found.spacing);
+    bool is_cut = overlap < kLeastOverlap * found.spacing;
+    for (DepositCandidate& candidate : found.candidates) {
+      for (std::uint32_t& i : candidate.block.points) {
+        is_cut |= !inside.contains(part[i]);
+        i = members[i];
+      }
+      for (std::uint32_t& i : candidate.contact_points) i = members[i];
+    }
+    if (!is_cut || doublings == kOverlapDoublings) return found;
+  }
+}
+
+/// Finds the candidates of a cloud, tile by tile. A point belongs to one candidate at most.
+DepositCandidates find_all_candidates(std::span<const Vec3> points, const DepositOptions& options) {
+  const std::vector<PlanBox> tiles = divide_in_plan(points, options.tile_points);
+  const ScanExtent scan(points);
+  if (tiles.size() == 1) return find_candidates(points, tiles.front(), scan, options);
+  DepositCandidates all;
+  std::vector<bool> is_taken(points.size(), false);
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    DepositOptions one = options;
+    if (options.progress) {
+      one.progress = [&, t](const ProgressUpdate& step) {
+        options.progress({.activity = step.activity + ", tile " + std::to_string(t + 1) + " of " +
+                                      std::to_string(tiles.size())});
+      };
+    }
+    DepositCandidates found = find_tile_candidates(points, tiles[t], scan, one);
+    all.spacing += found.spacing / static_cast<double>(tiles.size());
+    for (DepositCandidate& candidate : found.candidates) {
+      std::vector<std::uint32_t>& own = candidate.block.points;
+      const std::size_t before = own.size();
+      std::erase_if(own, [&](std::uint32_t i) { return is_taken[i]; });
+      if (2 * own.size() < before) continue;  // found in another tile too
+      for (const std::uint32_t i : own) is_taken[i] = true;
+      all.candidates.push_back(std::move(candidate));
+    }
+  }
+  return all;
+}
+
+/// Adds to each block the numbers of the blocks to which its contact points belong.
+void add_contacts(std::vector<DepositBlock>& blocks,
+                  const std::vector<std::vector<std::uint32_t>>& contact_points,
+                  std::size_t points) {
+  std::vector<std::uint32_t> block_of_point(points, kNoBlock);
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    for (const std::uint32_t i : blocks[b].points) block_of_point[i] = b;
+  }
+  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
+    for (const std::uint32_t i : contact_points[b]) {
+      const std::uint32_t other = block_of_point[i];
+      if (other == kNoBlock || other == b) continue;
+      blocks[b].contacts.push_back(other);
+      blocks[other].contacts.push_back(b);
+    }
+  }
+  for (DepositBlock& block : blocks) {
+    std::sort(block.contacts.begin(), block.contacts.end());
+    block.contacts.erase(std::unique(block.contacts.begin(), block.contacts.end()),
+                         block.contacts.end());
+  }
+}
+
 }  // namespace
+
+std::string name_of(LeftOutReason reason) {
+  switch (reason) {
+    case LeftOutReason::kTooFewPoints:
+      return "too few points";
+    case LeftOutReason::kTooSmall:
+      return "axis I less than `smallest_axis`";
+    case LeftOutReason::kMostlyHidden:
+      return "too little of the surface visible";
+    case LeftOutReason::kCutByBorder:
+      return "cut by the border of the scan";
+  }
+  return "";
+}
 
 void DepositOptions::check() const {
   if (!(smallest_axis >= 0.0 && smallest_axis < 1e3)) {
@@ -122,67 +142,36 @@ Deposit segment_deposit(std::span<const Vec3> points, const DepositOptions& opti
                         " points are too few for a deposit; at least " +
                         std::to_string(kMinDepositPoints) + " are needed");
   }
-  const OrientedPoints cloud = orient_points(points, options.up, options.threads);
-  ConvexPatches parts{label_points(cloud, options.threads), 1};
-  for (const std::uint32_t label : parts.patch_of_point) {
-    parts.count = std::max<std::size_t>(parts.count, label + 1);
-  }
-  const std::vector<SampledPatch> sampled = sample_patches(cloud, parts, options.threads);
-  const std::vector<std::set<std::uint32_t>> contacts =
-      find_contacts(cloud, parts.patch_of_point, parts.count);
-  std::vector<DepositBlock> blocks(parts.count);
+  DepositCandidates all = find_all_candidates(points, options);
   Deposit deposit;
-  deposit.spacing = cloud.spacing;
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    const std::uint32_t label = parts.patch_of_point[i];
-    (label == 0 ? deposit.ground : blocks[label].points).push_back(i);
-  }
-  parallel_for(parts.count, options.threads, [&](std::size_t label) {
-    if (label == 0 || blocks[label].points.size() < kMinBlockPoints) return;
-    std::vector<SurfaceSample> others;
-    for (std::size_t other = 0; other < parts.count; ++other) {
-      if (other == label) continue;
-      const SampledPatch& patch = sampled[other];
-      if ((patch.centre - sampled[label].centre).norm() >
-          patch.reach + kAroundReach * sampled[label].reach) {
-        continue;
-      }
-      others.insert(others.end(), patch.samples.begin(), patch.samples.end());
-    }
-    estimate_body(blocks[label], cloud, sampled[label], others);
-  });
-
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t label = 1; label < parts.count; ++label) {
-    const DepositBlock& block = blocks[label];
-    if (block.points.empty()) continue;
-    const Vec3 place = cloud.origin + sampled[label].centre;
-    if (block.points.size() < kMinBlockPoints) {
-      deposit.left_out.push_back({LeftOutReason::kTooFewPoints, place, block.points.size()});
-    } else if (smallest_box(block.body.vertices).lengths[1] < options.smallest_axis) {
-      deposit.left_out.push_back({LeftOutReason::kTooSmall, place, block.points.size()});
-    } else if (block.visible_fraction < kMinVisibleFraction) {
-      deposit.left_out.push_back({LeftOutReason::kMostlyHidden, place, block.points.size()});
+  deposit.spacing = all.spacing;
+  std::vector<bool> is_ground(points.size(), true);
+  std::vector<DepositCandidate*> kept;
+  for (DepositCandidate& candidate : all.candidates) {
+    for (const std::uint32_t i : candidate.block.points) is_ground[i] = false;
+    if (candidate.left_out) {
+      deposit.left_out.push_back(
+          {*candidate.left_out, candidate.centre, candidate.block.points.size()});
     } else {
-      kept.push_back(label);
+      kept.push_back(&candidate);
     }
   }
-  std::sort(kept.begin(), kept.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return precedes_in_plan(blocks[a].centre, blocks[b].centre);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (is_ground[i]) deposit.ground.push_back(i);
+  }
+  std::sort(kept.begin(), kept.end(), [](const DepositCandidate* a, const DepositCandidate* b) {
+    return precedes_in_plan(a->block.centre, b->block.centre);
   });
   std::sort(deposit.left_out.begin(), deposit.left_out.end(),
             [](const LeftOutPart& a, const LeftOutPart& b) {
               return precedes_in_plan(a.centre, b.centre);
             });
-  std::vector<std::uint32_t> number(parts.count, std::numeric_limits<std::uint32_t>::max());
-  for (std::uint32_t k = 0; k < kept.size(); ++k) number[kept[k]] = k;
-  for (const std::uint32_t label : kept) {
-    for (const std::uint32_t other : contacts[label]) {
-      if (number[other] < kept.size()) blocks[label].contacts.push_back(number[other]);
-    }
-    std::sort(blocks[label].contacts.begin(), blocks[label].contacts.end());
-    deposit.blocks.push_back(std::move(blocks[label]));
+  std::vector<std::vector<std::uint32_t>> contact_points;
+  for (DepositCandidate* candidate : kept) {
+    deposit.blocks.push_back(std::move(candidate->block));
+    contact_points.push_back(std::move(candidate->contact_points));
   }
+  add_contacts(deposit.blocks, contact_points, points.size());
   return deposit;
 }
 

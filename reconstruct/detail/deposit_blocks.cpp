@@ -31,9 +31,25 @@ std::string list_contacts(const std::vector<std::uint32_t>& contacts) {
   return list;
 }
 
+/// Sizes of the blocks that a scan resolves, as the end of a sentence.
+std::string describe_resolution(std::size_t points, double spacing) {
+  return std::to_string(points) + " points with a spacing of " + format_significant(spacing, 2) +
+         " m show blocks from about " + format_significant(kResolvedSpacings * spacing, 2) + " m";
+}
+
+/// Number of the parts that were left out, to follow "no part of the scan is a block".
+std::string describe_left_out(const std::vector<LeftOutPart>& parts) {
+  if (parts.empty()) return "";
+  const auto largest = std::max_element(
+      parts.begin(), parts.end(),
+      [](const LeftOutPart& a, const LeftOutPart& b) { return a.points < b.points; });
+  return " (" + format_count(parts.size(), "part") +
+         " left out, the largest because of: " + name_of(largest->reason) + ")";
+}
+
 FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes) {
   FieldBlock found;
-  found.scan.mesh = std::move(block.body);
+  found.scan.mesh = std::exchange(block.body, {});
   found.scan.notes = notes;
   found.scan.notes.push_back("made from " + std::to_string(block.points.size()) + " points, " +
                              format_significant(100.0 * block.visible_fraction, 2) +
@@ -42,8 +58,8 @@ FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes
     found.scan.notes.push_back((block.contacts.size() == 1 ? "touches block " : "touches blocks ") +
                                list_contacts(block.contacts) + " of this scan");
   }
-  found.bounds = std::move(block.bounds);
-  found.spacing = block.spacing;
+  found.bounds = std::exchange(block.bounds, {});
+  found.in_deposit = std::move(block);
   return found;
 }
 
@@ -56,21 +72,29 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
     p *= options.scan.unit;
     if (options.scan.up == "y") p = y_up_to_z_up(p);
   }
-  Deposit deposit = segment_deposit(
-      clean.points, {.smallest_axis = options.smallest_axis, .threads = options.surface.threads});
+  Deposit deposit = segment_deposit(clean.points, {.smallest_axis = options.smallest_axis,
+                                                   .threads = options.surface.threads,
+                                                   .progress = options.progress});
   if (deposit.blocks.empty()) {
-    throw GeometryError(name + ": no part of the scan is a block: " + std::to_string(raw.size()) +
-                        " points with a spacing of " + format_significant(deposit.spacing, 2) +
-                        " m show blocks from about " +
-                        format_significant(kResolvedSpacings * deposit.spacing, 2) +
-                        " m; scan more densely, or, if this is one block alone, leave `split` out");
+    throw GeometryError(name + ": no part of the scan is a block" +
+                        describe_left_out(deposit.left_out) + "; " +
+                        describe_resolution(raw.size(), deposit.spacing) +
+                        "; scan more densely, or, if this is one block alone, leave `split` out");
   }
   FieldDeposit found;
+  const double resolved = kResolvedSpacings * deposit.spacing;
+  if (options.smallest_axis > 0.0 && options.smallest_axis < resolved) {
+    found.notes.push_back("`smallest_axis` is " + format_significant(options.smallest_axis, 4) +
+                          " m, but " + describe_resolution(raw.size(), deposit.spacing) +
+                          "; smaller ones need a spacing of " +
+                          format_significant(options.smallest_axis / kResolvedSpacings, 2) + " m");
+  }
   found.left_out = std::move(deposit.left_out);
   found.block_of_point.assign(raw.size(), 0);
   for (std::size_t b = 0; b < deposit.blocks.size(); ++b) {
-    for (const std::uint32_t i : deposit.blocks[b].points) {
-      found.block_of_point[clean.sources[i]] = static_cast<std::uint32_t>(b + 1);
+    for (std::uint32_t& i : deposit.blocks[b].points) {
+      i = static_cast<std::uint32_t>(clean.sources[i]);
+      found.block_of_point[i] = static_cast<std::uint32_t>(b + 1);
     }
     found.blocks.push_back(field_block(std::move(deposit.blocks[b]), clean.notes));
   }

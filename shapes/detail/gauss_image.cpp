@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/half_edges.hpp"
+#include "shapes/convex_outline.hpp"
 #include "shapes/detail/calipers.hpp"
 
 namespace clast {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/random.hpp"
 #include "mesh/geodesic_sphere.hpp"
@@ -118,6 +121,28 @@ TEST(Deposit, ThreadsDoNotChangeIt) {
   }
 }
 
+TEST(Deposit, TilesDoNotChangeTheBlocks) {
+  std::vector<Ball> balls;
+  for (const double x : {-1.7, 1.5}) {
+    for (const Ball& ball : kHeap) balls.push_back({ball.centre + Vec3(x, 0.7, 0.0), ball.radius});
+  }
+  const std::vector<Vec3> points = balls_on_floor(balls, 3.6, 0.04, 8);
+  const Deposit whole = segment_deposit(points);
+  const Deposit tiled = segment_deposit(points, {.tile_points = points.size() / 3});
+  ASSERT_EQ(whole.blocks.size(), balls.size());
+  ASSERT_EQ(tiled.blocks.size(), balls.size());
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    const DepositBlock &a = whole.blocks[k], &b = tiled.blocks[k];
+    std::vector<std::uint32_t> common;
+    std::set_intersection(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                          std::back_inserter(common));
+    EXPECT_GT(common.size(),
+              0.98 * static_cast<double>(std::max(a.points.size(), b.points.size())));
+    EXPECT_NEAR(signed_volume(b.body), signed_volume(a.body), 0.02 * signed_volume(a.body)) << k;
+    EXPECT_EQ(a.contacts, b.contacts) << k;
+  }
+}
+
 TEST(Deposit, TheGroundLeftAroundABlockDoesNotChangeIt) {
   const std::vector<Ball> one = {{{0.0, 0.0, 0.4}, 0.5}};
   const std::vector<Vec3> wide = balls_on_floor(one, 3.0, 0.03, 4);
@@ -157,6 +182,33 @@ TEST(Deposit, BlocksBelowTheSmallestAxisAreListed) {
   ASSERT_EQ(deposit.left_out.size(), 1u);
   EXPECT_EQ(deposit.left_out[0].reason, LeftOutReason::kTooSmall);
   EXPECT_NEAR(deposit.left_out[0].centre.y(), 0.62, 0.1);
+}
+
+TEST(Deposit, BlocksCutByTheBorderOfTheScanAreListed) {
+  const std::vector<Ball> balls = {{{0.0, 0.0, 0.4}, 0.5}, {{2.0, 0.5, 0.45}, 0.5}};
+  const std::vector<Vec3> whole = balls_on_floor(balls, 3.5, 0.03, 9);
+  // Cuts at distances of 0.3 and 0.1 radii from the centre, and along the flank.
+  for (const auto& [limit, is_cut] : {std::pair(2.15, true), {1.95, true}, {2.55, false}}) {
+    std::vector<Vec3> cropped;
+    for (const Vec3& p : whole) {
+      if (p.x() < limit) cropped.push_back(p);
+    }
+    const Deposit deposit = segment_deposit(cropped);
+    EXPECT_EQ(deposit.blocks.size(), is_cut ? 1u : 2u) << limit;
+    ASSERT_EQ(deposit.left_out.size(), is_cut ? 1u : 0u) << limit;
+    if (is_cut) {
+      EXPECT_EQ(deposit.left_out[0].reason, LeftOutReason::kCutByBorder);
+      EXPECT_NEAR(deposit.left_out[0].centre.y(), 0.5, 0.1);
+    }
+  }
+}
+
+TEST(Deposit, ABlockWithoutGroundIsNotCutByTheBorder) {
+  std::vector<Vec3> alone;
+  for (const Vec3& p : balls_on_floor({{{0.0, 0.0, 0.4}, 0.5}}, 2.0, 0.03, 10)) {
+    if (p.z() > 0.1) alone.push_back(p);
+  }
+  EXPECT_EQ(segment_deposit(alone).blocks.size(), 1u);
 }
 
 TEST(Deposit, BareGroundHasNoBlocks) {

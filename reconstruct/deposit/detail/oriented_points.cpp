@@ -48,15 +48,14 @@ Vec3 plane_normal(const OrientedPoints& cloud, std::size_t point) {
 }
 
 /// Directions of the upper hemisphere: the zenith and two rings of eight.
-std::vector<Vec3> sky_directions(const Vec3& up) {
-  const Quat rotation = Quat::FromTwoVectors(Vec3::UnitZ(), up);
-  std::vector<Vec3> directions = {up};
+std::vector<Vec3> sky_directions() {
+  std::vector<Vec3> directions = {Vec3::UnitZ()};
   for (const double zenith_angle : {kPi / 4.0, 5.0 * kPi / 12.0}) {
     for (int k = 0; k < 8; ++k) {
       const double azimuth = kPi / 4.0 * k;
-      directions.push_back(rotation * Vec3(std::sin(zenith_angle) * std::cos(azimuth),
-                                           std::sin(zenith_angle) * std::sin(azimuth),
-                                           std::cos(zenith_angle)));
+      directions.push_back(Vec3(std::sin(zenith_angle) * std::cos(azimuth),
+                                std::sin(zenith_angle) * std::sin(azimuth),
+                                std::cos(zenith_angle)));
     }
   }
   return directions;
@@ -65,7 +64,7 @@ std::vector<Vec3> sky_directions(const Vec3& up) {
 /// Marks the points that are visible from infinity along `direction`.
 std::vector<std::uint8_t> find_visible_points(const OrientedPoints& cloud, const Vec3& direction) {
   const Quat rotation = Quat::FromTwoVectors(direction, Vec3::UnitZ());
-  const double cell = kSkyCell * cloud.spacing;
+  const double cell = rounded_side(kSkyCell * cloud.spacing);
   std::vector<Vec3> flat(cloud.size());
   Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -73,6 +72,7 @@ std::vector<std::uint8_t> find_visible_points(const OrientedPoints& cloud, const
     low = low.cwiseMin(flat[i]);
     high = high.cwiseMax(flat[i]);
   }
+  low = (low / cell).array().floor() * cell;
   const auto columns = static_cast<std::size_t>((high.x() - low.x()) / cell) + 1;
   const auto rows = static_cast<std::size_t>((high.y() - low.y()) / cell) + 1;
   const auto cell_of = [&](const Vec3& p) {
@@ -89,8 +89,8 @@ std::vector<std::uint8_t> find_visible_points(const OrientedPoints& cloud, const
 }
 
 /// Turns normals towards the directions from which their points are visible.
-void orient_to_the_sky(OrientedPoints& cloud, const Vec3& up, unsigned threads) {
-  const std::vector<Vec3> directions = sky_directions(up);
+void orient_to_the_sky(OrientedPoints& cloud, unsigned threads) {
+  const std::vector<Vec3> directions = sky_directions();
   std::vector<std::vector<std::uint8_t>> visible(directions.size());
   parallel_for(directions.size(), threads,
                [&](std::size_t d) { visible[d] = find_visible_points(cloud, directions[d]); });
@@ -117,7 +117,7 @@ void orient_to_the_sky(OrientedPoints& cloud, const Vec3& up, unsigned threads) 
     signs = std::move(next);
   }
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const bool down = signs[i] < 0.0 || (signs[i] == 0.0 && cloud.normals[i].dot(up) < 0.0);
+    const bool down = signs[i] < 0.0 || (signs[i] == 0.0 && cloud.normals[i].z() < 0.0);
     if (down) cloud.normals[i] = -cloud.normals[i];
   }
 }
@@ -154,14 +154,14 @@ double concavity_at(const OrientedPoints& cloud, std::size_t point) {
 
 }  // namespace
 
-OrientedPoints orient_points(std::span<const Vec3> points, const Vec3& up, unsigned threads) {
+double rounded_side(double length) {
+  constexpr double kStepsPerOctave = 4.0;
+  return std::exp2(std::round(kStepsPerOctave * std::log2(length)) / kStepsPerOctave);
+}
+
+OrientedPoints orient_points(std::span<const Vec3> points, const Vec3& origin, unsigned threads) {
   OrientedPoints cloud;
-  Vec3 low = points.front(), high = points.front();
-  for (const Vec3& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  cloud.origin = 0.5 * (low + high);
+  cloud.origin = origin;
   cloud.positions.reserve(points.size());
   for (const Vec3& p : points) cloud.positions.push_back(p - cloud.origin);
   cloud.neighbour_count = std::min<std::size_t>(kGraphDegree, points.size() - 1);
@@ -185,7 +185,7 @@ OrientedPoints orient_points(std::span<const Vec3> points, const Vec3& up, unsig
   cloud.spacing = upper_median(cloud.spacings);
   for_all_points(points.size(), threads,
                  [&](std::size_t i) { cloud.normals[i] = plane_normal(cloud, i); });
-  orient_to_the_sky(cloud, up, threads);
+  orient_to_the_sky(cloud, threads);
   for_all_points(points.size(), threads,
                  [&](std::size_t i) { cloud.concavities[i] = concavity_at(cloud, i); });
   return cloud;

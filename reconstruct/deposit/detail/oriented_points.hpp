@@ -11,7 +11,7 @@ namespace clast::reconstruct_detail {
 /// Points of a scanned surface, with what their neighbourhoods say. All lists have one entry per
 /// point.
 struct OrientedPoints {
-  Vec3 origin = Vec3::Zero();    ///< middle of the bounding box of the given points, m
+  Vec3 origin = Vec3::Zero();    ///< m
   std::vector<Vec3> positions;   ///< m, relative to `origin`
   std::vector<Vec3> normals;     ///< unit, towards free space
   std::vector<double> spacings;  ///< local point spacing, m
@@ -29,14 +29,18 @@ struct OrientedPoints {
   }
 };
 
+/// Rounds a length to a power of 2^(1/4). The sides of grids are rounded, so that they are the same
+/// for a scan and its parts.
+double rounded_side(double length);
+
 /// Computes neighbours, spacings, normals and concavities.
 ///
 /// Normals are those of the planes through the nearest points. A normal points to those directions
 /// of the upper hemisphere from which its point is visible, which a depth buffer decides; points
 /// that are visible from none take the sign that most of their neighbours suggest.
 /// @param points  points without duplicates and outliers, at least 100
-/// @param up  unit direction from the ground to the sky
+/// @param origin  origin of the positions, m; the same for all parts of a scan, near its middle
 /// @param threads  number of threads, 0: one per core; does not affect the result
-OrientedPoints orient_points(std::span<const Vec3> points, const Vec3& up, unsigned threads);
+OrientedPoints orient_points(std::span<const Vec3> points, const Vec3& origin, unsigned threads);
 
 }  // namespace clast::reconstruct_detail

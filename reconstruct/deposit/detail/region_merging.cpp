@@ -20,7 +20,7 @@ constexpr double kMergingWindow = 1.5;  ///< radius around the smaller region, i
 constexpr double kRadiusOfRms = 1.5;    ///< radius of a region over the rms distance of its points
 constexpr double kMergingDistance = 3.0;  ///< in spacings
 constexpr double kSeamWeight = 1.5;
-constexpr double kMaxCost = 0.33;
+constexpr double kContactCost = 1.0;        ///< cost of merging blocks that clearly are two
 constexpr std::size_t kSeamNeighbours = 8;  ///< neighbours of a point with which it forms seams
 
 /// Concavities along the border of two regions, and the cost of merging these.
@@ -39,6 +39,7 @@ struct GrowingRegion {
   Vec3 sum = Vec3::Zero();  ///< of the positions of its samples, and of their squares
   double squares = 0.0;
   std::uint32_t changes = 0;                     ///< number of times that it has grown
+  double highest_cost = 0.0;                     ///< of a merging inside it
   double spacings = 0.0;                         ///< sum of the point spacings at its samples, m
   std::map<std::uint32_t, std::uint32_t> seams;  ///< by the other region
 
@@ -61,20 +62,20 @@ class Merging {
     for (std::uint32_t s = 0; s < seams_.size(); ++s) push(s);
   }
 
-  std::vector<std::uint32_t> run() {
+  MergedRegions run() {
     while (!queue_.empty()) {
       const Candidate next = queue_.top();
       queue_.pop();
       Seam& seam = seams_[next.seam];
       if (seam.ended || seam.version != next.version) continue;
-      if (next.cost > kMaxCost) {
+      if (next.cost > kMaxMergingCost) {
         if (!renew_all()) break;
         continue;
       }
       if (renew(next.seam)) continue;
       merge(next.seam);
     }
-    return region_of_patch();
+    return merged_regions();
   }
 
  private:
@@ -167,7 +168,7 @@ class Merging {
       if (seams_[s].ended || seams_[s].changes == changes_of(seams_[s])) continue;
       compute(s);
       push(s);
-      found |= seams_[s].cost <= kMaxCost;
+      found |= seams_[s].cost <= kMaxMergingCost;
     }
     return found;
   }
@@ -183,6 +184,8 @@ class Merging {
     for (const std::uint32_t p : absorbed.patches) owners_[p] = kept;
     region.patches.insert(region.patches.end(), absorbed.patches.begin(), absorbed.patches.end());
     ++region.changes;
+    region.highest_cost =
+        std::max({region.highest_cost, absorbed.highest_cost, seams_[joined].cost});
     region.sum += absorbed.sum;
     region.squares += absorbed.squares;
     region.points += absorbed.points;
@@ -213,15 +216,24 @@ class Merging {
     }
   }
 
-  std::vector<std::uint32_t> region_of_patch() const {
+  MergedRegions merged_regions() const {
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> number(regions_.size(), kNone), result;
+    std::vector<std::uint32_t> number(regions_.size(), kNone);
+    MergedRegions merged;
     std::uint32_t count = 0;
     for (const std::uint32_t r : owners_) {
-      if (number[r] == kNone) number[r] = count++;
-      result.push_back(number[r]);
+      if (number[r] == kNone) {
+        number[r] = count++;
+        merged.highest_inside.push_back(regions_[r].highest_cost);
+        double lowest = kContactCost;
+        for (const auto& [other, s] : regions_[r].seams) {
+          lowest = std::min(lowest, seams_[s].cost);
+        }
+        merged.lowest_outside.push_back(lowest);
+      }
+      merged.region_of_patch.push_back(number[r]);
     }
-    return result;
+    return merged;
   }
 
   std::span<const SampledPatch> sampled_;
@@ -234,8 +246,8 @@ class Merging {
 
 }  // namespace
 
-std::vector<std::uint32_t> merge_patches(const OrientedPoints& cloud, const ConvexPatches& patches,
-                                         std::span<const SampledPatch> sampled, unsigned threads) {
+MergedRegions merge_patches(const OrientedPoints& cloud, const ConvexPatches& patches,
+                            std::span<const SampledPatch> sampled, unsigned threads) {
   return Merging(cloud, patches, sampled, threads).run();
 }
 

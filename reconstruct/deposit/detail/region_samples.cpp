@@ -93,7 +93,7 @@ SampleGrids::SampleGrids(std::span<const SampledPatch> patches) : patches_(patch
   const auto position = [&](const Entry& e) -> const Vec3& {
     return patches_[e.patch].samples[e.sample].position;
   };
-  double voxel = kSampleCell * upper_median(std::move(spacings));
+  double voxel = rounded_side(kSampleCell * upper_median(std::move(spacings)));
   while (true) {
     Level level{voxel, {}, {}};
     std::vector<std::pair<std::uint64_t, Entry>> sorted;
