@@ -25,6 +25,7 @@ constexpr std::chrono::seconds kBetweenWrites{60};
 /// Outcome of a scan: blocks, reasons for missing blocks, or neither if the library has the block.
 struct Outcome {
   std::vector<Block> blocks;
+  std::vector<std::string> retained;  ///< ids of blocks of a split that the library has
   std::vector<std::string> failures;
   std::vector<std::string> notes;
 };
@@ -70,6 +71,12 @@ class Batch {
   }
 
  private:
+  /// A finished block of an unfinished scan.
+  struct Held {
+    const ScanFile* scan;
+    Block block;
+  };
+
   /// A block that is in `library_` and not yet in the file.
   struct Unsaved {
     const ScanFile* scan;
@@ -82,15 +89,17 @@ class Batch {
 
   bool is_split(const ScanFile& scan) const { return options_.scan.split && !scan.is_shp(); }
 
-  /// True where the block in the library was made of the same bytes by the same options.
+  /// True if the blocks in the library were made of the same bytes by the same options.
   bool is_done(const ScanFile& scan) {
     check_block_id(scan.id);
     const std::string first = is_split(scan) ? scan.id + "_1" : scan.id;
     const std::lock_guard lock(mutex_);
     if (!library_.contains(first)) return false;
-    const BlockSource& source = library_.find_block(first).source;
-    const bool same_request = options_.resume && source.options.ends_with(request_);
-    if (same_request && source.sha256 == compute_scan_digest(scan.path)) return true;
+    const Block& block = library_.find_block(first);
+    const bool same_request = options_.resume && block.source.options.ends_with(request_);
+    if (same_request && block.source.sha256 == compute_scan_digest(scan.path)) {
+      return !block.deposit || has_all(scan.id, block.deposit->blocks, block.source.sha256);
+    }
     if (options_.replace) return false;
     std::string how;
     if (options_.resume)
@@ -99,12 +108,34 @@ class Batch {
                      "; use `replace` to put the new one in its place");
   }
 
+  /// True if the library has `count` blocks of a split, all made of the same bytes.
+  bool has_all(const std::string& scan_id, std::size_t count, const std::string& sha256) const {
+    for (std::size_t i = 1; i <= count; ++i) {
+      const std::string id = scan_id + "_" + std::to_string(i);
+      if (!library_.contains(id) || !is_of(library_.find_block(id), sha256)) return false;
+    }
+    return true;
+  }
+
   std::vector<Block> make_blocks(const ScanFile& scan, Outcome& outcome) {
+    const std::string sha256 =
+        options_.resume && is_split(scan) ? compute_scan_digest(scan.path) : "";
     const ScanCallbacks callbacks = {
         .progress = [&](const ProgressUpdate& step) { report(step); },
-        .on_block_made = [&](const Block& block,
-                             const BlockOrigin& origin) { observer_.on_block_made(block, origin); },
+        .on_block_made =
+            [&](const Block& block, const BlockOrigin& origin) {
+              observer_.on_block_made(block, origin);
+              if (is_split(scan)) hold(scan, block);
+            },
         .on_note = [&](const std::string& note) { outcome.notes.push_back(note); },
+        .is_known =
+            [&](const std::string& id) {
+              const std::lock_guard lock(mutex_);
+              if (sha256.empty() || !library_.contains(id)) return false;
+              if (!is_of(library_.find_block(id), sha256)) return false;
+              outcome.retained.push_back(id);
+              return true;
+            },
         .on_block_lost = [&](const std::string&,
                              const std::string& reason) { outcome.failures.push_back(reason); }};
     if (!scan.is_shp()) {
@@ -124,11 +155,11 @@ class Batch {
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {  // one bad scan never costs the batch
-      return {{}, {error.what()}, {}};
+      return {.failures = {error.what()}};
     } catch (const std::bad_alloc&) {
-      return {{}, {"not enough memory; use fewer `jobs`, or simplify the scan first"}, {}};
+      return {.failures = {"not enough memory; use fewer `jobs`, or simplify the scan first"}};
     } catch (const std::exception& error) {
-      return {{}, {std::string("unexpected failure, please report it: ") + error.what()}, {}};
+      return {.failures = {std::string("unexpected failure, please report it: ") + error.what()}};
     }
   }
 
@@ -139,13 +170,29 @@ class Batch {
     if (progress_) progress_(step);
   }
 
+  /// Keeps a block of an unfinished scan, so that it is written if the batch is cancelled or
+  /// killed.
+  void hold(const ScanFile& scan, const Block& block) {
+    const std::lock_guard lock(mutex_);
+    held_.push_back({&scan, block});
+    held_.back().block.source.options += " " + request_;
+    save_now_and_then();
+  }
+
   void take(const ScanFile& scan, const Outcome& outcome) {
     const std::lock_guard lock(mutex_);
     ++taken_;
+    std::erase_if(held_, [&](const Held& held) { return held.scan == &scan; });
     for (const std::string& note : outcome.notes) observer_.on_note(scan.id + ": " + note);
     for (const Block& block : outcome.blocks) add(scan, block);
     for (const std::string& failure : outcome.failures) fail(scan, failure);
-    if (outcome.blocks.empty() && outcome.failures.empty()) keep(scan);
+    if (outcome.blocks.empty() && outcome.failures.empty()) {
+      keep(scan);
+    } else {
+      for (const std::string& id : outcome.retained) {
+        observer_.on_block_retained(library_.find_block(id));
+      }
+    }
     note_leftovers(scan, outcome);
     save_now_and_then();
   }
@@ -153,8 +200,10 @@ class Batch {
   void add(const ScanFile& scan, const Block& block) {
     try {
       observer_.check_block(block);
-      library_.add(block, options_.replace);
-      unsaved_.push_back({&scan, block.id});
+      if (written_early_.erase(block.id) == 0) {
+        library_.add(block, options_.replace);
+        unsaved_.push_back({&scan, block.id});
+      }
       ++result_.added;
       observer_.on_block_added(block);
     } catch (const Error& error) {  // such as one of a split scan that is there already
@@ -178,7 +227,8 @@ class Batch {
   /// Blocks of an earlier split into more than now.
   void note_leftovers(const ScanFile& scan, const Outcome& outcome) const {
     if (!options_.scan.split || outcome.blocks.empty() || !outcome.failures.empty()) return;
-    const std::string next = scan.id + "_" + std::to_string(outcome.blocks.size() + 1);
+    const std::string next =
+        scan.id + "_" + std::to_string(outcome.blocks.size() + outcome.retained.size() + 1);
     if (!library_.contains(next)) return;
     observer_.on_note(
         options_.library.string() + " still holds block " + next +
@@ -187,7 +237,7 @@ class Batch {
 
   /// Adds new blocks to the current library, to which other processes may have written meanwhile.
   void save() {
-    if (unsaved_.empty()) return;
+    if (unsaved_.empty() && held_.empty()) return;
     std::vector<std::pair<Unsaved, std::string>> refused;
     const auto waiting = [&] {
       observer_.on_note(options_.library.string() + ": another program is writing to it; waiting");
@@ -206,8 +256,15 @@ class Batch {
                                     refused.emplace_back(one, error.what());
                                   }
                                 }
+                                for (const Held& held : held_) {
+                                  if (library.contains(held.block.id) && !options_.replace)
+                                    continue;
+                                  library.add(held.block, options_.replace);
+                                  written_early_.insert(held.block.id);
+                                }
                               });
     unsaved_.clear();
+    std::erase_if(held_, [&](const Held& held) { return written_early_.contains(held.block.id); });
     result_.added -= refused.size();
     for (const auto& [one, reason] : refused) {
       observer_.on_block_refused(one.id);
@@ -217,7 +274,9 @@ class Batch {
 
   /// Failed writes are repeated at the end.
   void save_now_and_then() {
-    if (unsaved_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
+    if ((unsaved_.empty() && held_.empty()) ||
+        std::chrono::steady_clock::now() - written_ < kBetweenWrites)
+      return;
     try {
       save();
     } catch (const Error& error) {
@@ -234,7 +293,9 @@ class Batch {
   ScanToBlockOptions scan_options_;  ///< with the threads of one scan
   BlockLibrary library_;             ///< as last read or written, plus what was made since
   std::vector<Unsaved> unsaved_;
-  std::mutex mutex_;  ///< of all below, the library and the progress
+  std::vector<Held> held_;
+  std::set<std::string> written_early_;  ///< ids of held blocks that are in the file
+  std::mutex mutex_;                     ///< of all below, the library and the progress
   std::size_t taken_ = 0;
   ScanBatchResult result_;
   std::set<std::string> scans_failed_;  ///< their ids

@@ -60,8 +60,8 @@ std::string wide_tolerance_note(const BlockOptions& options, const Block& block)
 /// Tolerance below which the points of a block show no detail, as a fraction of L.
 double resolved_tolerance(const FieldBlock& found) {
   constexpr double kSpacings = 0.5;
-  if (!(found.spacing > 0.0)) return 0.0;
-  return kSpacings * found.spacing / smallest_box(found.scan.mesh.vertices).lengths[0];
+  if (!found.in_deposit) return 0.0;
+  return kSpacings * found.in_deposit->spacing / smallest_box(found.scan.mesh.vertices).lengths[0];
 }
 
 /// Simplifies and measures one block of a scan.
@@ -110,13 +110,15 @@ struct ReadScan {
   std::optional<PhotoScan> photos;
 };
 
-FieldScanOptions reading_options(const ScanToBlockOptions& options) {
+FieldScanOptions reading_options(const ScanToBlockOptions& options,
+                                 const ScanCallbacks& callbacks) {
   return {.scan = options.scan,
           .up_given = options.up_given,
           .find_ground = options.find_ground,
           .split = options.split,
           .smallest_axis = options.smallest_axis,
-          .surface = {.threads = options.block.threads}};
+          .surface = {.threads = options.block.threads},
+          .progress = callbacks.progress};
 }
 
 ScanOptions core_options(const ScanToBlockOptions& options) {
@@ -127,7 +129,7 @@ ScanOptions core_options(const ScanToBlockOptions& options) {
 
 ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptions& options,
                        BlockSource& source, const ScanCallbacks& callbacks) {
-  const FieldScanOptions reading = reading_options(options);
+  const FieldScanOptions reading = reading_options(options, callbacks);
   if (std::filesystem::is_directory(path)) {
     PhotographedBlocks made = reconstruct_photographs(path, options, reading, source, callbacks);
     return {std::move(made.field_scan), std::move(made.photos)};
@@ -152,8 +154,8 @@ std::string mesh_digest(const TriangleMesh& mesh) {
 }
 
 ReadScan clean_any_mesh(const TriangleMesh& raw, const std::string& name,
-                        const ScanToBlockOptions& options) {
-  const FieldScanOptions reading = reading_options(options);
+                        const ScanToBlockOptions& options, const ScanCallbacks& callbacks) {
+  const FieldScanOptions reading = reading_options(options, callbacks);
   FieldScan found;
   if (options.block.core) {
     found.blocks.push_back({clean_scan(raw, name, core_options(options)), {}, {}});
@@ -176,12 +178,9 @@ std::vector<std::string> describe_left_out(std::vector<LeftOutPart> parts) {
   constexpr std::size_t kNamed = 5;
   std::stable_sort(parts.begin(), parts.end(),
                    [](const LeftOutPart& a, const LeftOutPart& b) { return a.points > b.points; });
-  const std::vector<std::pair<LeftOutReason, std::string>> reasons = {
-      {LeftOutReason::kTooFewPoints, "too few points for a block"},
-      {LeftOutReason::kTooSmall, "I is less than `smallest_axis`"},
-      {LeftOutReason::kMostlyHidden, "too little of their surface is visible"}};
   std::vector<std::string> notes;
-  for (const auto& [reason, words] : reasons) {
+  for (const LeftOutReason reason : {LeftOutReason::kTooFewPoints, LeftOutReason::kTooSmall,
+                                     LeftOutReason::kMostlyHidden, LeftOutReason::kCutByBorder}) {
     std::size_t count = 0;
     std::string places;
     for (const LeftOutPart& part : parts) {
@@ -192,7 +191,7 @@ std::vector<std::string> describe_left_out(std::vector<LeftOutPart> parts) {
       }
     }
     if (count == 0) continue;
-    notes.push_back(format_count(count, "part") + " left out, because " + words + ": " + places +
+    notes.push_back(format_count(count, "part") + " left out (" + name_of(reason) + "): " + places +
                     (count > kNamed ? ", ..." : ""));
   }
   return notes;
@@ -209,19 +208,28 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
     write_labelled_cloud(options.labelled, found.raw.vertices, found.block_of_point);
   }
   if (callbacks.on_note) {
+    for (const std::string& note : found.notes) callbacks.on_note(note);
     for (const std::string& note : describe_left_out(found.left_out)) callbacks.on_note(note);
   }
   const std::size_t count = found.blocks.size();
   const auto name_of = [&](std::size_t i) {
     return options.split ? id + "_" + std::to_string(i + 1) : id;
   };
+  const auto record_of = [&](const DepositBlock& seen) {
+    DepositRecord record{seen.points.size(), seen.spacing, seen.visible_fraction,
+                         seen.confidence,    {},           count};
+    for (const std::uint32_t other : seen.contacts) record.contacts.push_back(name_of(other));
+    return record;
+  };
   ScanToBlockOptions one = options;
   if (count > 1) one.block.threads = 1;  // blocks are made in parallel instead
   std::vector<std::optional<Block>> made(count);
   std::vector<std::string> failures(count);
   parallel_for(count, count > 1 ? options.block.threads : 1, [&](std::size_t i) {
+    if (options.split && callbacks.is_known && callbacks.is_known(name_of(i))) return;
     try {
       made[i] = make_scan_block(found.blocks[i], name_of(i), source, one, callbacks);
+      if (found.blocks[i].in_deposit) made[i]->deposit = record_of(*found.blocks[i].in_deposit);
       if (callbacks.on_block_made) {
         callbacks.on_block_made(*made[i], {.raw = &found.raw,
                                            .field_block = &found.blocks[i],
@@ -238,7 +246,7 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
   for (std::size_t i = 0; i < count; ++i) {
     if (made[i]) {
       blocks.push_back(std::move(*made[i]));
-    } else {
+    } else if (!failures[i].empty()) {
       callbacks.on_block_lost(name_of(i), failures[i]);
     }
   }
@@ -275,7 +283,7 @@ std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::s
   callbacks.begin_step("cleaning " + id);
   const std::string up = options.scan.up == "y" ? "y" : "z";  // no format says otherwise
   BlockSource source{id, mesh_digest(raw), format_scale_record(options) + " up=" + up, ""};
-  ReadScan read = clean_any_mesh(raw, id, options);
+  ReadScan read = clean_any_mesh(raw, id, options, callbacks);
   return make_blocks(read, id, std::move(source), up, options, callbacks);
 }
 

@@ -78,6 +78,8 @@ struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
   std::function<void(const std::string& note)> on_note = {};  ///< called with notes on the scan
+  /// Returns whether a block of a split scan is not needed, because it was made earlier.
+  std::function<bool(const std::string& id)> is_known = {};
   /// Called for a failed block of a split scan. If it is set, the other blocks are still made.
   std::function<void(const std::string& id, const std::string& reason)> on_block_lost = {};
 
@@ -92,7 +94,8 @@ std::string compute_scan_digest(const std::filesystem::path& path);
 
 /// Makes the blocks of a scan: reads, repairs, simplifies and measures it. The scan is a mesh, a
 /// cloud or a folder of photographs. With `split`, the blocks are `id`_1, `id`_2, ..., ordered by
-/// x, then y of the file; otherwise, there is one block, `id`.
+/// x, then y of the file, without those that are known (`ScanCallbacks::is_known`); otherwise,
+/// there is one block, `id`.
 /// @throws InputError, GeometryError  if a step fails or a size is implausible; names the file or
 ///                                    the id
 std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,

@@ -156,6 +156,27 @@ TEST_F(Batches, OneBlockOfASplitThatIsThereAlreadyCostsNeitherTheOthersNorTheBat
   EXPECT_TRUE(contains(log.said[1], "still holds block scene_2 of an earlier split"));
 }
 
+TEST_F(Batches, FinishedBlocksOfASplitAreKeptWhenItIsCancelled) {
+  const std::vector<ScanFile> scans = {{scan("scene.obj", two_rocks_on_ground()), "scene", {}}};
+  options.scan.split = true;
+  options.scan.vertices = 60;
+  options.scan.block.threads = 1;
+  const ProgressCallback cancel = [](const ProgressUpdate& step) {
+    if (step.activity == "simplifying scene_2") throw Cancelled();
+  };
+  EXPECT_THROW(run(scans, cancel), Cancelled);
+  EXPECT_EQ(stored(), 1u);
+  const Block first = BlockLibrary::read(options.library).find_block("scene_1");
+  ASSERT_TRUE(first.deposit);
+  EXPECT_EQ(first.deposit->blocks, 2u);
+  options.resume = true;
+  EXPECT_EQ(run(scans).added, 1u);
+  EXPECT_EQ(stored(), 2u);
+  EXPECT_EQ(run(scans).skipped, 1u);
+  const Block again = BlockLibrary::read(options.library).find_block("scene_1");
+  EXPECT_EQ(again.mass.volume, first.mass.volume);
+}
+
 TEST_F(Batches, AMassIsThatOfOneBlock) {
   const fs::path path = scan("a.obj", cuboid(1, 0.9, 0.8));
   options.scan.block.mass = 1500.0;
