@@ -17,9 +17,7 @@ constexpr std::size_t kMinVertices = 8, kMaxVertices = 2000;
 /// Trials start at this number over the tolerance: distances of inscribed polyhedra from a smooth
 /// body are inversely proportional to their numbers of vertices.
 constexpr double kFirstVerticesTimesTolerance = 1.2;
-/// The search ends when a tenth fewer vertices are known not to do.
-constexpr double kRefinement = 1.1;
-constexpr double kMaxLeap = 3.0;  ///< from one number of vertices to the next
+constexpr double kMinLeap = 1.275, kMaxLeap = 3.0;  ///< from one number of vertices to the next
 /// More vertices are in vain if this many times the number of the closest block is no closer.
 constexpr double kInVain = 1.5;
 /// Factor by which the tolerance is raised repeatedly to find the closest block if none is within
@@ -44,7 +42,9 @@ FewestVerticesSearch::FewestVerticesSearch(const std::string& id, const ScanSurf
                                            const BlockSource& source)
     : id_(id), scan_(scan), source_(source), fine_(simplify_for_trials(scan.mesh())) {}
 
-Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_given) {
+Block FewestVerticesSearch::find_block(const BlockOptions& options, bool radius_given,
+                                       double refinement) {
+  refinement_ = refinement;
   BlockOptions tried = options;
   auto first = static_cast<std::size_t>(std::clamp(kFirstVerticesTimesTolerance / options.tolerance,
                                                    static_cast<double>(kMinVertices),
@@ -104,13 +104,13 @@ std::optional<FewestVerticesSearch::Trial> FewestVerticesSearch::search_at_radiu
     }
     const auto low = static_cast<double>(too_few), high = static_cast<double>(enough);
     if (enough > most) {  // distances fall about as 1 over the number of vertices
-      const double leap = std::clamp(ratio, 1.0 + kRefinement / 4.0, kMaxLeap);
+      const double leap = std::clamp(ratio, kMinLeap, kMaxLeap);
       count = std::max(count + 1, std::min(most, static_cast<std::size_t>(low * leap)));
     } else if (too_few < kMinVertices) {
       count = std::max(kMinVertices, static_cast<std::size_t>(high / 2.0));
       if (count == enough) break;
     } else {
-      if (high <= kRefinement * low) break;
+      if (high <= refinement_ * low) break;
       count = static_cast<std::size_t>(std::sqrt(low * high));
     }
   }

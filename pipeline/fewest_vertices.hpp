@@ -7,8 +7,7 @@
 
 namespace clast {
 
-/// Search of the minimum number of vertices, to about a tenth, with which a block is within
-/// tolerance of its scan.
+/// Search of the minimum number of vertices with which a block is within tolerance of its scan.
 class FewestVerticesSearch {
  public:
   /// Simplifies the scan once to the maximum number of vertices. All arguments must outlive it.
@@ -18,8 +17,11 @@ class FewestVerticesSearch {
   /// Finds the block with the fewest vertices within tolerance. The radius is halved until a block
   /// is within tolerance. If none is, returns the block with the smallest deviation and a warning.
   /// @param radius_given  true if the user gave the radius, which is then not changed
+  /// @param refinement  the search ends if the number of vertices divided by this is known to be
+  /// too
+  ///                    few
   /// @throws GeometryError  if no block could be made
-  Block find_block(const BlockOptions& options, bool radius_given);
+  Block find_block(const BlockOptions& options, bool radius_given, double refinement);
 
  private:
   /// A body fitted with some number of vertices, and the options that it was fitted with.
@@ -41,6 +43,7 @@ class FewestVerticesSearch {
   const ScanSurface& scan_;
   const BlockSource& source_;
   TriangleMesh fine_;
+  double refinement_ = 1.0;
   std::optional<Trial> nearest_;  ///< trial with the smallest distance found beyond the tolerance
   std::string refusal_;           ///< first error message
 };

@@ -24,10 +24,10 @@ constexpr std::chrono::seconds kBetweenWrites{60};
 
 /// Outcome of a scan: blocks, reasons for missing blocks, or neither if the library has the block.
 struct Outcome {
-  std::vector<Block> blocks;
-  std::vector<std::string> retained;  ///< ids of blocks of a split that the library has
-  std::vector<std::string> failures;
-  std::vector<std::string> notes;
+  std::vector<Block> blocks = {};
+  std::vector<std::string> retained = {};  ///< ids of blocks of a split that the library has
+  std::vector<std::string> failures = {};
+  std::vector<std::string> notes = {};
 };
 
 /// A short name of everything that was asked of a scan, for `resume` to know it again.

@@ -28,6 +28,10 @@ using namespace pipeline_detail;
 
 namespace {
 
+/// Precision of the number of vertices of a block of a complete scan, and of one of which a side is
+/// estimated.
+constexpr double kScanRefinement = 1.1, kDepositRefinement = 1.4;
+
 /// The hull in place of the scan, and what that adds to the rock.
 TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& notes) {
   TriangleMesh hull = convex_hull(scan.vertices);
@@ -90,7 +94,8 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
     callbacks.begin_step("simplifying " + id);
     FewestVerticesSearch search(id, surface, source);
     callbacks.begin_step("fitting " + id);
-    block = search.find_block(making, options.radius_given);
+    block = search.find_block(making, options.radius_given,
+                              found.in_deposit ? kDepositRefinement : kScanRefinement);
   }
   if (!block.source.unscaled) check_block_mass(block, options);
   // Simplifying leaves no crossings, but a mesh that is taken as it is may have them.

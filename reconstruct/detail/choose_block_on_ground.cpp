@@ -23,21 +23,16 @@ ChosenBlock with_ground(const BlockOnGround& block, const std::vector<Vec3>& poi
 }  // namespace
 
 ChosenBlock choose_block_on_ground(const std::vector<Vec3>& points, const Ground& ground,
-                                   const std::string& name) {
-  const BlocksOnGround standing = find_blocks_on_ground(points, ground);
-  const std::size_t count = standing.blocks.size();
-  if (count == 0) {
-    throw_only_ground_error(
-        name, static_cast<double>(standing.ground.size()) / static_cast<double>(points.size()));
-  }
-  ChosenBlock chosen = with_ground(standing.blocks[standing.central_block], points, ground);
+                                   const BlocksOnGround& found) {
+  ChosenBlock chosen = with_ground(found.blocks[found.central_block], points, ground);
   chosen.notes.push_back("the ground around it was found and removed");
-  if (count > 1) {
-    chosen.notes.push_back(
-        std::to_string(count) +
-        " blocks stand on the ground; the one near the middle was used, `split` uses all of them");
-  }
+  if (found.blocks.size() > 1) chosen.notes.push_back(note_other_blocks(found.blocks.size()));
   return chosen;
+}
+
+std::string note_other_blocks(std::size_t count) {
+  return std::to_string(count) +
+         " blocks stand on the ground; the one near the middle was used, `split` uses all of them";
 }
 
 void throw_only_ground_error(const std::string& name, double fraction) {

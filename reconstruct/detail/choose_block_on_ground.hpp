@@ -18,10 +18,12 @@ struct ChosenBlock {
 };
 
 /// Selects the block near the centre of the scan.
-/// @param name  name of the scan, for messages
-/// @throws GeometryError  if no part above the ground is a block
+/// @param found  blocks of the scan, at least one
 ChosenBlock choose_block_on_ground(const std::vector<Vec3>& points, const Ground& ground,
-                                   const std::string& name);
+                                   const BlocksOnGround& found);
+
+/// Returns the note on a scan with `count` blocks, of which one is used.
+std::string note_other_blocks(std::size_t count);
 
 /// Throws the error for a scan that contains only ground.
 /// @param fraction  fraction of the scan that is ground

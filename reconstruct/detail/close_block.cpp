@@ -31,12 +31,6 @@ double degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegreesPerRadian;
 }
 
-/// Converts from the units and axes of the file to metres, z up.
-Vec3 in_metres(Vec3 point, const ScanOptions& options) {
-  point *= options.unit;
-  return options.up == "y" ? y_up_to_z_up(point) : point;
-}
-
 /// Converts from metres, z up, to the units and axes of the file.
 TriangleMesh in_file_units(TriangleMesh mesh, const ScanOptions& options) {
   for (Vec3& v : mesh.vertices) {
@@ -140,14 +134,6 @@ Pose upright(const OpenBlock& open, const ScanOptions& options) {
   return {pivot - rotation * pivot, rotation};
 }
 
-/// A tilt worth noting is noted.
-void note_tilt(const Quat& rotation, std::vector<std::string>& notes) {
-  const double tilt = degrees_between(rotation * Vec3::UnitZ(), Vec3::UnitZ());
-  if (tilt <= kNotedTilt) return;
-  notes.push_back("turned by " + format_significant(tilt, 3) +
-                  " degrees so that z points up from the ground; `up` keeps the axes of the file");
-}
-
 /// The same underside with every length scaled and every place moved.
 template <class Move>
 Underside moved(Underside side, double unit, const Move& move) {
@@ -235,6 +221,18 @@ void judge_form(FieldBlock& block, const std::string& name, const ScanOptions& o
 }
 
 }  // namespace
+
+Vec3 in_metres(Vec3 point, const ScanOptions& options) {
+  point *= options.unit;
+  return options.up == "y" ? y_up_to_z_up(point) : point;
+}
+
+void note_tilt(const Quat& rotation, std::vector<std::string>& notes) {
+  const double tilt = degrees_between(rotation * Vec3::UnitZ(), Vec3::UnitZ());
+  if (tilt <= kNotedTilt) return;
+  notes.push_back("turned by " + format_significant(tilt, 3) +
+                  " degrees so that z points up from the ground; `up` keeps the axes of the file");
+}
 
 FieldBlock close_block(OpenBlock open, const std::string& name, const FieldScanOptions& field) {
   const ScanOptions& options = field.scan;

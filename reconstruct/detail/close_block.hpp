@@ -44,4 +44,10 @@ RepairReport report_with_fillings(RepairReport report, const std::vector<FilledH
 /// True if all points are finite and within `kMaxCoordinate` of the origin.
 bool are_coordinates_valid(const std::vector<Vec3>& points, double unit);
 
+/// Converts a point from the units and axes of the file to metres, z up.
+Vec3 in_metres(Vec3 point, const ScanOptions& options);
+
+/// Adds a note on a rotation that makes the ground horizontal, if it exceeds one degree.
+void note_tilt(const Quat& rotation, std::vector<std::string>& notes);
+
 }  // namespace clast::reconstruct_detail

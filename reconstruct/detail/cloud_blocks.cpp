@@ -1,6 +1,7 @@
 #include "reconstruct/detail/cloud_blocks.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -11,12 +12,16 @@
 #include "reconstruct/cloud/separate_sets.hpp"
 #include "reconstruct/detail/choose_block_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
+#include "reconstruct/detail/deposit_blocks.hpp"
 
 namespace clast::reconstruct_detail {
 
 namespace {
 
 constexpr std::size_t kMinPoints = 500;  ///< of a cloud
+/// Points of a block from which its surface is reconstructed with all detail. With fewer, it is
+/// segmented from the ground and estimated as a block of a deposit is.
+constexpr std::size_t kDetailedPoints = 10000;
 
 void refuse_unusable(const std::vector<Vec3>& points, const std::string& name, double unit) {
   if (!are_coordinates_valid(points, unit)) {
@@ -110,9 +115,26 @@ std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const
   refuse_separate_sets(sets, name);
   std::optional<Ground> ground;
   if (options.find_ground) ground = find_ground(points);
+  BlocksOnGround found;
+  if (ground) found = find_blocks_on_ground(points, *ground);
+  const std::size_t block_points = !ground ? points.size()
+                                   : found.blocks.empty()
+                                       ? 0
+                                       : found.blocks[found.central_block].points.size();
+  if (options.find_ground && block_points < kDetailedPoints) {
+    std::optional<Vec3> normal;
+    if (ground) normal = ground->plane().normal;
+    if (std::optional<FieldBlock> block = extract_central_block(clean, normal, options)) {
+      return {std::move(*block)};
+    }
+  }
   if (!ground) return {block_alone(std::move(sets), std::move(notes), name, options)};
 
-  const ChosenBlock chosen = choose_block_on_ground(points, *ground, name);
+  if (found.blocks.empty()) {
+    throw_only_ground_error(
+        name, static_cast<double>(found.ground.size()) / static_cast<double>(points.size()));
+  }
+  const ChosenBlock chosen = choose_block_on_ground(points, *ground, found);
   notes.insert(notes.end(), chosen.notes.begin(), chosen.notes.end());
   std::vector<std::string> own_notes;
   CloudSurface surface = surface_of(chosen.points, name, options.surface, own_notes);

@@ -1,17 +1,20 @@
 #include "reconstruct/detail/deposit_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/files/up_axis.hpp"
 #include "core/number_text.hpp"
+#include "mesh/plan_geometry.hpp"
 #include "mesh/surface_samples.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "reconstruct/cloud/cloud.hpp"
+#include "reconstruct/detail/choose_block_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/detail/cloud_blocks.hpp"
 #include "reconstruct/detail/mesh_blocks.hpp"
+#include "shapes/convex_outline.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -19,6 +22,12 @@ namespace {
 
 /// Smallest blocks that a scan resolves, in point spacings.
 constexpr double kResolvedSpacings = 12.0;
+
+/// Decay of the preference for blocks near the middle, at the corner of the scan.
+constexpr double kCentreDecay = 4.0;
+/// Strip of ground around a block that dominates its scan: least fraction of the points, and
+/// largest diagonal over that of the block.
+constexpr double kLeastGround = 0.05, kMaxSurroundings = 2.5;
 
 constexpr std::size_t kMinSurfaceSamples = 60000;  ///< of a mesh
 
@@ -47,6 +56,27 @@ std::string describe_left_out(const std::vector<LeftOutPart>& parts) {
          " left out, the largest because of: " + name_of(largest->reason) + ")";
 }
 
+/// True if a block dominates the scan, with a strip of ground around it: all points are near it,
+/// and enough of them lie outside its outline in plan.
+bool has_strip_of_ground(const std::vector<Vec3>& points, const DepositBlock& block) {
+  std::vector<Vec2> plan;
+  Bounds own, all;
+  for (const Vec3& p : points) all.include(p);
+  for (const std::uint32_t i : block.points) {
+    own.include(points[i]);
+    plan.emplace_back(points[i].head<2>());
+  }
+  if (all.diagonal() > kMaxSurroundings * own.diagonal()) return false;
+  const std::vector<Vec2> outline = convex_hull_2d(std::move(plan));
+  const auto outside = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+      if (twice_area(outline[k], outline[(k + 1) % outline.size()], p.head<2>()) < 0.0) return true;
+    }
+    return false;
+  });
+  return static_cast<double>(outside) > kLeastGround * static_cast<double>(points.size());
+}
+
 FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes) {
   FieldBlock found;
   found.scan.mesh = std::exchange(block.body, {});
@@ -68,10 +98,7 @@ FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes
 FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& name,
                              const FieldScanOptions& options) {
   CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
-  for (Vec3& p : clean.points) {
-    p *= options.scan.unit;
-    if (options.scan.up == "y") p = y_up_to_z_up(p);
-  }
+  for (Vec3& p : clean.points) p = in_metres(p, options.scan);
   Deposit deposit = segment_deposit(clean.points, {.smallest_axis = options.smallest_axis,
                                                    .threads = options.surface.threads,
                                                    .progress = options.progress});
@@ -123,6 +150,48 @@ FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
   }
   found.block_of_point = std::move(block_of_vertex);
   return found;
+}
+
+std::optional<FieldBlock> extract_central_block(const CleanCloud& cloud,
+                                                const std::optional<Vec3>& ground_normal,
+                                                const FieldScanOptions& options) {
+  Pose upright{Vec3::Zero(), Quat::Identity()};
+  if (ground_normal && !options.up_given) {
+    upright.rotation = Quat::FromTwoVectors(in_metres(*ground_normal, options.scan), Vec3::UnitZ());
+  }
+  std::vector<Vec3> points;
+  Bounds extent;
+  for (const Vec3& p : cloud.points) {
+    points.push_back(upright * in_metres(p, options.scan));
+    extent.include(points.back());
+  }
+  Deposit deposit = segment_deposit(points, {.threads = options.surface.threads});
+  const Vec3 middle = 0.5 * (extent.low + extent.high);
+  const double half = 0.5 * (extent.high - extent.low).head<2>().norm();
+  DepositBlock* chosen = nullptr;
+  double most = 0.0;
+  for (DepositBlock& block : deposit.blocks) {
+    const double distance = (block.centre - middle).head<2>().norm() / half;
+    const double weight =
+        std::cbrt(signed_volume(block.body)) * std::exp(-kCentreDecay * distance * distance);
+    if (weight <= most) continue;
+    most = weight;
+    chosen = &block;
+  }
+  if (!chosen) return {};
+  const bool is_alone = deposit.blocks.size() == 1 && deposit.left_out.empty();
+  if (!ground_normal && !(is_alone && has_strip_of_ground(points, *chosen))) {
+    return {};
+  }
+  chosen->contacts.clear();
+  for (std::uint32_t& i : chosen->points) i = cloud.sources[i];
+  std::vector<std::string> notes = cloud.notes;
+  notes.push_back("the ground around it was found and removed");
+  if (deposit.blocks.size() > 1) notes.push_back(note_other_blocks(deposit.blocks.size()));
+  note_tilt(upright.rotation, notes);
+  FieldBlock block = field_block(std::move(*chosen), notes);
+  block.block_from_file = upright;
+  return block;
 }
 
 }  // namespace clast::reconstruct_detail

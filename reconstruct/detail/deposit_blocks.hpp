@@ -1,8 +1,10 @@
 #pragma once
 /// Extraction of all blocks of a deposit.
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "reconstruct/detail/cloud_blocks.hpp"
 #include "reconstruct/field_scan.hpp"
 
 namespace clast::reconstruct_detail {
@@ -18,5 +20,13 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& points, const std::string&
 /// Segments the surface of a mesh likewise. A closed body is one block.
 FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
                              const FieldScanOptions& options);
+
+/// Extracts the block near the middle of a cloud as a block of a deposit.
+/// @param ground_normal  normal of the ground in the cloud's axes, up; empty if unknown
+/// @returns empty if no part of the cloud is a block; without a ground normal, also if there is no
+///          strip of ground around a single block
+std::optional<FieldBlock> extract_central_block(const CleanCloud& cloud,
+                                                const std::optional<Vec3>& ground_normal,
+                                                const FieldScanOptions& options);
 
 }  // namespace clast::reconstruct_detail

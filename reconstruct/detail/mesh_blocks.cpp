@@ -130,7 +130,12 @@ std::string left_out(const std::vector<SurfaceComponent>& components) {
 FieldBlock block_on_ground(const OpenSheet& sheet, const TriangleMesh& raw,
                            const std::vector<Vec3>& points, const Ground& ground,
                            const std::string& name, const FieldScanOptions& options) {
-  const ChosenBlock chosen = choose_block_on_ground(points, ground, name);
+  const BlocksOnGround found = find_blocks_on_ground(points, ground);
+  if (found.blocks.empty()) {
+    throw_only_ground_error(
+        name, static_cast<double>(found.ground.size()) / static_cast<double>(points.size()));
+  }
+  const ChosenBlock chosen = choose_block_on_ground(points, ground, found);
   const PointTree tree(points);
   std::vector<SurfaceComponent> components =
       extract_nearest_components(sheet.mesh, tree, chosen.point_indices);

@@ -13,8 +13,12 @@
 namespace clast {
 namespace {
 
+/// Points of each ball: so many that its surface is reconstructed with all detail, or that it is
+/// estimated as a block of a deposit.
+constexpr int kDense = 13000, kSparse = 3000;
+
 /// Points of a ball of 0.5 m that touches a smaller one, with 2 cm of both in the ground.
-std::vector<Vec3> balls_that_touch(double radius, std::uint64_t seed) {
+std::vector<Vec3> balls_that_touch(double radius, std::uint64_t seed, int per_block) {
   const FieldGround ground(0.0, 0.002, 0, 1.5, seed);
   const double up = radius - 0.5, reach = 0.49 + radius;
   const double away = std::sqrt(reach * reach - up * up), turn = static_cast<double>(seed);
@@ -24,36 +28,43 @@ std::vector<Vec3> balls_that_touch(double radius, std::uint64_t seed) {
     v = radius * v + Vec3(away * std::cos(turn), away * std::sin(turn), 0.48 + up);
   }
   return field_scene({first, second}, ground,
-                     {.per_block = 6000, .ground = 12000, .noise = 0.001, .half = 1.5}, seed)
+                     {.per_block = per_block, .ground = 2 * per_block, .noise = 0.001, .half = 1.5},
+                     seed)
       .points;
 }
 
-TEST(Neighbours, ThatAreSmallLowerTheLowerBounds) {
-  const double ball = 4.0 / 3.0 * kPi * 0.125;
+TEST(Neighbours, OfSparselyScannedBlocksAreBlocksOfTheirOwn) {
   std::uint64_t seed = 1;
-  for (const double radius : {0.1, 0.14, 0.18}) {
-    const FieldBlock block = extract_field_blocks(balls_that_touch(radius, seed++), "balls")[0];
+  for (const double radius : {0.18, 0.25, 0.35, 0.45}) {
+    const FieldBlock block =
+        extract_field_blocks(balls_that_touch(radius, seed++, kSparse), "balls")[0];
+    const double ball = 4.0 / 3.0 * kPi * 0.125;
     ASSERT_TRUE(block.bounds && block.bounds->sides) << radius;
-    EXPECT_LE(block.bounds->lower_volume, ball) << radius;
-    EXPECT_GE(block.bounds->upper_volume.value(), ball) << radius;
+    EXPECT_NEAR(signed_volume(block.scan.mesh), ball, 0.1 * ball) << radius;
     EXPECT_LE(block.bounds->sides->lower.maxCoeff(), 1.0) << radius;
     EXPECT_GE(block.bounds->sides->upper.minCoeff(), 1.0) << radius;
-    const std::vector<std::string>& notes = block.scan.notes;
-    EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-      return note.starts_with("a smaller body with ");
-    })) << radius;
   }
 }
 
-TEST(Neighbours, ThatAreLargeAreRefused) {
-  std::uint64_t seed = 4;
-  for (const double radius : {0.25, 0.35, 0.5}) {
-    EXPECT_TRUE(contains(refusal<GeometryError>([&] {
-                           extract_field_blocks(balls_that_touch(radius, seed++), "balls");
-                         }),
-                         "two bodies that touch in a seam"))
-        << radius;
-  }
+TEST(Neighbours, OfADenselyScannedBlockLowerTheLowerBoundsIfTheyAreSmall) {
+  const double ball = 4.0 / 3.0 * kPi * 0.125;
+  const FieldBlock block = extract_field_blocks(balls_that_touch(0.14, 2, kDense), "balls")[0];
+  ASSERT_TRUE(block.bounds && block.bounds->sides);
+  EXPECT_LE(block.bounds->lower_volume, ball);
+  EXPECT_GE(block.bounds->upper_volume.value(), ball);
+  EXPECT_LE(block.bounds->sides->lower.maxCoeff(), 1.0);
+  EXPECT_GE(block.bounds->sides->upper.minCoeff(), 1.0);
+  const std::vector<std::string>& notes = block.scan.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.starts_with("a smaller body with ");
+  }));
+}
+
+TEST(Neighbours, OfADenselyScannedBlockAreRefusedIfTheyAreLarge) {
+  EXPECT_TRUE(contains(refusal<GeometryError>([&] {
+                         extract_field_blocks(balls_that_touch(0.35, 5, kDense), "balls");
+                       }),
+                       "that touch"));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ LabelledPoints label_points(const OrientedPoints& cloud, unsigned threads) {
   for (std::size_t r = 0; r < measures.size(); ++r) {
     if (!measures[r].is_block()) continue;
     number[r] = static_cast<std::uint32_t>(labelled.confidences.size());
-    labelled.confidences.push_back(1.0 / (1.0 + std::exp(-measures[r].block_log_odds())));
+    labelled.confidences.push_back(measures[r].block_probability(merged.lowest_outside[r]));
   }
   labelled.labels.resize(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {

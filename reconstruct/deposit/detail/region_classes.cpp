@@ -17,6 +17,11 @@ constexpr double kMinRelief = 3.0;  ///< in spacings
 /// of the relief.
 constexpr double kConvexityOdds = 24.0, kBendOdds = 2.0, kDefectOdds = 16.0, kReliefOdds = 1.9,
                  kOdds = -11.4;
+/// Coefficients of the log odds that the outline is right: log odds of a block (up to a maximum),
+/// lowest cost of merging with another region, ln of the number of points, ln of the relief.
+/// Fitted to 770 regions of seven virtual deposits, of which 28 were wrong.
+constexpr double kClassOdds = 0.371, kMostClassOdds = 12.0, kCostOdds = 7.76, kPointOdds = 1.912,
+                 kProbableReliefOdds = -1.741, kProbableOdds = -11.4;
 constexpr double kLeastBend = 0.003,
                  kLargestBend = 0.6;  ///< a region without border has the latter
 constexpr std::size_t kBorderNeighbours = 8;
@@ -50,6 +55,15 @@ double RegionMeasures::block_log_odds() const {
 
 bool RegionMeasures::is_block() const {
   return points >= kMinRegionPoints && relief >= kMinRelief && block_log_odds() > 0.0;
+}
+
+double RegionMeasures::block_probability(double lowest_cost) const {
+  const double odds = kProbableOdds +
+                      kClassOdds * std::clamp(block_log_odds(), 0.0, kMostClassOdds) +
+                      kCostOdds * lowest_cost +
+                      kPointOdds * std::log(static_cast<double>(std::max<std::size_t>(points, 1))) +
+                      kProbableReliefOdds * std::log(std::max(relief, 1.0));
+  return 1.0 / (1.0 + std::exp(-odds));
 }
 
 std::vector<RegionMeasures> measure_regions(const OrientedPoints& cloud,

@@ -25,6 +25,10 @@ struct RegionMeasures {
   /// virtual deposits.
   double block_log_odds() const;
   bool is_block() const;
+  /// Probability that the region is one block: that the intersection over union of its points and
+  /// those of a true block exceeds 0.5, by logistic regression on virtual deposits.
+  /// @param lowest_cost  lowest cost of merging it with another region
+  double block_probability(double lowest_cost) const;
 };
 
 /// Measures regions.

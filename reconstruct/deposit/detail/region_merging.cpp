@@ -20,7 +20,8 @@ constexpr double kMergingWindow = 1.5;  ///< radius around the smaller region, i
 constexpr double kRadiusOfRms = 1.5;    ///< radius of a region over the rms distance of its points
 constexpr double kMergingDistance = 3.0;  ///< in spacings
 constexpr double kSeamWeight = 1.5;
-constexpr double kContactCost = 1.0;        ///< cost of merging blocks that clearly are two
+constexpr double kContactCost = 1.0;  ///< cost of merging blocks that clearly are two
+constexpr double kMaxMergingCost = 0.33;
 constexpr std::size_t kSeamNeighbours = 8;  ///< neighbours of a point with which it forms seams
 
 /// Concavities along the border of two regions, and the cost of merging these.
@@ -39,7 +40,6 @@ struct GrowingRegion {
   Vec3 sum = Vec3::Zero();  ///< of the positions of its samples, and of their squares
   double squares = 0.0;
   std::uint32_t changes = 0;                     ///< number of times that it has grown
-  double highest_cost = 0.0;                     ///< of a merging inside it
   double spacings = 0.0;                         ///< sum of the point spacings at its samples, m
   std::map<std::uint32_t, std::uint32_t> seams;  ///< by the other region
 
@@ -184,8 +184,6 @@ class Merging {
     for (const std::uint32_t p : absorbed.patches) owners_[p] = kept;
     region.patches.insert(region.patches.end(), absorbed.patches.begin(), absorbed.patches.end());
     ++region.changes;
-    region.highest_cost =
-        std::max({region.highest_cost, absorbed.highest_cost, seams_[joined].cost});
     region.sum += absorbed.sum;
     region.squares += absorbed.squares;
     region.points += absorbed.points;
@@ -224,7 +222,6 @@ class Merging {
     for (const std::uint32_t r : owners_) {
       if (number[r] == kNone) {
         number[r] = count++;
-        merged.highest_inside.push_back(regions_[r].highest_cost);
         double lowest = kContactCost;
         for (const auto& [other, s] : regions_[r].seams) {
           lowest = std::min(lowest, seams_[s].cost);

@@ -11,13 +11,9 @@ namespace clast::reconstruct_detail {
 /// Regions of patches, and what the costs of merging say about them.
 struct MergedRegions {
   std::vector<std::uint32_t> region_of_patch;  ///< numbered by their first patch
-  std::vector<double> highest_inside;  ///< highest cost of a merging in each region; 0 for a patch
   /// Lowest cost of merging each region with another, at most 1.
   std::vector<double> lowest_outside;
 };
-
-/// Cost above which regions are not merged.
-inline constexpr double kMaxMergingCost = 0.33;
 
 /// Merges patches, the pair with the lowest cost first, until no cost is below a limit. The cost of
 /// a pair is the visibility defect of the union near the smaller region plus the mean concavity
