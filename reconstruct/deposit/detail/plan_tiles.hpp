@@ -18,6 +18,9 @@ struct PlanBox {
     return (point.head<2>().array() >= lower.array()).all() &&
            (point.head<2>().array() < upper.array()).all();
   }
+  bool is_unbounded() const {
+    return (upper - lower).minCoeff() == std::numeric_limits<double>::infinity();
+  }
   /// Returns a box whose sides are farther outside by `distance`.
   PlanBox expanded(double distance) const {
     return {lower - Vec2::Constant(distance), upper + Vec2::Constant(distance)};
