@@ -73,6 +73,7 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
     if (options.scan.up == "y") p = y_up_to_z_up(p);
   }
   Deposit deposit = segment_deposit(clean.points, {.smallest_axis = options.smallest_axis,
+                                                   .edits = options.edits,
                                                    .threads = options.surface.threads,
                                                    .progress = options.progress});
   if (deposit.blocks.empty()) {
@@ -90,6 +91,7 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
                           format_significant(options.smallest_axis / kResolvedSpacings, 2) + " m");
   }
   found.left_out = std::move(deposit.left_out);
+  found.spacing = deposit.spacing;
   found.block_of_point.assign(raw.size(), 0);
   for (std::size_t b = 0; b < deposit.blocks.size(); ++b) {
     for (std::uint32_t& i : deposit.blocks[b].points) {
@@ -108,6 +110,11 @@ FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
                              const FieldScanOptions& options) {
   FieldDeposit found;
   if (is_closed_body(raw, options.scan)) {
+    if (!options.edits.empty()) {
+      throw InputError(name +
+                       ": the mesh is a closed body, hence one block, which `edits` cannot "
+                       "change; leave them out");
+    }
     found.blocks = extract_mesh_blocks(raw, name, options);
     found.block_of_point.assign(raw.vertices.size(), 1);
     return found;
