@@ -257,8 +257,8 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
       callbacks.on_block_lost(name_of(i), failures[i]);
     }
   }
-  if (options.split && callbacks.on_deposit_made) {
-    DepositOrigin origin{&found, up, {}};
+  if (found.spacing > 0.0 && callbacks.on_deposit_made) {
+    DepositOrigin origin{&found, read.photos ? 1.0 : options.scan.unit, up, {}};
     for (std::size_t i = 0; i < count; ++i) origin.ids.push_back(name_of(i));
     callbacks.on_deposit_made(blocks, origin);
   }

@@ -78,7 +78,8 @@ struct BlockOrigin {
 /// Points of a split scan and the blocks that were made of them.
 struct DepositOrigin {
   const FieldScan* scan = nullptr;  ///< points, block of each point, and parts left out
-  std::string up = "z";             ///< up axis of the file
+  double unit = 1.0;                ///< metres per unit of the points
+  std::string up = "z";             ///< up axis of the points
   /// Ids of the blocks in the order of `FieldDeposit::block_of_point`, also of failed ones.
   std::vector<std::string> ids;
 };
@@ -87,7 +88,7 @@ struct DepositOrigin {
 struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
-  /// Called when all blocks of a split scan are made.
+  /// Called when all blocks of a split scan are made, unless it is one closed body.
   std::function<void(const std::vector<Block>& blocks, const DepositOrigin& origin)>
       on_deposit_made = {};
   std::function<void(const std::string& note)> on_note = {};  ///< called with notes on the scan

@@ -203,7 +203,7 @@ class Follower : public ScanBatchObserver {
         {.name = scan.id,
          .file = scan.path.string(),
          .scan = origin.scan,
-         .options = options_.scan.scan,
+         .unit = origin.unit,
          .up = origin.up,
          .ids = origin.ids,
          .blocks = &blocks,

@@ -52,7 +52,7 @@ struct FieldDeposit {
   std::vector<std::string> notes = {};     ///< notes on the whole scan
   /// Block of each point as read, from 1; 0: ground, fines or left out.
   std::vector<std::uint32_t> block_of_point = {};
-  double spacing = 0.0;  ///< median point spacing, m; 0 if the scan is one closed body
+  double spacing = 0.0;  ///< spacing of the points as read, m; 0 if the scan is one closed body
 };
 
 /// A scan as read and its blocks. Without `split`, there is one block and nothing else.

@@ -83,7 +83,7 @@ void BatchPrinter::on_deposit_made(const ScanFile& scan, const std::vector<Block
   report_->prepare_deposit({.name = scan.id,
                             .file = scan.path.string(),
                             .scan = origin.scan,
-                            .options = options.scan,
+                            .unit = origin.unit,
                             .up = origin.up,
                             .ids = origin.ids,
                             .blocks = &blocks,

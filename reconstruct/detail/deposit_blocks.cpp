@@ -1,6 +1,7 @@
 #include "reconstruct/detail/deposit_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
@@ -129,6 +130,8 @@ FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
         found.block_of_point[tree.nearest_neighbours(vertex, 1).front().point]);
   }
   found.block_of_point = std::move(block_of_vertex);
+  found.spacing *=
+      std::sqrt(static_cast<double>(points.size()) / static_cast<double>(raw.vertices.size()));
   return found;
 }
 

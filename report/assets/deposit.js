@@ -41,7 +41,7 @@ const clastDeposit = (async () => {
   sheet.width = plan.columns;
   sheet.height = plan.rows;
   const image = new Image();
-  image.src = root.querySelector('.relief').src;
+  image.src = root.dataset.relief;
   await image.decode();
   const paper = sheet.getContext('2d', {willReadFrequently: true});
   paper.drawImage(image, 0, 0);

@@ -183,7 +183,7 @@ std::string scan_sections(const Block& block, const BlockPageContents& scan) {
   options.up = scan.up;
   std::string html = draw_before_and_after(*scan.raw, options, *scan.field_block,
                                            find_repair_marks(report), !is_unscaled(block));
-  if (scan.field_block->is_observed.empty()) {  // the body of a block of a deposit needs no repair
+  if (!scan.field_block->in_deposit) {  // the body of a block of a deposit needs no repair
     html += format_repair_section(report, scan.raw->triangles.empty(),
                                   scan.field_block->underside.has_value(), unit);
   }
@@ -200,7 +200,7 @@ std::string scan_sections(const Block& block, const BlockPageContents& scan) {
 }
 
 std::string format_scan_turntable(const Block& block, const FieldBlock* found) {
-  if (found == nullptr || (found->is_observed.empty() && !found->underside)) {
+  if (found == nullptr || (!found->in_deposit && !found->underside)) {
     return format_turntable_section(block);
   }
   UnobservedSurface unobserved(*found, {});

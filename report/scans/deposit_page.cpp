@@ -22,16 +22,9 @@ namespace {
 /// Side of the cells in which the outlines of blocks are traced, in point spacings.
 constexpr double kOutlineCell = 1.5;
 
+/// Reason in the words of a page, without names of options.
 std::string describe_reason(LeftOutReason reason) {
-  switch (reason) {
-    case LeftOutReason::kTooFewPoints:
-      return "too few points";
-    case LeftOutReason::kTooSmall:
-      return "smaller than asked for";
-    case LeftOutReason::kMostlyHidden:
-      return "mostly hidden";
-  }
-  return {};
+  return reason == LeftOutReason::kTooSmall ? "smaller than asked for" : name_of(reason);
 }
 
 /// Points of the scan in metres, z up.
@@ -39,7 +32,7 @@ std::vector<Vec3> deposit_points(const DepositPageContents& deposit) {
   std::vector<Vec3> points;
   points.reserve(deposit.scan->raw.vertices.size());
   for (const Vec3& vertex : deposit.scan->raw.vertices) {
-    const Vec3 p = deposit.options.unit * vertex;
+    const Vec3 p = deposit.unit * vertex;
     points.push_back(deposit.up == "y" ? y_up_to_z_up(p) : p);
   }
   return points;
@@ -54,7 +47,7 @@ std::uint32_t block_number(const DepositPageContents& deposit, const std::string
 DepositMap make_map(const DepositPageContents& deposit, std::span<const Vec3> points) {
   DepositMap map;
   // The system of the file holds for its coordinates as they are.
-  if (deposit.options.unit == 1.0 && deposit.up == "z") map.crs = deposit.scan->crs;
+  if (deposit.unit == 1.0 && deposit.up == "z") map.crs = deposit.scan->crs;
   std::vector<std::vector<Vec2>> plan(deposit.ids.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t block = deposit.scan->block_of_point[i];
@@ -63,7 +56,6 @@ DepositMap make_map(const DepositPageContents& deposit, std::span<const Vec3> po
   for (const Block& block : *deposit.blocks) {
     DepositMapBlock entry = make_deposit_map_block(block);
     const std::vector<Vec2>& around = plan[block_number(deposit, block.id) - 1];
-    if (entry.points == 0) entry.points = around.size();
     entry.outlines = trace_plan_outlines(around, kOutlineCell * deposit.scan->spacing);
     map.blocks.push_back(std::move(entry));
   }

@@ -14,8 +14,8 @@ struct DepositPageContents {
   std::string name;                 ///< id of the scan
   std::string file;                 ///< path of the scan
   const FieldScan* scan = nullptr;  ///< points, block of each point, and parts left out
-  ScanOptions options = {};         ///< options used for reading the scan
-  std::string up = "z";             ///< up axis of the file
+  double unit = 1.0;                ///< metres per unit of its points
+  std::string up = "z";             ///< up axis of its points
   std::vector<std::string> ids;     ///< block ids in the order of `FieldDeposit::block_of_point`
   const std::vector<Block>* blocks = nullptr;  ///< those that were made, in the same order
   std::vector<DepositEdit> edits = {};         ///< corrections that were applied

@@ -149,7 +149,7 @@ std::vector<Vec3> without_strays(const std::vector<Vec3>& points) {
 TriangleMesh scan_around(const TriangleMesh& raw, const FieldBlock& block,
                          const std::function<Vec3(const Vec3&)>& to_block) {
   TriangleMesh read;
-  if (block.is_observed.empty()) {
+  if (!block.in_deposit) {
     read = raw;
     for (Vec3& v : read.vertices) v = to_block(v);
     return read;
@@ -196,7 +196,7 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
     if (options.up == "y") p = y_up_to_z_up(p);
     return block.block_from_file * p;
   };
-  const bool of_deposit = !block.is_observed.empty();
+  const bool of_deposit = block.in_deposit.has_value();
   TriangleMesh read = scan_around(raw, block, to_block);
   std::vector<PositionMark> placed = marks;
   for (PositionMark& mark : placed) mark.position = to_block(mark.position);

@@ -183,8 +183,12 @@ std::string ScanReport::Impl::write_deposits() const {
              "</a>: map, 3-D view and corrections of " +
              format_count(page.map.blocks.size(), "block") + "</p>\n";
   }
+  // Of a batch that is only continued, the page of an earlier run remains.
+  if (links.empty() && earlier > 0 && fs::exists(folder / "deposit.html")) {
+    links = "<p><a href=\"deposit.html\">deposit.html</a></p>\n";
+  }
   if (links.empty()) return {};
-  return format_section(deposits.size() == 1 ? "Deposit" : "Deposits", links);
+  return format_section(deposits.size() > 1 ? "Deposits" : "Deposit", links);
 }
 
 void ScanReport::add_failure(const std::string& scan, const std::string& reason) {

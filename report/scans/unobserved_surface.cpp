@@ -26,8 +26,9 @@ bool UnobservedSurface::contains(const Vec3& place) {
 bool UnobservedSurface::is_unobserved(std::uint32_t triangle) {
   const TriangleMesh& mesh = block_.scan.mesh;
   const auto& [a, b, c] = mesh.triangles[triangle];
-  if (!block_.is_observed.empty()) {
-    return block_.is_observed[a] + block_.is_observed[b] + block_.is_observed[c] < 2;
+  if (block_.in_deposit && !block_.in_deposit->is_observed.empty()) {
+    const std::vector<bool>& is_observed = block_.in_deposit->is_observed;
+    return is_observed[a] + is_observed[b] + is_observed[c] < 2;
   }
   const Vec3 middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
   if (best_) {

@@ -9,10 +9,10 @@ namespace {
 using Json = nlohmann::json;
 
 /// Four balls on a floor; by x: 1 is the largest, 2 and 3 touch it, 4 lies apart.
-const std::vector<Ball> kBalls = {{{-0.5, 0.0, 0.48}, 0.5},
-                                  {{0.0, 0.62, 0.3}, 0.3},
-                                  {{0.42, 0.0, 0.40}, 0.42},
-                                  {{1.6, -0.8, 0.33}, 0.35}};
+const std::vector<FloorBall> kBalls = {{{-0.5, 0.0, 0.48}, 0.5},
+                                       {{0.0, 0.62, 0.3}, 0.3},
+                                       {{0.42, 0.0, 0.40}, 0.42},
+                                       {{1.6, -0.8, 0.33}, 0.35}};
 
 /// Helpers of the probes: clicks at places of the map and of the 3-D view, and keys.
 constexpr const char* kDepositProbe = R"(<script>
@@ -145,7 +145,9 @@ TEST_F(DepositPage, SelectsCorrectsAndContinues) {
   ASSERT_EQ(after.size(), 4u) << "block 4 of the first run is left in the library";
   EXPECT_TRUE(contains(std::string(after[0]["provenance"]["options"]), " edits="));
   // What is left of 1 ends at the cut, 2 and 3 are one block, and 4 is as it was.
-  EXPECT_LT(after[0]["volume_m3"], 0.9 * double(before[0]["volume_m3"]));
+  EXPECT_LT(after[0]["volume_m3"], 0.95 * double(before[0]["volume_m3"]));
+  EXPECT_LT(after[0]["deposit"]["points"], 0.8 * double(before[0]["deposit"]["points"]));
+  EXPECT_EQ(after[2]["deposit"]["confidence"], 1.0);
   EXPECT_GT(after[1]["box_m"][0], 1.2);
   EXPECT_EQ(after[2]["box_m"], before[3]["box_m"]);
   EXPECT_EQ(after[2]["volume_m3"], before[3]["volume_m3"]);

@@ -11,7 +11,7 @@ namespace clast {
 namespace {
 
 using Labels = std::vector<std::uint32_t>;
-using Kind = DepositEditKind;
+using EditKind = DepositEditKind;
 
 /// Points of a row of square blocks of 10 x 10 points with a spacing of 0.1 m. Block b lies at x
 /// from b - 1 to b; ground lies beyond the last.
@@ -41,7 +41,7 @@ struct BlockRow {
 };
 
 DepositEdit cut(const Vec3& block, std::vector<Vec3> line, const Vec3& view = -Vec3::UnitZ()) {
-  return {Kind::kCut, {block}, std::move(line), view};
+  return {EditKind::kCut, {block}, std::move(line), view};
 }
 
 TEST(DepositEdits, NoEditsChangeNothing) {
@@ -54,7 +54,7 @@ TEST(DepositEdits, NoEditsChangeNothing) {
 
 TEST(DepositEdits, ADroppedBlockIsGroundAndTheOthersAreNumberedWithoutGaps) {
   const BlockRow row(3);
-  const EditedLabels after = row.edited({{Kind::kDrop, {BlockRow::on(2)}}});
+  const EditedLabels after = row.edited({{EditKind::kDrop, {BlockRow::on(2)}}});
   EXPECT_EQ(row.label_near(after.labels, BlockRow::on(1)), 1u);
   EXPECT_EQ(row.label_near(after.labels, BlockRow::on(2)), 0u);
   EXPECT_EQ(row.label_near(after.labels, BlockRow::on(3)), 2u);
@@ -64,7 +64,7 @@ TEST(DepositEdits, ADroppedBlockIsGroundAndTheOthersAreNumberedWithoutGaps) {
 TEST(DepositEdits, MergedBlocksAreOne) {
   const BlockRow row(4);
   const EditedLabels after =
-      row.edited({{Kind::kMerge, {BlockRow::on(4), BlockRow::on(1), BlockRow::on(2)}}});
+      row.edited({{EditKind::kMerge, {BlockRow::on(4), BlockRow::on(1), BlockRow::on(2)}}});
   for (const std::uint32_t block : {1u, 2u, 4u}) {
     EXPECT_EQ(row.label_near(after.labels, BlockRow::on(block)), 1u) << block;
   }
@@ -114,8 +114,8 @@ TEST(DepositEdits, EachActsOnTheResultOfThoseBefore) {
   const BlockRow row(3);
   // A side of a cut block is merged with its neighbour, and the other side is dropped.
   const EditedLabels after = row.edited({cut(BlockRow::on(1), {{0.0, 0.5, 0.0}, {1.0, 0.5, 0.0}}),
-                                         {Kind::kMerge, {{0.5, 0.75, 0.2}, BlockRow::on(2)}},
-                                         {Kind::kDrop, {{0.5, 0.25, 0.2}}}});
+                                         {EditKind::kMerge, {{0.5, 0.75, 0.2}, BlockRow::on(2)}},
+                                         {EditKind::kDrop, {{0.5, 0.25, 0.2}}}});
   EXPECT_TRUE(after.misfits.empty());
   EXPECT_EQ(row.label_near(after.labels, {0.5, 0.25, 0.2}), 0u);
   EXPECT_EQ(row.label_near(after.labels, {0.5, 0.75, 0.2}), 1u);
@@ -125,12 +125,12 @@ TEST(DepositEdits, EachActsOnTheResultOfThoseBefore) {
 
 TEST(DepositEdits, OfDifferentBlocksMayBeInterchanged) {
   const BlockRow row(9);
-  std::vector<DepositEdit> edits = {{Kind::kAccept, {BlockRow::on(1)}},
-                                    {Kind::kDrop, {BlockRow::on(2)}},
-                                    {Kind::kMerge, {BlockRow::on(3), BlockRow::on(4)}},
+  std::vector<DepositEdit> edits = {{EditKind::kAccept, {BlockRow::on(1)}},
+                                    {EditKind::kDrop, {BlockRow::on(2)}},
+                                    {EditKind::kMerge, {BlockRow::on(3), BlockRow::on(4)}},
                                     cut(BlockRow::on(5), {{4.0, 0.5, 0.0}, {5.0, 0.5, 0.0}}),
                                     cut(BlockRow::on(6), {{5.5, 0.0, 0.0}, {5.5, 1.0, 0.0}}),
-                                    {Kind::kMerge, {BlockRow::on(9), BlockRow::on(7)}}};
+                                    {EditKind::kMerge, {BlockRow::on(9), BlockRow::on(7)}}};
   const EditedLabels first = row.edited(edits);
   const auto accepted = [](const EditedLabels& after) {
     std::vector<bool> is_accepted;
@@ -150,18 +150,20 @@ TEST(DepositEdits, OfDifferentBlocksMayBeInterchanged) {
 
 TEST(DepositEdits, AcceptanceEndsWithTheNextChangeOfTheBlock) {
   const BlockRow row(3);
-  const DepositEdit accept{Kind::kAccept, {BlockRow::on(2)}};
+  const DepositEdit accept{EditKind::kAccept, {BlockRow::on(2)}};
   EXPECT_EQ(row.edited({accept}).accepted_by, (std::vector<std::size_t>{0, 0, 1, 0}));
-  EXPECT_EQ(row.edited({accept, {Kind::kMerge, {BlockRow::on(2), BlockRow::on(1)}}}).accepted_by,
-            (std::vector<std::size_t>{0, 0, 0}));
-  EXPECT_EQ(row.edited({{Kind::kMerge, {BlockRow::on(2), BlockRow::on(1)}}, accept}).accepted_by,
-            (std::vector<std::size_t>{0, 2, 0}));
+  EXPECT_EQ(
+      row.edited({accept, {EditKind::kMerge, {BlockRow::on(2), BlockRow::on(1)}}}).accepted_by,
+      (std::vector<std::size_t>{0, 0, 0}));
+  EXPECT_EQ(
+      row.edited({{EditKind::kMerge, {BlockRow::on(2), BlockRow::on(1)}}, accept}).accepted_by,
+      (std::vector<std::size_t>{0, 2, 0}));
 }
 
 TEST(DepositEdits, APlaceNearABlockNamesIt) {
   const BlockRow row(2);
   const Vec3 above = BlockRow::on(2) + Vec3(0.0, 0.0, 0.4);  // four spacings
-  EXPECT_EQ(row.edited({{Kind::kDrop, {above}}}).sources, (Labels{0, 1}));
+  EXPECT_EQ(row.edited({{EditKind::kDrop, {above}}}).sources, (Labels{0, 1}));
 }
 
 TEST(DepositEdits, ThatFitNothingAreRefusedByName) {
@@ -170,13 +172,13 @@ TEST(DepositEdits, ThatFitNothingAreRefusedByName) {
     const EditedLabels after = row.edited(edits);
     return refusal([&] { check_edits_fit(edits, after.misfits); });
   };
-  const DepositEdit fits{Kind::kAccept, {BlockRow::on(1)}};
-  EXPECT_EQ(refused({fits, {Kind::kDrop, {{0.5, 0.5, 3.0}}}}),
+  const DepositEdit fits{EditKind::kAccept, {BlockRow::on(1)}};
+  EXPECT_EQ(refused({fits, {EditKind::kDrop, {{0.5, 0.5, 3.0}}}}),
             "edit 2 of 2 (drop at (0.5, 0.5, 3)): no point of the scan is within 0.5 m of (0.5, "
             "0.5, 3); name a block by a point on its surface, or remove the edit");
-  EXPECT_TRUE(contains(refused({{Kind::kMerge, {BlockRow::on(1), BlockRow::on(3)}}}),
+  EXPECT_TRUE(contains(refused({{EditKind::kMerge, {BlockRow::on(1), BlockRow::on(3)}}}),
                        "only ground is at (2.5, 0.5, 0.2), no block"));
-  EXPECT_TRUE(contains(refused({{Kind::kMerge, {BlockRow::on(1), BlockRow::on(1, 0.7)}}}),
+  EXPECT_TRUE(contains(refused({{EditKind::kMerge, {BlockRow::on(1), BlockRow::on(1, 0.7)}}}),
                        "edit 1 of 1 (merge at (0.5, 0.5, 0.2)): its points are on one block"));
   EXPECT_TRUE(contains(refused({cut(BlockRow::on(1), {{0.0, 1.5, 0.0}, {1.0, 1.5, 0.0}})}),
                        "its line leaves the whole block on one side"));
@@ -188,13 +190,13 @@ TEST(DepositEdits, ThatAreInvalidAreRefusedByName) {
   const auto refused = [&](const DepositEdit& edit) {
     return refusal([&] { row.edited({edit}); });
   };
-  EXPECT_TRUE(contains(refused({Kind::kMerge, {place}}),
+  EXPECT_TRUE(contains(refused({EditKind::kMerge, {place}}),
                        "edit 1 of 1 (merge at (0.5, 0.5, 0.2)): points: 1 point, but `merge` needs "
                        "two or more"));
-  EXPECT_TRUE(contains(refused({Kind::kDrop, {}}), "points: 0 points, but `drop` needs one"));
-  EXPECT_TRUE(contains(refused({Kind::kAccept, {Vec3::Constant(NAN)}}),
+  EXPECT_TRUE(contains(refused({EditKind::kDrop, {}}), "points: 0 points, but `drop` needs one"));
+  EXPECT_TRUE(contains(refused({EditKind::kAccept, {Vec3::Constant(NAN)}}),
                        "points: a coordinate is not finite"));
-  EXPECT_TRUE(contains(refused({Kind::kCut, {place}}), "`cut` needs two or more"));
+  EXPECT_TRUE(contains(refused({EditKind::kCut, {place}}), "`cut` needs two or more"));
   EXPECT_TRUE(contains(refused(cut(place, {{0, 0, 0}, {0, 0, 1}})),
                        "line: points 1 and 2 are the same in the direction of view"));
   EXPECT_TRUE(contains(refused(cut(place, {{0, 0, 0}, {1, 0, 0}}, Vec3::Zero())),

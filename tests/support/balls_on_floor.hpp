@@ -9,24 +9,24 @@
 
 namespace clast {
 
-struct Ball {
+struct FloorBall {
   Vec3 centre;
   double radius;
 };
 
 /// Points on the upper parts of balls on a floor, and on the floor between them, as seen from above
 /// and from the sides. Places inside a ball and below the balls are not seen.
-inline std::vector<Vec3> balls_on_floor(const std::vector<Ball>& balls, double half_width,
+inline std::vector<Vec3> balls_on_floor(const std::vector<FloorBall>& balls, double half_width,
                                         double spacing, std::uint64_t seed) {
   Random random(seed);
   std::vector<Vec3> points;
   const auto is_free = [&](const Vec3& p) {
-    for (const Ball& ball : balls) {
+    for (const FloorBall& ball : balls) {
       if ((p - ball.centre).norm() < 0.999 * ball.radius) return false;
     }
     return true;
   };
-  for (const Ball& ball : balls) {
+  for (const FloorBall& ball : balls) {
     const auto count =
         static_cast<int>(4.0 * kPi * ball.radius * ball.radius / (spacing * spacing));
     for (int i = 0; i < count; ++i) {
@@ -42,7 +42,7 @@ inline std::vector<Vec3> balls_on_floor(const std::vector<Ball>& balls, double h
     const Vec3 p(random.uniform(-half_width, half_width), random.uniform(-half_width, half_width),
                  0.1 * spacing * random.normal());
     bool hidden = false;
-    for (const Ball& ball : balls) {
+    for (const FloorBall& ball : balls) {
       hidden |= (p - ball.centre).head<2>().norm() < 0.5 * ball.radius;
     }
     if (!hidden) points.push_back(p);

@@ -111,6 +111,7 @@ std::string format_deposit_json(const DepositViewContents& deposit, const Deposi
     parts.push_back({{"at", vector_json(part.centre)}, {"points", part.points}});
   }
   const DepositJson json = {{"ids", deposit.ids},
+                            {"accepted", deposit.accepted},
                             {"edits", deposit_edits_json(deposit.edits)},
                             {"leftOut", parts},
                             {"plan",

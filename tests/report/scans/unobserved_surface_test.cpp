@@ -15,7 +15,10 @@ FieldBlock sphere_block() {
 
 TEST(UnobservedSurface, OfABlockOfADepositIsItsEstimatedSide) {
   FieldBlock block = sphere_block();
-  for (const Vec3& v : block.scan.mesh.vertices) block.is_observed.push_back(v.z() > 0.0);
+  block.in_deposit.emplace();
+  for (const Vec3& v : block.scan.mesh.vertices) {
+    block.in_deposit->is_observed.push_back(v.z() > 0.0);
+  }
   UnobservedSurface unobserved(block, {});
   for (std::uint32_t t = 0; t < block.scan.mesh.triangles.size(); ++t) {
     int above = 0;
