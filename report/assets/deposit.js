@@ -323,7 +323,7 @@ const clastDeposit = (async () => {
       top += map.clientHeight / 2 - y;
       draw();
     }
-    scene.lookAt(place, .25 * Math.max(plan.columns, plan.rows) * plan.cell);
+    scene.lookAt(place, .45 * Math.max(plan.columns, plan.rows) * plan.cell);
   }
   for (const [label, row] of rows) {
     row.addEventListener('click', (event) => {

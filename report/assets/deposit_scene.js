@@ -42,7 +42,7 @@ function clastDepositScene(view, cloud, colourOf, pick) {
     const size = made.boundingBox.getSize(new THREE.Vector3());
     const spacing = Math.sqrt(size.x * size.y / cloud.count);
     const points = new THREE.Points(made, new THREE.PointsMaterial(
-        {size: 2.4 * spacing, vertexColors: THREE.VertexColors}));
+        {size: 3 * spacing, vertexColors: THREE.VertexColors}));
     points.userData = {spacing, box: made.boundingBox};
     return points;
   }
