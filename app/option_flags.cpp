@@ -29,6 +29,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"density", "--density"},
     {"detail", "--detail"},
     {"draw", "--draw"},
+    {"edits", "--edits"},
     {"engine", "--to"},
     {"exponent", "--exponent"},
     {"find_ground = false", "--ground none"},

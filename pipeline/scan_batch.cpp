@@ -117,6 +117,24 @@ class Batch {
     return true;
   }
 
+  /// Passes the blocks of a deposit to the observer, in order, with those that the library has.
+  void report_deposit(const ScanFile& scan, const std::vector<Block>& made,
+                      const std::vector<std::string>& retained, const DepositOrigin& origin) {
+    if (retained.empty()) return observer_.on_deposit_made(scan, made, origin);
+    std::vector<Block> blocks;
+    for (const std::string& id : origin.ids) {
+      const auto found = std::find_if(made.begin(), made.end(),
+                                      [&](const Block& block) { return block.id == id; });
+      if (found != made.end()) {
+        blocks.push_back(*found);
+      } else if (std::find(retained.begin(), retained.end(), id) != retained.end()) {
+        const std::lock_guard lock(mutex_);
+        blocks.push_back(library_.find_block(id));
+      }
+    }
+    observer_.on_deposit_made(scan, blocks, origin);
+  }
+
   std::vector<Block> make_blocks(const ScanFile& scan, Outcome& outcome) {
     const std::string sha256 =
         options_.resume && is_split(scan) ? compute_scan_digest(scan.path) : "";
@@ -126,6 +144,10 @@ class Batch {
             [&](const Block& block, const BlockOrigin& origin) {
               observer_.on_block_made(block, origin);
               if (is_split(scan)) hold(scan, block);
+            },
+        .on_deposit_made =
+            [&](const std::vector<Block>& blocks, const DepositOrigin& origin) {
+              report_deposit(scan, blocks, outcome.retained, origin);
             },
         .on_note = [&](const std::string& note) { outcome.notes.push_back(note); },
         .is_known =
@@ -140,6 +162,9 @@ class Batch {
                              const std::string& reason) { outcome.failures.push_back(reason); }};
     if (!scan.is_shp()) {
       return reconstruct_blocks(scan.path, scan.id, scan_options_, callbacks);
+    }
+    if (!options_.scan.edits.empty()) {
+      throw InputError(scan.path.string() + ": is a shape and no scan, so `edits` do not apply");
     }
     const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
     return {make_shape_block(shape, scan.path, scan.id, options_.scan, callbacks)};
@@ -317,6 +342,10 @@ class Reasons : public ScanBatchObserver {
 
 void ScanBatchOptions::check(std::size_t scans) const {
   scan.check();
+  if (!scan.edits.empty() && scans != 1) {
+    throw InputError("`edits` are for a single scan, but " + std::to_string(scans) +
+                     " scans are given");
+  }
   if (!scan.labelled.empty() && scans != 1) {
     throw InputError("`labelled` is for a single scan, but " + std::to_string(scans) +
                      " scans are given");

@@ -25,14 +25,18 @@ struct ScanBatchOptions {
   void check(std::size_t scans) const;
 };
 
-/// Observer of a batch. All functions except `on_block_made` are called for one scan at a time, in
-/// the order of the scans.
+/// Observer of a batch. All functions except `on_block_made` and `on_deposit_made` are called for
+/// one scan at a time, in the order of the scans.
 class ScanBatchObserver {
  public:
   virtual ~ScanBatchObserver() = default;
 
   /// Called with a new block and its data on the thread that made it; calls may be concurrent.
   virtual void on_block_made(const Block& /*block*/, const BlockOrigin& /*origin*/) {}
+  /// Called with all blocks of a split scan, also retained ones, on the thread that made them,
+  /// unless all are retained. Calls may be concurrent.
+  virtual void on_deposit_made(const ScanFile& /*scan*/, const std::vector<Block>& /*blocks*/,
+                               const DepositOrigin& /*origin*/) {}
   /// Called before a block is added. The block is rejected if an `Error` is thrown.
   virtual void check_block(const Block& /*block*/) {}
   /// Called after a block was added. The scan fails if an `Error` is thrown.

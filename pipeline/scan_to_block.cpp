@@ -76,7 +76,10 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
   if (scan.report.filled_fraction > 0.0) {
     source.options += " invented_share=" + format_significant(scan.report.filled_fraction, 4);
   }
-  if (options.block.convex) scan.mesh = hull_instead(scan.mesh, scan.notes);
+  if (options.block.convex) {
+    scan.mesh = hull_instead(scan.mesh, scan.notes);
+    if (found.in_deposit) found.in_deposit->is_observed.clear();
+  }
   const ScanSurface surface(scan.mesh);
   BlockOptions making = options.block;
   making.tolerance = std::max(making.tolerance, resolved_tolerance(found));
@@ -122,6 +125,7 @@ FieldScanOptions reading_options(const ScanToBlockOptions& options,
           .find_ground = options.find_ground,
           .split = options.split,
           .smallest_axis = options.smallest_axis,
+          .edits = options.edits,
           .surface = {.threads = options.block.threads},
           .progress = callbacks.progress};
 }
@@ -209,6 +213,9 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
   if (options.scale_points) note_distant_scale_points(found, *options.scale_points);
   if (options.scan.repair.keep_inner_shells) source.options += " inner_shells=kept";
   if (!options.find_ground) source.options += " ground=none";
+  if (!options.edits.empty()) {
+    source.options += " edits=" + sha256(format_field(options.edits)).substr(0, 16);
+  }
   if (!options.labelled.empty()) {
     write_labelled_cloud(options.labelled, found.raw.vertices, found.block_of_point);
   }
@@ -255,6 +262,11 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
       callbacks.on_block_lost(name_of(i), failures[i]);
     }
   }
+  if (found.spacing > 0.0 && callbacks.on_deposit_made) {
+    DepositOrigin origin{&found, read.photos ? 1.0 : options.scan.unit, up, {}};
+    for (std::size_t i = 0; i < count; ++i) origin.ids.push_back(name_of(i));
+    callbacks.on_deposit_made(blocks, origin);
+  }
   return blocks;
 }
 
@@ -267,6 +279,7 @@ std::string compute_scan_digest(const std::filesystem::path& path) {
 void ScanToBlockOptions::check() const {
   scan.check();
   if (vertices) SimplifyOptions{*vertices}.check();
+  if (!edits.empty() && !split) throw InputError("`edits` needs `split`");
   if (!labelled.empty() && !split) throw InputError("`labelled` needs `split`");
   block.check();
 }

@@ -32,8 +32,9 @@ struct ScanToBlockOptions {
   bool allow_any_size = false;  ///< true: blocks of unusual size are accepted
   bool up_given = false;  ///< true if the user gave `scan.up`, which overrides detected ground
   bool find_ground = true;
-  bool split = false;          ///< true: makes all blocks of a deposit
-  double smallest_axis = 0.0;  ///< with `split`: least intermediate axis I of a block, m
+  bool split = false;                   ///< true: makes all blocks of a deposit
+  double smallest_axis = 0.0;           ///< with `split`: least intermediate axis I of a block, m
+  std::vector<DepositEdit> edits = {};  ///< with `split`: corrections of the segmentation
   /// PLY file to which the points of a split scan are written with the block of each
   /// (`write_labelled_cloud`); empty: none is written.
   std::filesystem::path labelled = {};
@@ -45,7 +46,7 @@ struct ScanToBlockOptions {
 template <class Visit>
 void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   const auto& [scan, units, scale_points, scale_factor, vertices, block, radius_given, any_size,
-               up_given, find_ground, split, smallest_axis, labelled, photos] = options;
+               up_given, find_ground, split, smallest_axis, edits, labelled, photos] = options;
   visit("scan", scan);
   visit("units", units);
   visit("scale_points", scale_points);
@@ -58,6 +59,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("find_ground", find_ground);
   visit("split", split);
   visit("smallest_axis", smallest_axis);
+  visit("edits", edits);
   visit("labelled", ExcludedField{labelled});
   visit("photos", photos);
 }
@@ -73,10 +75,22 @@ struct BlockOrigin {
   std::string up = "z";  ///< up axis of the file
 };
 
+/// Points of a split scan and the blocks that were made of them.
+struct DepositOrigin {
+  const FieldScan* scan = nullptr;  ///< points, block of each point, and parts left out
+  double unit = 1.0;                ///< metres per unit of the points
+  std::string up = "z";             ///< up axis of the points
+  /// Ids of the blocks in the order of `FieldDeposit::block_of_point`, also of failed ones.
+  std::vector<std::string> ids;
+};
+
 /// Callbacks during the processing of a scan. All are optional.
 struct ScanCallbacks {
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
   std::function<void(const Block& block, const BlockOrigin& origin)> on_block_made = {};
+  /// Called when all blocks of a split scan are made, unless it is one closed body.
+  std::function<void(const std::vector<Block>& blocks, const DepositOrigin& origin)>
+      on_deposit_made = {};
   std::function<void(const std::string& note)> on_note = {};  ///< called with notes on the scan
   /// Returns whether a block of a split scan is not needed, because it was made earlier.
   std::function<bool(const std::string& id)> is_known = {};

@@ -10,6 +10,7 @@
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
 #include "pipeline/board_file.hpp"
+#include "pipeline/deposit_edits_file.hpp"
 #include "pipeline/scan_batch.hpp"
 #include "pipeline/shape_to_block.hpp"
 #include "python/arrays.hpp"
@@ -74,7 +75,9 @@ void take_scan(Keywords& given, ScanToBlockOptions& options) {
   }
   given.read("split", options.split);
   given.read("smallest", options.smallest_axis);
-  std::optional<fs::path> labelled;
+  std::optional<fs::path> edits, labelled;
+  given.read("edits", edits);
+  if (edits) options.edits = read_deposit_edits(*edits);
   given.read("labelled", labelled);
   if (labelled) options.labelled = *labelled;
   given.read("any_size", options.allow_any_size);
@@ -177,8 +180,8 @@ py::list of_mesh(const py::object& vertices, const py::object& triangles, const 
 /// Keeps what failed and what is to be known, and writes pages where they are wanted.
 class Follower : public ScanBatchObserver {
  public:
-  Follower(const ScanBatchOptions& options, const std::optional<fs::path>& pages)
-      : options_(options) {
+  Follower(std::size_t scans, const ScanBatchOptions& options, const std::optional<fs::path>& pages)
+      : scans_(scans), options_(options), folder_(pages.value_or(fs::path())) {
     if (pages) pages_.emplace(*pages, options.replace || options.resume);
   }
 
@@ -192,6 +195,24 @@ class Follower : public ScanBatchObserver {
                                      format_significant(options_.scan.scan.unit, 6) + " m",
                             .density_given = options_.scan.block.density_given,
                             .photos = origin.photos});
+  }
+  void on_deposit_made(const ScanFile& scan, const std::vector<Block>& blocks,
+                       const DepositOrigin& origin) override {
+    if (!pages_) return;
+    pages_->prepare_deposit(
+        {.name = scan.id,
+         .file = scan.path.string(),
+         .scan = origin.scan,
+         .unit = origin.unit,
+         .up = origin.up,
+         .ids = origin.ids,
+         .blocks = &blocks,
+         .edits = options_.scan.edits,
+         .stem = scans_ == 1 ? "deposit" : "deposit_" + scan.id,
+         .next_command = "clast.reconstruct_batch(\"" + scan.path.string() + "\", \"" +
+                         options_.library.string() +
+                         "\", split=True, edits=\"edits.json\", replace=True, report=\"" +
+                         folder_.string() + "\")"});
   }
   void on_block_added(const Block& block) override {
     ids.push_back(block.id);
@@ -215,7 +236,9 @@ class Follower : public ScanBatchObserver {
   std::vector<std::pair<std::string, std::string>> failures;
 
  private:
+  std::size_t scans_;
   const ScanBatchOptions& options_;
+  fs::path folder_;  ///< of pages
   std::optional<ScanReport> pages_;
 };
 
@@ -238,7 +261,7 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   const ScanBatchResult result = run_with_progress(progress, [&](const ProgressCallback& step) {
     const std::vector<ScanFile> files = list_scans(inputs);
     options.check(files.size());
-    follower.emplace(options, pages);
+    follower.emplace(files.size(), options, pages);
     const ScanBatchResult made = reconstruct_scan_batch(files, options, *follower, step);
     follower->finish();
     return made;

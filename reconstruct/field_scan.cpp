@@ -98,6 +98,7 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
   } else {
     scan.raw = read_mesh_or_points(path);
   }
+  scan.crs = summary.crs;
   const std::vector<std::string> system_notes =
       check_cloud_system(path, summary, bounds(scan.raw), options.scan);
   const std::string note =

@@ -23,8 +23,9 @@ struct FieldScanOptions {
       false;  ///< true if `scan.up` was given; otherwise, z points up from a detected ground
   bool find_ground = true;  ///< false if the scan contains a single block without ground
   bool split = false;  ///< true: extracts all blocks of a deposit; false: the one near the centre
-  double smallest_axis = 0.0;        ///< with `split`: least intermediate axis I of a block, m
-  CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
+  double smallest_axis = 0.0;           ///< with `split`: least intermediate axis I of a block, m
+  std::vector<DepositEdit> edits = {};  ///< with `split`: corrections of the segmentation
+  CloudSurfaceOptions surface = {};     ///< surface reconstruction from points
   /// Observed free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
@@ -44,18 +45,20 @@ struct FieldBlock {
   Pose block_from_file = {Vec3::Zero(), Quat::Identity()};
 };
 
-/// All blocks of a deposit.
+/// All blocks of a deposit, at their places in the file, in metres, z up.
 struct FieldDeposit {
   std::vector<FieldBlock> blocks = {};     ///< ordered by x, then y
   std::vector<LeftOutPart> left_out = {};  ///< parts that may be blocks but are not among them
   std::vector<std::string> notes = {};     ///< notes on the whole scan
   /// Block of each point as read, from 1; 0: ground, fines or left out.
   std::vector<std::uint32_t> block_of_point = {};
+  double spacing = 0.0;  ///< spacing of the points as read, m; 0 if the scan is one closed body
 };
 
 /// A scan as read and its blocks. Without `split`, there is one block and nothing else.
 struct FieldScan : FieldDeposit {
   TriangleMesh raw;  ///< mesh as read, in the file's units and axes; without triangles for a cloud
+  std::string crs;   ///< reference system that the file states; empty if unknown
 };
 
 /// Reads a mesh or cloud and extracts its blocks, at least one. Closed meshes are cleaned as by

@@ -1,7 +1,10 @@
 #include "app/commands/batch_printer.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 #include <utility>
 
 #include "app/option_flags.hpp"
@@ -18,6 +21,18 @@ namespace clast {
 
 namespace {
 
+/// Quotes an argument for a shell if it has other characters than those of usual paths.
+std::string quote_argument(const std::string& text) {
+  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string_view("_-./+,:=@").find(c) != std::string_view::npos;
+  });
+  if (is_plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string describe_block_scale(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + format_significant(options.scan.unit, 6) + " m";
   text += options.scale_points ? " (from a measured length" : " (--units " + options.units;
@@ -31,7 +46,7 @@ std::string describe_block_scale(const ScanToBlockOptions& options) {
 
 BatchPrinter::BatchPrinter(std::size_t scans, const ScanBatchOptions& options,
                            const std::string& report, bool json)
-    : options_(options), scans_(scans), json_(json), bar_("scans", scans) {
+    : options_(options), scans_(scans), folder_(report), json_(json), bar_("scans", scans) {
   if (!report.empty()) report_.emplace(report, options.replace || options.resume);
 }
 
@@ -52,6 +67,29 @@ void BatchPrinter::on_block_made(const Block& block, const BlockOrigin& origin) 
                            .density_given = options_.scan.block.density_given,
                            .photos = origin.photos,
                            .photo_summary = evidence ? &*evidence : nullptr});
+}
+
+void BatchPrinter::on_deposit_made(const ScanFile& scan, const std::vector<Block>& blocks,
+                                   const DepositOrigin& origin) {
+  if (!report_) return;
+  const ScanToBlockOptions& options = options_.scan;
+  std::string command = "clast reconstruct " + quote_argument(scan.path.string()) + " -o " +
+                        quote_argument(options_.library.string()) + " --split";
+  if (options.smallest_axis > 0.0) {
+    command += " --smallest " + format_significant(options.smallest_axis, 6);
+  }
+  if (options.units != "m") command += " --units " + options.units;
+  command += " --edits edits.json --replace --report " + quote_argument(folder_);
+  report_->prepare_deposit({.name = scan.id,
+                            .file = scan.path.string(),
+                            .scan = origin.scan,
+                            .unit = origin.unit,
+                            .up = origin.up,
+                            .ids = origin.ids,
+                            .blocks = &blocks,
+                            .edits = options.edits,
+                            .stem = scans_ == 1 ? "deposit" : "deposit_" + scan.id,
+                            .next_command = command});
 }
 
 void BatchPrinter::check_block(const Block& block) { accepted_ = block_json(block); }

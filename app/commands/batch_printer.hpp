@@ -25,6 +25,8 @@ class BatchPrinter : public ScanBatchObserver {
                bool json);
 
   void on_block_made(const Block& block, const BlockOrigin& origin) override;
+  void on_deposit_made(const ScanFile& scan, const std::vector<Block>& blocks,
+                       const DepositOrigin& origin) override;
   void check_block(const Block& block) override;
   void on_block_added(const Block& block) override;
   void on_block_retained(const Block& block) override;
@@ -47,6 +49,7 @@ class BatchPrinter : public ScanBatchObserver {
 
   const ScanBatchOptions& options_;
   std::size_t scans_;
+  std::string folder_;  ///< of pages
   bool json_;
   ProgressBar bar_;
   std::optional<ScanReport> report_;

@@ -15,6 +15,7 @@
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
+#include "pipeline/deposit_edits_file.hpp"
 
 namespace clast {
 
@@ -25,6 +26,7 @@ struct ReconstructArgs {
   ScanBatchOptions batch;
   bool json = false;
   std::string report;  ///< folder of pages; empty: none are written
+  std::string edits;   ///< file; empty: none
   std::string scale_length;
   double scale_factor = 1.0;
   std::string ground = "auto";
@@ -85,6 +87,7 @@ void reconstruct(const ReconstructArgs& args) {
     unit = length.unit;
   }
   options.scan.unit = unit * args.scale_factor;
+  if (!args.edits.empty()) options.edits = read_deposit_edits(args.edits);
   options.scan.columns = split_comma_separated(args.columns);
   const std::vector<ScanFile> scans = list_scans(args.scans);
   check_usage([&] { batch.check(scans.size()); });
@@ -149,6 +152,12 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
                   "default: all blocks that the point spacing resolves")
       ->check(number_in_range(kBlockLengthRange))
       ->type_name("M")
+      ->needs("--split");
+  command
+      .add_option("--edits", args.edits,
+                  "With --split: corrections of the segmentation, JSON, as the page of the deposit "
+                  "saves them: blocks to accept, drop, merge or cut")
+      ->type_name("FILE")
       ->needs("--split");
   command
       .add_option("--labelled", args.batch.scan.labelled,
@@ -268,7 +277,9 @@ void add_reconstruct_command(CLI::App& app) {
       "  clast reconstruct scans/ -o blocks.h5 --units mm --jobs 4 --resume --report pages\n"
       "  clast reconstruct rock.ply --scale-length \"0.2,1.1,0;3.9,1.3,0.4;0.52\"\n"
       "  clast reconstruct SP1A.stl -o blocks.h5 --core --radius 0.027 --mass 342\n"
-      "  clast reconstruct slope.las -o blocks.h5 --split\n"
+      "  clast reconstruct slope.las -o blocks.h5 --split --report pages\n"
+      "  clast reconstruct slope.las -o blocks.h5 --split --report pages --edits edits.json "
+      "--replace\n"
       "  clast reconstruct photos/B017 -o blocks.h5 --scale-bar 0,3,1.254 --marker-size 0.2\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
   command->callback([args, command] {

@@ -34,6 +34,7 @@ def reconstruct(
     ground: str | None = None,
     split: bool = False,
     smallest: float | None = None,
+    edits: PathLike | None = None,
     labelled: PathLike | None = None,
     any_size: bool = False,
     vertices: int | None = None,
@@ -72,6 +73,7 @@ def reconstruct(
         ground: "auto": remove the ground around a block; "none": the scan has no ground.
         split: make all blocks of a deposit, apart or touching, as ID_1, ID_2, ...
         smallest: with `split`: smallest intermediate axis I of a block, m.
+        edits: with `split`: file of corrections of the segmentation, as the page of the deposit saves it.
         labelled: with `split`: PLY file to which the points are written with the block of each.
         any_size: also accept blocks over 20 m, over 10,000 t or under 1 mm.
         vertices: largest number of vertices; default: the smallest number within the tolerance.
@@ -95,7 +97,8 @@ def reconstruct(
     """
     options = dict(
         units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
-        columns=columns, ground=ground, split=split, smallest=smallest, labelled=labelled, any_size=any_size,
+        columns=columns, ground=ground, split=split, smallest=smallest, edits=edits,
+        labelled=labelled, any_size=any_size,
         vertices=vertices, radius=radius,
         radius_share=radius_share, core=core, convex=convex, density=density, mass=mass,
         accuracy=accuracy, tolerance=tolerance, keep_inner_shells=keep_inner_shells,

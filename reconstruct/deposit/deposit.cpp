@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -66,6 +67,7 @@ DepositCandidates find_all_candidates(std::span<const Vec3> points, const Deposi
   const ScanExtent scan(points);
   if (tiles.size() == 1) return find_candidates(points, tiles.front(), scan, options);
   DepositCandidates all;
+  std::set<std::size_t> fitting;  // edits that fit some tile
   std::vector<bool> is_taken(points.size(), false);
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     DepositOptions one = options;
@@ -77,6 +79,10 @@ DepositCandidates find_all_candidates(std::span<const Vec3> points, const Deposi
     }
     DepositCandidates found = find_tile_candidates(points, tiles[t], scan, one);
     all.spacing += found.spacing / static_cast<double>(tiles.size());
+    for (std::size_t number = 1; number <= options.edits.size() && found.spacing > 0.0; ++number) {
+      if (!found.misfits.contains(number)) fitting.insert(number);
+    }
+    all.misfits.merge(found.misfits);
     for (DepositCandidate& candidate : found.candidates) {
       std::vector<std::uint32_t>& own = candidate.block.points;
       const std::size_t before = own.size();
@@ -86,7 +92,17 @@ DepositCandidates find_all_candidates(std::span<const Vec3> points, const Deposi
       all.candidates.push_back(std::move(candidate));
     }
   }
+  for (const std::size_t number : fitting) all.misfits.erase(number);
   return all;
+}
+
+/// Point of a candidate that is nearest to the mean of its points.
+const Vec3& find_middle_point(std::span<const Vec3> points, const DepositCandidate& candidate) {
+  const std::vector<std::uint32_t>& own = candidate.block.points;
+  return points[*std::min_element(own.begin(), own.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return (points[a] - candidate.centre).squaredNorm() <
+           (points[b] - candidate.centre).squaredNorm();
+  })];
 }
 
 /// Adds to each block the numbers of the blocks to which its contact points belong.
@@ -143,6 +159,7 @@ Deposit segment_deposit(std::span<const Vec3> points, const DepositOptions& opti
                         std::to_string(kMinDepositPoints) + " are needed");
   }
   DepositCandidates all = find_all_candidates(points, options);
+  check_edits_fit(options.edits, all.misfits);
   Deposit deposit;
   deposit.spacing = all.spacing;
   std::vector<bool> is_ground(points.size(), true);
@@ -150,8 +167,8 @@ Deposit segment_deposit(std::span<const Vec3> points, const DepositOptions& opti
   for (DepositCandidate& candidate : all.candidates) {
     for (const std::uint32_t i : candidate.block.points) is_ground[i] = false;
     if (candidate.left_out) {
-      deposit.left_out.push_back(
-          {*candidate.left_out, candidate.centre, candidate.block.points.size()});
+      deposit.left_out.push_back({*candidate.left_out, find_middle_point(points, candidate),
+                                  candidate.block.points.size()});
     } else {
       kept.push_back(&candidate);
     }

@@ -8,13 +8,15 @@
 
 #include "core/progress.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "reconstruct/deposit/deposit_edits.hpp"
 #include "shapes/volume_bracket.hpp"
 
 namespace clast {
 
 struct DepositOptions {
   double smallest_axis = 0.0;  ///< least intermediate axis I of a block, m; 0: as far as resolved
-  unsigned threads = 1;        ///< number of threads, 0: one per core; does not affect the result
+  std::vector<DepositEdit> edits = {};  ///< corrections of the segmentation, in their order
+  unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
   /// Clouds with more points are segmented in overlapping tiles, which bounds the memory.
   std::size_t tile_points = 4000000;
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
@@ -36,7 +38,7 @@ std::string name_of(LeftOutReason reason);
 /// Part of a deposit that may be a block but is not among its blocks.
 struct LeftOutPart {
   LeftOutReason reason = LeftOutReason::kTooFewPoints;
-  Vec3 centre = Vec3::Zero();  ///< mean of its points, m
+  Vec3 centre = Vec3::Zero();  ///< its point that is nearest to the mean of its points, m
   std::size_t points = 0;
 };
 
@@ -49,7 +51,8 @@ struct DepositBlock {
   double spacing = 0.0;               ///< point spacing, m
   double visible_fraction = 0.0;      ///< observed area over the area of the body
   /// Probability that the outline is that of one block: that the intersection over union of its
-  /// points and those of a block exceeds 0.5. Calibrated on virtual deposits.
+  /// points and those of a block exceeds 0.5. Calibrated on virtual deposits; 1 if an edit accepts
+  /// the block.
   double confidence = 0.0;
   VolumeBracket bounds;                 ///< bounds and 90 % intervals of volume and sides
   std::vector<std::uint32_t> contacts;  ///< ascending indices of the blocks whose points it touches
@@ -70,6 +73,7 @@ struct Deposit {
 /// and the size of the regions, none to the extent of the scan.
 /// @param points  points without duplicates and outliers, m, z up
 /// @throws GeometryError  if there are fewer than 100 points
+/// @throws InputError  if an edit fits no block, or accepts a part that is left out
 Deposit segment_deposit(std::span<const Vec3> points, const DepositOptions& options = {});
 
 }  // namespace clast

@@ -100,6 +100,7 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
   CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
   for (Vec3& p : clean.points) p = in_metres(p, options.scan);
   Deposit deposit = segment_deposit(clean.points, {.smallest_axis = options.smallest_axis,
+                                                   .edits = options.edits,
                                                    .threads = options.surface.threads,
                                                    .progress = options.progress});
   if (deposit.blocks.empty()) {
@@ -117,6 +118,7 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
                           format_significant(options.smallest_axis / kResolvedSpacings, 2) + " m");
   }
   found.left_out = std::move(deposit.left_out);
+  found.spacing = deposit.spacing;
   found.block_of_point.assign(raw.size(), 0);
   for (std::size_t b = 0; b < deposit.blocks.size(); ++b) {
     for (std::uint32_t& i : deposit.blocks[b].points) {
@@ -135,6 +137,11 @@ FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
                              const FieldScanOptions& options) {
   FieldDeposit found;
   if (is_closed_body(raw, options.scan)) {
+    if (!options.edits.empty()) {
+      throw InputError(name +
+                       ": the mesh is a closed body, hence one block, which `edits` cannot "
+                       "change; leave them out");
+    }
     found.blocks = extract_mesh_blocks(raw, name, options);
     found.block_of_point.assign(raw.vertices.size(), 1);
     return found;
@@ -149,6 +156,8 @@ FieldDeposit extract_deposit(const TriangleMesh& raw, const std::string& name,
         found.block_of_point[tree.nearest_neighbours(vertex, 1).front().point]);
   }
   found.block_of_point = std::move(block_of_vertex);
+  found.spacing *=
+      std::sqrt(static_cast<double>(points.size()) / static_cast<double>(raw.vertices.size()));
   return found;
 }
 

@@ -1,7 +1,7 @@
 // Blocks in 3-D. Drawing starts when a view is first seen. `clastTurntable(element)` is the view of
 // an element: `show(id)` draws the block of a packed element, and is there for galleries and tests.
 const clastTurntable = (() => {
-  const rock = 0xd6cdbe, scanned = 0x8fa3b8;
+  const rock = 0xd6cdbe, scanned = 0x8fa3b8, unobserved = 0xe88e28;
 
   const numbers = (type, base64) => new type(clastBytes(base64).buffer);
 
@@ -22,7 +22,20 @@ const clastTurntable = (() => {
   function smooth(mesh) {
     const made = geometry(mesh);
     made.computeVertexNormals();
-    return made;
+    return mesh.unobserved ? made.toNonIndexed() : made;
+  }
+
+  // The faces in a colour, those that were not observed in orange.
+  function tinted(mesh, made, colour, options = {}) {
+    if (!mesh.unobserved) return solid(made, {color: colour, ...options});
+    const faces = numbers(Uint8Array, mesh.unobserved), tints = new Float32Array(9 * faces.length);
+    const tint = new THREE.Color();
+    faces.forEach((face, t) => {
+      tint.set(face ? unobserved : colour);
+      for (let k = 0; k < 3; k++) tint.toArray(tints, 9 * t + 3 * k);
+    });
+    made.setAttribute('color', new THREE.BufferAttribute(tints, 3));
+    return solid(made, {vertexColors: THREE.VertexColors, ...options});
   }
 
   // The triangles of the block cut into pieces, each corner in the colour of its distance.
@@ -141,11 +154,10 @@ const clastTurntable = (() => {
 
     // What is shown is made when it is first asked for.
     const makers = {
-      block: () => solid(flat(data.block), {color: rock}),
-      scan: () => solid(smooth(data.scan), {color: scanned, side: THREE.DoubleSide}),
-      veil: () => solid(smooth(data.scan),
-          {color: scanned, side: THREE.DoubleSide, transparent: true, opacity: .35,
-           depthWrite: false}),
+      block: () => tinted(data.block, flat(data.block), rock),
+      scan: () => tinted(data.scan, smooth(data.scan), scanned, {side: THREE.DoubleSide}),
+      veil: () => tinted(data.scan, smooth(data.scan), scanned,
+          {side: THREE.DoubleSide, transparent: true, opacity: .35, depthWrite: false}),
       deviation: () => solid(coloured(data),
           {vertexColors: THREE.VertexColors, side: THREE.DoubleSide}),
     };
@@ -160,7 +172,9 @@ const clastTurntable = (() => {
       }
       for (const [name, shape] of Object.entries(shapes)) shape.visible = names.includes(name);
       box.visible = part('box').checked;
-      part('distances').hidden = part('what').value !== 'deviation';
+      const deviates = part('what').value === 'deviation';
+      part('distances').hidden = !deviates;
+      part('unobserved').hidden = deviates || !data.block.unobserved && !data.scan?.unobserved;
       drawSoon();
     }
     function fillScene() {

@@ -12,6 +12,9 @@ namespace clast::report_detail {
 /// Default colour of blocks in images.
 inline constexpr Rgb kBlockColour{214, 205, 190};
 
+/// Colour of surface that no scan observed.
+inline constexpr Rgb kUnobservedColour{232, 142, 40};
+
 /// Returns the direction from a block towards the viewer, who is in front of it (-y) and above.
 inline Vec3 default_view_direction() { return {0.55, -1.0, 0.55}; }
 

@@ -40,7 +40,8 @@ TriangleMesh coarser(const TriangleMesh& mesh, std::size_t maximum) {
   return joined;
 }
 
-Json turntable_mesh_json(const TriangleMesh& mesh, const Vec3& centre, double size) {
+Json turntable_mesh_json(const TriangleMesh& mesh, const Vec3& centre, double size,
+                         const UnobservedPlaces& unobserved) {
   std::vector<std::int16_t> vertices;
   for (const Vec3& vertex : mesh.vertices) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -49,11 +50,19 @@ Json turntable_mesh_json(const TriangleMesh& mesh, const Vec3& centre, double si
     }
   }
   std::vector<std::uint32_t> corners;
+  std::vector<std::uint8_t> is_unobserved;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     corners.insert(corners.end(), t.begin(), t.end());
+    if (!unobserved) continue;
+    const Vec3 middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+    is_unobserved.push_back(unobserved(middle) ? 1 : 0);
   }
-  return {{"vertices", encode_packed_array<std::int16_t>(vertices)},
-          {"triangles", encode_packed_array<std::uint32_t>(corners)}};
+  Json json = {{"vertices", encode_packed_array<std::int16_t>(vertices)},
+               {"triangles", encode_packed_array<std::uint32_t>(corners)}};
+  if (std::find(is_unobserved.begin(), is_unobserved.end(), 1) != is_unobserved.end()) {
+    json["unobserved"] = encode_packed_array<std::uint8_t>(is_unobserved);
+  }
+  return json;
 }
 
 /// Distances of a block's surface from its scan, between the corners of its triangles too.
@@ -102,7 +111,8 @@ void TurntableLimits::check() const {
   }
 }
 
-std::string format_turntable_json(const Block& block, const TurntableLimits& limits) {
+std::string format_turntable_json(const Block& block, const TurntableLimits& limits,
+                                  const UnobservedPlaces& unobserved) {
   limits.check();
   const TriangleMesh skin = rounded_surface_mesh(block.body, kTurntableSkinSegments);
   TriangleMesh scan;
@@ -119,12 +129,12 @@ std::string format_turntable_json(const Block& block, const TurntableLimits& lim
                {"unit", is_unscaled(block) ? "units" : "m"},
                {"size", size},
                {"centre", turntable_vector_json(centre)},
-               {"block", turntable_mesh_json(skin, centre, size)},
+               {"block", turntable_mesh_json(skin, centre, size, unobserved)},
                {"box",
                 {{"centre", turntable_vector_json(block.box.centre)},
                  {"axes", axes},
                  {"lengths", turntable_vector_json(block.box.lengths)}}}};
-  if (!scan.triangles.empty()) json["scan"] = turntable_mesh_json(scan, centre, size);
+  if (!scan.triangles.empty()) json["scan"] = turntable_mesh_json(scan, centre, size, unobserved);
   if (!scan.triangles.empty() && block.deviation.hausdorff > 0.0) {
     json["deviation"] = deviation_json(skin, block.surface, block.deviation.hausdorff,
                                        block.box.lengths[0] / limits.deviation_cells);
@@ -143,7 +153,7 @@ std::string turntable_script() {
          format_script_element(assets::turntable_js);
 }
 
-std::string format_turntable_section(const Block& block) {
+std::string format_turntable_section(const Block& block, const UnobservedPlaces& unobserved) {
   const std::string title = "In 3-D";
   if (!three_is_installed()) {
     return format_section(title, format_paragraph(explain_missing_three("write the pages again")));
@@ -154,7 +164,8 @@ std::string format_turntable_section(const Block& block) {
              format_paragraph(
                  "Drag to rotate, use the wheel to zoom, drag with the right button to move.") +
                  format_turntable_view(id)) +
-         format_packed_element(id, format_turntable_json(block)) + turntable_script();
+         format_packed_element(id, format_turntable_json(block, {}, unobserved)) +
+         turntable_script();
 }
 
 }  // namespace clast::report_detail

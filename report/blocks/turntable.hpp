@@ -1,6 +1,7 @@
 #pragma once
 /// Interactive 3-D view of a block with its scan, deviations from the scan, and smallest box.
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "library/block.hpp"
@@ -16,16 +17,22 @@ struct TurntableLimits {
   void check() const;  ///< throws InputError naming the field and its value
 };
 
+/// Function that is true for places on the surface of a block which the scan did not observe.
+using UnobservedPlaces = std::function<bool(const Vec3& place)>;
+
 /// Formats the data of the 3-D view of a block as JSON for turntable.js. Members:
 /// - `name`; `unit` ("m", or "units" for unscaled blocks); `size`; `centre` [3].
 /// - `block` and, unless the block was made from a core, `scan`: meshes {vertices int16 [n][3],
-///   triangles uint32 [m][3]}. Vertices are relative to `centre`, in units of `size` / 32767.
+///   triangles uint32 [m][3], unobserved uint8 [m]}. Vertices are relative to `centre`, in units of
+///   `size` / 32767. `unobserved` is 1 for triangles that are drawn in orange; it exists if any is.
 /// - `box`: smallest box {centre [3], axes [3][3], lengths [3]}.
 /// - `deviation` {reach, colours, pieces uint8 [m], shares int8}, if the block deviates from its
 ///   scan. `pieces` is the number n of subdivisions per side of each block triangle. `shares` is
 ///   the distance from the scan in units of `reach` / 127, at the (n + 1)(n + 2) / 2 lattice points
 ///   of each triangle, row by row from its first vertex.
-std::string format_turntable_json(const Block& block, const TurntableLimits& limits = {});
+/// @param unobserved  if empty, all of the surface counts as observed
+std::string format_turntable_json(const Block& block, const TurntableLimits& limits = {},
+                                  const UnobservedPlaces& unobserved = {});
 
 /// Formats the 3-D view of a block with its controls. The page must contain `turntable_script`
 /// once.
@@ -37,6 +44,6 @@ std::string format_turntable_view(const std::string& source);
 std::string turntable_script();
 
 /// Formats the section with the 3-D view on the page of a block.
-std::string format_turntable_section(const Block& block);
+std::string format_turntable_section(const Block& block, const UnobservedPlaces& unobserved = {});
 
 }  // namespace clast::report_detail

@@ -20,7 +20,12 @@ extern const std::string_view turntable_js;    ///< draws the 3-D view of a bloc
 extern const std::string_view map_html;        ///< map and its controls
 extern const std::string_view map_css;         ///< style of maps
 extern const std::string_view map_js;  ///< draws layers, paths, north arrow and scale bar of maps
-extern const std::string_view scene_html;  ///< 3-D view of a report and its controls
-extern const std::string_view scene_js;    ///< draws the 3-D view of a report
+extern const std::string_view deposit_html;  ///< map and 3-D view of a deposit, and their controls
+extern const std::string_view deposit_css;   ///< style of pages of deposits
+extern const std::string_view deposit_edits_js;  ///< applies and formats corrections of a deposit
+extern const std::string_view deposit_scene_js;  ///< draws the 3-D view of a deposit
+extern const std::string_view deposit_js;        ///< map, lists and controls of a deposit
+extern const std::string_view scene_html;        ///< 3-D view of a report and its controls
+extern const std::string_view scene_js;          ///< draws the 3-D view of a report
 
 }  // namespace clast::report_detail::assets

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/files/png.hpp"
+#include "report/maps/mark_shape.hpp"
 #include "study/compare/comparison.hpp"
 #include "study/compare/map_rasters.hpp"
 
@@ -32,13 +33,6 @@ inline constexpr double kPathOpacity = 0.6;
 /// one quantity have the same limits.
 /// @cite jaboyedoff2005
 std::vector<ColourScale> choose_colour_scales(const MapRasterSet& rasters);
-
-/// Names of a mark shape in plotly.js and in QGIS.
-struct MarkShape {
-  const char* plotly;
-  const char* qgis;
-  int qgis_angle = 0;  ///< clockwise rotation, degrees
-};
 
 inline constexpr MarkShape kMeasuredStopShape = {"cross-thin-open", "cross"};
 inline constexpr const char* kMeasuredStopColour = "#c0104a";

@@ -11,6 +11,7 @@
 #include "report/scans/repair_sections.hpp"
 #include "report/scans/scan_page.hpp"
 #include "report/scans/scan_pictures.hpp"
+#include "report/scans/unobserved_surface.hpp"
 #include "shapes/surface_deviation.hpp"
 
 namespace clast {
@@ -182,8 +183,10 @@ std::string scan_sections(const Block& block, const BlockPageContents& scan) {
   options.up = scan.up;
   std::string html = draw_before_and_after(*scan.raw, options, *scan.field_block,
                                            find_repair_marks(report), !is_unscaled(block));
-  html += format_repair_section(report, scan.raw->triangles.empty(),
-                                scan.field_block->underside.has_value(), unit);
+  if (!scan.field_block->in_deposit) {  // the body of a block of a deposit needs no repair
+    html += format_repair_section(report, scan.raw->triangles.empty(),
+                                  scan.field_block->underside.has_value(), unit);
+  }
   if (scan.field_block->underside)
     html += format_underside_section(*scan.field_block->underside, unit);
   if (scan.photos != nullptr) {
@@ -194,6 +197,15 @@ std::string scan_sections(const Block& block, const BlockPageContents& scan) {
                                  scan.field_block->scan.mesh);
   }
   return html;
+}
+
+std::string format_scan_turntable(const Block& block, const FieldBlock* found) {
+  if (found == nullptr || (!found->in_deposit && !found->underside)) {
+    return format_turntable_section(block);
+  }
+  UnobservedSurface unobserved(*found, {});
+  return format_turntable_section(block,
+                                  [&](const Vec3& place) { return unobserved.contains(place); });
 }
 
 }  // namespace
@@ -209,7 +221,8 @@ std::string make_block_page(const Block& block, const BlockPageContents& scan) {
          ". u is the unit of that model; lengths in m in the notes are in this unit too"});
   }
   body += facts(block, scan.photos ? "by " + scan.photos->scale_source : scan.scale);
-  body += notes(block) + format_turntable_section(block) + scan_sections(block, scan);
+  body += notes(block) + format_scan_turntable(block, scan.field_block);
+  body += scan_sections(block, scan);
   if (scan.field_block != nullptr && !block.from_core)
     body += certificate(block, *scan.field_block);
   body += mass_check(block, scan.density_given) + provenance(block);

@@ -14,6 +14,7 @@
 #include "report/blocks/block_pictures.hpp"
 #include "report/charts/palette.hpp"
 #include "report/html/html_page.hpp"
+#include "report/scans/unobserved_surface.hpp"
 
 namespace clast::report_detail {
 
@@ -22,13 +23,13 @@ namespace {
 constexpr std::uint32_t kViewWidth = 480, kViewHeight = 400;  ///< of one view, px
 /// A block in a scan that is this many times larger is shown by itself too.
 constexpr double kMuchLarger = 1.4;
-/// Surface farther than this from the scan, as a share of the block's diagonal, is new.
-constexpr double kNew = 0.004;
+/// Width of the surroundings of a block of a deposit, as a share of its diagonal.
+constexpr double kSurroundings = 0.25;
 /// Share of a cloud's points at each end of each axis that a picture may leave out.
 constexpr double kStrays = 0.005;
 constexpr double kMaxBar = 0.4;  ///< of a view's width
 
-constexpr Rgb kInside{126, 142, 168}, kFilled{232, 142, 40};
+constexpr Rgb kInside{126, 142, 168};
 constexpr Rgb kBorder{200, 20, 40}, kPoints{120, 108, 92};
 
 struct Side {
@@ -144,46 +145,25 @@ std::vector<Vec3> without_strays(const std::vector<Vec3>& points) {
   return kept;
 }
 
-/// Finds triangles of the closed surface that no scan observed.
-class Invented {
- public:
-  Invented(const TriangleMesh& raw, const FieldBlock& block)
-      : mesh_(block.scan.mesh), reach_(kNew * bounds(block.scan.mesh).diagonal()) {
-    if (!raw.triangles.empty()) scanned_ = std::make_unique<TriangleTree>(raw);
-    if (!block.underside) return;
-    first_ = block.underside->first_filling;
-    best_ = std::make_unique<TriangleTree>(block.underside->best_estimate);
+/// Scan in the frame of a block. For a block of a deposit, it is the points around the block.
+TriangleMesh scan_around(const TriangleMesh& raw, const FieldBlock& block,
+                         const std::function<Vec3(const Vec3&)>& to_block) {
+  TriangleMesh read;
+  if (!block.in_deposit) {
+    read = raw;
+    for (Vec3& v : read.vertices) v = to_block(v);
+    return read;
   }
-
-  bool operator()(std::uint32_t triangle) {
-    if (answers_.empty()) answers_.assign(mesh_.triangles.size(), -1);
-    signed char& answer = answers_[triangle];
-    if (answer < 0) answer = asked(triangle) ? 1 : 0;
-    return answer == 1;
-  }
-
- private:
-  bool asked(std::uint32_t triangle) {
-    const auto& [a, b, c] = mesh_.triangles[triangle];
-    const Vec3 middle = (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3.0;
-    if (best_) {
-      const auto closest = best_->closest_point(middle, best_hint_);
-      best_hint_ = closest.triangle;
-      if (closest.triangle >= first_) return true;
+  const Bounds box = bounds(block.scan.mesh);
+  const Vec3 margin = Vec3::Constant(kSurroundings * box.diagonal());
+  for (const Vec3& vertex : raw.vertices) {
+    const Vec3 p = to_block(vertex);
+    if ((p - box.low + margin).minCoeff() >= 0.0 && (box.high + margin - p).minCoeff() >= 0.0) {
+      read.vertices.push_back(p);
     }
-    if (!scanned_) return false;
-    const auto closest = scanned_->closest_point(middle, scan_hint_);
-    scan_hint_ = closest.triangle;
-    return closest.squared_distance > reach_ * reach_;
   }
-
-  const TriangleMesh& mesh_;
-  double reach_;
-  std::unique_ptr<TriangleTree> scanned_, best_;
-  std::size_t first_ = 0;
-  std::uint32_t scan_hint_ = 0, best_hint_ = 0;
-  std::vector<signed char> answers_;  ///< -1: not asked yet
-};
+  return read;
+}
 
 std::string colour_bar(double reach, bool metric) {
   constexpr int kPieces = 64;
@@ -211,13 +191,13 @@ std::string colour_bar(double reach, bool metric) {
 std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& options,
                                   const FieldBlock& block, const std::vector<PositionMark>& marks,
                                   bool metric) {
-  const auto to_block = [&](Vec3 p) -> Vec3 {
-    p *= options.unit;
+  const auto to_block = [&](const Vec3& point) -> Vec3 {
+    Vec3 p = options.unit * point;
     if (options.up == "y") p = y_up_to_z_up(p);
     return block.block_from_file * p;
   };
-  TriangleMesh read = raw;
-  for (Vec3& v : read.vertices) v = to_block(v);
+  const bool of_deposit = block.in_deposit.has_value();
+  TriangleMesh read = scan_around(raw, block, to_block);
   std::vector<PositionMark> placed = marks;
   for (PositionMark& mark : placed) mark.position = to_block(mark.position);
   const bool cloud = read.triangles.empty();
@@ -240,24 +220,28 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
   const std::vector<Vec3> framed = without_strays(read.vertices);
   const Cameras wide = cameras_on(framed), near = cameras_on(block.scan.mesh.vertices);
   std::string html;
-  html +=
-      three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, metric, placed);
-  if (wide[0].pixel > kMuchLarger * near[0].pixel) {
+  if (!of_deposit) {
+    html += three_views(wide, draw_read, "The scan as it was read. " + colours + numbers, metric,
+                        placed);
+  }
+  if (of_deposit || wide[0].pixel > kMuchLarger * near[0].pixel) {
     html +=
         three_views(near, draw_read, "The part of the scan around the block. " + colours + numbers,
                     metric, placed);
   }
-  Invented invented(read, block);
+  UnobservedSurface unobserved(block, read);
   html += three_views(
       near,
       [&](Canvas& canvas) {
         canvas.draw(block.scan.mesh, [&](std::uint32_t t, const Vec3&, bool) {
-          return invented(t) ? kFilled : kBlockColour;
+          return unobserved.contains(t) ? kUnobservedColour : kBlockColour;
         });
       },
-      "The closed and repaired scan. Orange: surface that was not scanned but filled, or moved by "
-      "more than " +
-          length_text(kNew * bounds(block.scan.mesh).diagonal(), metric) + ".",
+      of_deposit
+          ? "The closed body. Orange: its estimated side, which the scan does not show."
+          : "The closed and repaired scan. Orange: surface that was not scanned but filled, "
+            "or moved by more than " +
+                length_text(kNewSurfaceDistance * bounds(block.scan.mesh).diagonal(), metric) + ".",
       metric);
   return format_section("Before and after", html);
 }

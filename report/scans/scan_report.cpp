@@ -15,6 +15,7 @@
 #include "core/version.hpp"
 #include "library/unscaled.hpp"
 #include "report/blocks/block_pictures.hpp"
+#include "report/gdal/deposit_layers.hpp"
 #include "report/html/html_page.hpp"
 #include "report/scans/scan_page.hpp"
 
@@ -36,6 +37,7 @@ struct ScanReport::Impl {
   void add_row(const Block& block, const std::string& outcome);
   void add_page_row(const Block& block);
   void add_csv_row(const Block& block, const std::string& outcome);
+  std::string write_deposits() const;
 
   fs::path folder;
   bool replace = false;  ///< pages of an earlier batch
@@ -45,8 +47,9 @@ struct ScanReport::Impl {
   HtmlTable failures = {{"scan", "reason for failure"}, 2};
   CsvWriter csv = {};
   std::size_t made = 0, earlier = 0, failed = 0;
-  std::mutex mutex = {};                          ///< of `pages`
-  std::map<std::string, std::string> pages = {};  ///< prepared, by id of the block
+  std::mutex mutex = {};                             ///< of `pages` and `deposits`
+  std::map<std::string, std::string> pages = {};     ///< prepared, by id of the block
+  std::map<std::string, DepositPage> deposits = {};  ///< prepared, by file name
 };
 
 ScanReport::ScanReport(fs::path folder, bool replace) : impl_(std::make_unique<Impl>()) {
@@ -74,6 +77,12 @@ void ScanReport::prepare(const Block& block, const BlockPageContents& scan) {
   std::string page = make_block_page(block, scan);
   const std::lock_guard lock(impl_->mutex);
   impl_->pages[block.id] = std::move(page);
+}
+
+void ScanReport::prepare_deposit(const DepositPageContents& deposit) {
+  DepositPage page = make_deposit_page(deposit);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->deposits[deposit.stem] = std::move(page);
 }
 
 void ScanReport::add(const Block& block) {
@@ -162,6 +171,26 @@ void ScanReport::Impl::add_csv_row(const Block& block, const std::string& outcom
   csv.end_row();
 }
 
+/// Writes the pages and maps of deposits, and formats links to them.
+std::string ScanReport::Impl::write_deposits() const {
+  std::string links;
+  for (const auto& [stem, page] : deposits) {
+    const std::string file = stem + ".html";
+    write_output(folder / file, page.html, {.kind = kPageKind, .replace = replace});
+    write_deposit_layers(folder / (stem + ".gpkg"), page.map,
+                         {.kind = "SQLite", .replace = replace});
+    links += "<p><a href=\"" + format_link_target(file) + "\">" + escape_html(file) +
+             "</a>: map, 3-D view and corrections of " +
+             format_count(page.map.blocks.size(), "block") + "</p>\n";
+  }
+  // Of a batch that is only continued, the page of an earlier run remains.
+  if (links.empty() && earlier > 0 && fs::exists(folder / "deposit.html")) {
+    links = "<p><a href=\"deposit.html\">deposit.html</a></p>\n";
+  }
+  if (links.empty()) return {};
+  return format_section(deposits.size() > 1 ? "Deposits" : "Deposit", links);
+}
+
 void ScanReport::add_failure(const std::string& scan, const std::string& reason) {
   ++impl_->failed;
   impl_->failures.row({to_utf8(scan), to_utf8(reason)});
@@ -179,6 +208,7 @@ void ScanReport::finish() {
   if (impl_->earlier > 0) body += ", " + std::to_string(impl_->earlier) + " made earlier";
   if (impl_->failed > 0) body += ", " + format_count(impl_->failed, "scan") + " without a block";
   body += "</p>\n";
+  body += impl_->write_deposits();
   if (impl_->failed > 0) body += format_section("Scans that gave no block", impl_->failures.html());
   if (impl_->made + impl_->earlier > 0) {
     body += format_section(

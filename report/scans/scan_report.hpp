@@ -1,14 +1,15 @@
 #pragma once
-/// Report folder of a batch of scans: one page per block, and a summary.
+/// Report folder of a batch of scans: one page per block and per deposit, and a summary.
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include "report/scans/block_page.hpp"
+#include "report/scans/deposit_page.hpp"
 
 namespace clast {
 
-/// Report folder of a batch of scans, with one page per block and a summary.
+/// Report folder of a batch of scans, with one page per block and per deposit, and a summary.
 class ScanReport {
  public:
   /// Opens the report folder.
@@ -25,9 +26,12 @@ class ScanReport {
   void add(const Block& block);
   /// Adds a block of an earlier batch to the summary, with a link to its page if the page exists.
   void add_earlier(const Block& block);
+  /// Makes the page and the map of a deposit while its scan is in memory. `finish` writes them.
+  /// Thread-safe.
+  void prepare_deposit(const DepositPageContents& deposit);
   void add_failure(const std::string& scan, const std::string& reason);
-  /// Writes the summary page and table.
-  /// @throws InputError  if the summary cannot be written
+  /// Writes the pages and maps of deposits, and the summary page and table.
+  /// @throws InputError  if one of them cannot be written
   void finish();
 
  private:

@@ -80,6 +80,7 @@ TEST_F(Misuse, OfReconstruct) {
   refuse({"--ground", "flat"}, "--ground");
   refuse({"--split", "--mass", "5"}, "--mass is the mass of a single block, but --split");
   refuse({"b.obj", "--mass", "5"}, "--mass is the mass of a single block, but 2 scans are given");
+  refuse({"--edits", "edits.json"}, "--split");
   refuse({"--core"}, "--radius");
   refuse({"--radius", "-0.1"}, "-0.1");
   refuse({"--radius", "0.1", "--radius-share", "0.1"}, "--radius-share");

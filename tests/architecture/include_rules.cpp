@@ -115,8 +115,8 @@ const std::vector<Package> kHeavyPackages = {
     {"nlohmann_json",
      {"nlohmann/"},
      {"nlohmann_json::"},
-     {"mesh", "reconstruct/photos", "library", "terrain", "report", "report/scans", "app",
-      "python"}},
+     {"mesh", "reconstruct/photos", "library", "terrain", "report", "report/scans", "pipeline",
+      "app", "python"}},
     {"pybind11", {"pybind11/"}, {"pybind11::"}, {"python"}},
     {"pugixml", {"pugixml"}, {"pugixml::"}, {"reconstruct/photos"}},
 };

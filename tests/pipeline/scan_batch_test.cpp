@@ -177,6 +177,16 @@ TEST_F(Batches, FinishedBlocksOfASplitAreKeptWhenItIsCancelled) {
   EXPECT_EQ(again.mass.volume, first.mass.volume);
 }
 
+TEST_F(Batches, EditsAreThoseOfOneScan) {
+  const fs::path path = scan("scene.obj", two_rocks_on_ground());
+  options.scan.split = true;
+  options.scan.edits = {{DepositEditKind::kDrop, {Vec3::Zero()}}};
+  EXPECT_TRUE(contains(refusal([&] {
+                         run({{path, "a", {}}, {path, "b", {}}});
+                       }),
+                       "`edits` are for a single scan, but 2 scans are given"));
+}
+
 TEST_F(Batches, AMassIsThatOfOneBlock) {
   const fs::path path = scan("a.obj", cuboid(1, 0.9, 0.8));
   options.scan.block.mass = 1500.0;

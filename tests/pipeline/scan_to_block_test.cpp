@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "core/number_text.hpp"
@@ -62,6 +64,58 @@ TEST_F(ScanToBlock, BlocksOnAGroundAreSplitAndNumbered) {
   EXPECT_EQ(made, (std::vector<std::string>{"scene_1", "scene_2"}));
   ASSERT_FALSE(steps.empty());
   EXPECT_EQ(steps.front(), "reading scene");
+}
+
+/// Highest vertex of the surface of a block.
+Vec3 top_of(const Block& block) {
+  return *std::max_element(block.surface.vertices.begin(), block.surface.vertices.end(),
+                           [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+}
+
+TEST_F(ScanToBlock, EditsCorrectADepositAndAreRecorded) {
+  options.split = true;
+  options.vertices = 60;
+  write_obj(folder / "scene.obj", two_rocks_on_ground());
+  const auto split = [&](const ScanCallbacks& callbacks = {}) {
+    return reconstruct_blocks(folder / "scene.obj", "scene", options, callbacks);
+  };
+  const std::vector<Block> both = split();
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_FALSE(contains(both[0].source.options, "edits="));
+
+  options.edits = {{DepositEditKind::kDrop, {top_of(both[0])}}};
+  const std::vector<Block> one = split();
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].deposit->points, both[1].deposit->points) << "the other block remains";
+  EXPECT_NEAR(one[0].mass.volume, both[1].mass.volume, 0.05 * both[1].mass.volume);
+  const std::string dropped = one[0].source.options;
+  EXPECT_TRUE(contains(dropped, " edits="));
+
+  options.edits[0].kind = DepositEditKind::kAccept;
+  std::size_t deposits = 0;
+  const std::vector<Block> accepted =
+      split({.on_deposit_made = [&](const std::vector<Block>& blocks, const DepositOrigin& origin) {
+        ++deposits;
+        EXPECT_EQ(blocks.size(), 2u);
+        EXPECT_EQ(origin.ids, (std::vector<std::string>{"scene_1", "scene_2"}));
+        EXPECT_EQ(origin.scan->block_of_point.size(), origin.scan->raw.vertices.size());
+        EXPECT_GT(origin.scan->spacing, 0.0);
+      }});
+  EXPECT_EQ(deposits, 1u);
+  ASSERT_EQ(accepted.size(), 2u);
+  EXPECT_EQ(accepted[0].surface.vertices, both[0].surface.vertices);
+  EXPECT_NE(accepted[0].source.options, dropped) << "the digest tells edits apart";
+
+  options.edits[0].points[0].z() += 100.0;
+  EXPECT_TRUE(contains(refusal([&] { split(); }), "edit 1 of 1 (accept at ("));
+}
+
+TEST_F(ScanToBlock, EditsAreForScansOfManyBlocks) {
+  options.edits = {{DepositEditKind::kDrop, {Vec3::Zero()}}};
+  EXPECT_TRUE(contains(refusal([&] { options.check(); }), "`edits` needs `split`"));
+  options.split = true;
+  options.check();
+  EXPECT_TRUE(contains(refused(cuboid(1, 0.9, 0.8)), "a closed body, hence one block"));
 }
 
 TEST_F(ScanToBlock, WhatIsNoClosedMeshIsRefusedByName) {

@@ -7,12 +7,12 @@
 #include <iterator>
 #include <utility>
 
-#include "core/random.hpp"
 #include "mesh/geodesic_sphere.hpp"
 #include "reconstruct/deposit/detail/prior_ellipsoid.hpp"
 #include "reconstruct/deposit/detail/region_samples.hpp"
 #include "reconstruct/deposit/detail/star_body.hpp"
 #include "shapes/oriented_box.hpp"
+#include "tests/support/balls_on_floor.hpp"
 #include "tests/support/refusal.hpp"
 
 namespace clast {
@@ -20,60 +20,19 @@ namespace {
 
 using namespace reconstruct_detail;
 
-struct Ball {
-  Vec3 centre;
-  double radius;
-};
+double volume(const FloorBall& ball) { return 4.0 / 3.0 * kPi * std::pow(ball.radius, 3); }
 
-/// Points on the upper parts of balls on a floor, and on the floor between them, as seen from above
-/// and from the sides. Places inside a ball and below the balls are not seen.
-std::vector<Vec3> balls_on_floor(const std::vector<Ball>& balls, double half_width, double spacing,
-                                 std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Vec3> points;
-  const auto is_free = [&](const Vec3& p) {
-    for (const Ball& ball : balls) {
-      if ((p - ball.centre).norm() < 0.999 * ball.radius) return false;
-    }
-    return true;
-  };
-  for (const Ball& ball : balls) {
-    const auto count =
-        static_cast<int>(4.0 * kPi * ball.radius * ball.radius / (spacing * spacing));
-    for (int i = 0; i < count; ++i) {
-      const Vec3 direction = random.unit_vector();
-      const Vec3 p = ball.centre + (ball.radius + 0.1 * spacing * random.normal()) * direction;
-      if (direction.z() > -0.5 && p.z() > 0.0 && is_free(ball.centre + ball.radius * direction)) {
-        points.push_back(p);
-      }
-    }
-  }
-  const auto count = static_cast<int>(4.0 * half_width * half_width / (spacing * spacing));
-  for (int i = 0; i < count; ++i) {
-    const Vec3 p(random.uniform(-half_width, half_width), random.uniform(-half_width, half_width),
-                 0.1 * spacing * random.normal());
-    bool hidden = false;
-    for (const Ball& ball : balls) {
-      hidden |= (p - ball.centre).head<2>().norm() < 0.5 * ball.radius;
-    }
-    if (!hidden) points.push_back(p);
-  }
-  return points;
-}
-
-double volume(const Ball& ball) { return 4.0 / 3.0 * kPi * std::pow(ball.radius, 3); }
-
-const std::vector<Ball> kHeap = {{{-0.5, 0.0, 0.48}, 0.5},
-                                 {{0.42, 0.0, 0.40}, 0.42},
-                                 {{0.0, 0.62, 0.3}, 0.3},
-                                 {{1.6, -0.8, 0.33}, 0.35}};
+const std::vector<FloorBall> kHeap = {{{-0.5, 0.0, 0.48}, 0.5},
+                                      {{0.42, 0.0, 0.40}, 0.42},
+                                      {{0.0, 0.62, 0.3}, 0.3},
+                                      {{1.6, -0.8, 0.33}, 0.35}};
 
 TEST(Deposit, BallsThatTouchAreBlocksOfTheirOwn) {
   const Deposit deposit = segment_deposit(balls_on_floor(kHeap, 2.5, 0.03, 1));
   ASSERT_EQ(deposit.blocks.size(), kHeap.size());
   const std::size_t order[] = {0, 2, 1, 3};  // by x
   for (std::size_t k = 0; k < kHeap.size(); ++k) {
-    const Ball& ball = kHeap[order[k]];
+    const FloorBall& ball = kHeap[order[k]];
     const DepositBlock& block = deposit.blocks[k];
     const Vec3 sides = smallest_box(block.body.vertices).lengths;
     EXPECT_NEAR(sides[0], 2.0 * ball.radius, 0.06 * ball.radius) << k;
@@ -122,9 +81,10 @@ TEST(Deposit, ThreadsDoNotChangeIt) {
 }
 
 TEST(Deposit, TilesDoNotChangeTheBlocks) {
-  std::vector<Ball> balls;
+  std::vector<FloorBall> balls;
   for (const double x : {-1.7, 1.5}) {
-    for (const Ball& ball : kHeap) balls.push_back({ball.centre + Vec3(x, 0.7, 0.0), ball.radius});
+    for (const FloorBall& ball : kHeap)
+      balls.push_back({ball.centre + Vec3(x, 0.7, 0.0), ball.radius});
   }
   const std::vector<Vec3> points = balls_on_floor(balls, 3.6, 0.04, 8);
   const Deposit whole = segment_deposit(points);
@@ -143,8 +103,67 @@ TEST(Deposit, TilesDoNotChangeTheBlocks) {
   }
 }
 
+/// Highest place of a ball.
+Vec3 top_of(const FloorBall& ball) { return ball.centre + ball.radius * Vec3::UnitZ(); }
+
+TEST(Deposit, EditsCorrectItsBlocks) {
+  const std::vector<Vec3> points = balls_on_floor(kHeap, 2.5, 0.03, 1);
+  const Deposit before = segment_deposit(points);
+  const std::vector<DepositEdit> edits = {
+      {DepositEditKind::kAccept, {top_of(kHeap[3])}},
+      {DepositEditKind::kMerge, {top_of(kHeap[1]), top_of(kHeap[2])}},
+      {DepositEditKind::kCut, {top_of(kHeap[0])}, {{-0.5, -1.0, 0.0}, {-0.5, 1.0, 0.0}}}};
+  const Deposit after = segment_deposit(points, {.edits = edits});
+  ASSERT_EQ(after.blocks.size(), 4u);  // two sides of 0, 1 with 2, and 3
+  const DepositBlock &west = after.blocks[0], &east = after.blocks[1], &merged = after.blocks[2];
+  EXPECT_EQ(west.points.size() + east.points.size(), before.blocks[0].points.size());
+  EXPECT_EQ(merged.points.size(), before.blocks[1].points.size() + before.blocks[2].points.size());
+  for (const std::uint32_t i : west.points) EXPECT_LT(points[i].x(), -0.5 + 1e-9);
+  for (const std::uint32_t i : east.points) EXPECT_GT(points[i].x(), -0.5 - 1e-9);
+  // The accepted block is as it was, and certain.
+  EXPECT_EQ(after.blocks[3].points, before.blocks[3].points);
+  EXPECT_EQ(after.blocks[3].body.vertices, before.blocks[3].body.vertices);
+  EXPECT_LT(before.blocks[3].confidence, 1.0);
+  EXPECT_EQ(after.blocks[3].confidence, 1.0);
+  // The order of edits of different blocks and the number of threads do not matter.
+  const Deposit again =
+      segment_deposit(points, {.edits = {edits[2], edits[0], edits[1]}, .threads = 2});
+  ASSERT_EQ(again.blocks.size(), after.blocks.size());
+  for (std::size_t k = 0; k < after.blocks.size(); ++k) {
+    EXPECT_EQ(again.blocks[k].points, after.blocks[k].points);
+    EXPECT_EQ(again.blocks[k].body.vertices, after.blocks[k].body.vertices);
+    EXPECT_EQ(again.blocks[k].confidence, after.blocks[k].confidence);
+  }
+}
+
+TEST(Deposit, EditsOfTilesAreThoseOfTheWhole) {
+  std::vector<FloorBall> balls;
+  for (int i = 0; i < 6; ++i) balls.push_back({{1.5 * i, 0.2 * (i % 3), 0.38}, 0.4});
+  const std::vector<Vec3> points = balls_on_floor(balls, 9.0, 0.05, 8);
+  const std::vector<DepositEdit> edits = {{DepositEditKind::kDrop, {top_of(balls[0])}},
+                                          {DepositEditKind::kAccept, {top_of(balls[5])}}};
+  const std::size_t tile_points = points.size() / 3;
+  const Deposit tiled = segment_deposit(points, {.edits = edits, .tile_points = tile_points});
+  ASSERT_EQ(tiled.blocks.size(), 5u);
+  EXPECT_NEAR(tiled.blocks[0].centre.x(), 1.5, 0.05);
+  EXPECT_LT(tiled.blocks[0].confidence, 1.0);
+  EXPECT_EQ(tiled.blocks[4].confidence, 1.0);
+  const std::vector<DepositEdit> misfit = {edits[0], {DepositEditKind::kDrop, {{0.0, 0.0, 5.0}}}};
+  EXPECT_TRUE(contains(
+      refusal([&] { segment_deposit(points, {.edits = misfit, .tile_points = tile_points}); }),
+      "edit 2 of 2 (drop at (0, 0, 5)): no point of the scan is within"));
+}
+
+TEST(Deposit, AcceptanceOfAPartThatIsLeftOutIsRefused) {
+  const std::vector<Vec3> points = balls_on_floor(kHeap, 2.0, 0.03, 6);
+  const DepositEdit accept{DepositEditKind::kAccept, {top_of(kHeap[2])}};
+  EXPECT_TRUE(contains(
+      refusal([&] { segment_deposit(points, {.smallest_axis = 0.65, .edits = {accept}}); }),
+      "edit 1 of 1 (accept at (0, 0.62, 0.6)): the block is left out (axis I less than"));
+}
+
 TEST(Deposit, TheGroundLeftAroundABlockDoesNotChangeIt) {
-  const std::vector<Ball> one = {{{0.0, 0.0, 0.4}, 0.5}};
+  const std::vector<FloorBall> one = {{{0.0, 0.0, 0.4}, 0.5}};
   const std::vector<Vec3> wide = balls_on_floor(one, 3.0, 0.03, 4);
   const auto sides_within = [&](double half_width) {
     std::vector<Vec3> cropped;
@@ -185,7 +204,7 @@ TEST(Deposit, BlocksBelowTheSmallestAxisAreListed) {
 }
 
 TEST(Deposit, BlocksCutByTheBorderOfTheScanAreListed) {
-  const std::vector<Ball> balls = {{{0.0, 0.0, 0.4}, 0.5}, {{2.0, 0.5, 0.45}, 0.5}};
+  const std::vector<FloorBall> balls = {{{0.0, 0.0, 0.4}, 0.5}, {{2.0, 0.5, 0.45}, 0.5}};
   const std::vector<Vec3> whole = balls_on_floor(balls, 3.5, 0.03, 9);
   // Cuts at distances of 0.3 and 0.1 radii from the centre, and along the flank.
   for (const auto& [limit, is_cut] : {std::pair(2.15, true), {1.95, true}, {2.55, false}}) {

@@ -126,7 +126,11 @@ DepositCandidates find_candidates(std::span<const Vec3> points, const PlanBox& c
   const OrientedPoints cloud = orient_points(points, scan.middle(), options.threads);
   begin_step("segmenting points");
   LabelledPoints labelled = label_points(cloud, options.threads);
-  const ConvexPatches parts{std::move(labelled.labels), labelled.confidences.size()};
+  EditedLabels edited =
+      apply_deposit_edits(std::move(labelled.labels), points, cloud.spacing, options.edits);
+  // The edits of a whole scan are checked before its bodies are estimated.
+  if (core.is_unbounded()) check_edits_fit(options.edits, edited.misfits);
+  const ConvexPatches parts{std::move(edited.labels), edited.sources.size()};
   const std::vector<SampledPatch> sampled = sample_patches(cloud, parts, options.threads);
   const std::vector<std::vector<std::uint32_t>> contact_points =
       find_contact_points(cloud, parts.patch_of_point, parts.count);
@@ -142,7 +146,8 @@ DepositCandidates find_candidates(std::span<const Vec3> points, const PlanBox& c
     if (members[label].empty() || !core.contains(centre)) continue;
     DepositCandidate candidate;
     candidate.block.points = std::move(members[label]);
-    candidate.block.confidence = labelled.confidences[label];
+    candidate.block.confidence =
+        edited.accepted_by[label] > 0 ? 1.0 : labelled.confidences[edited.sources[label]];
     candidate.centre = centre;
     candidate.contact_points = contact_points[label];
     found.candidates.push_back(std::move(candidate));
@@ -177,6 +182,13 @@ DepositCandidates find_candidates(std::span<const Vec3> points, const PlanBox& c
     estimate_body(candidate.block, own, cloud.origin, sampled[label], others);
     candidate.left_out = find_reason(candidate.block, options);
   });
+  found.misfits = std::move(edited.misfits);
+  for (std::size_t c = 0; c < found.candidates.size(); ++c) {
+    const std::size_t number = edited.accepted_by[label_of_candidate[c]];
+    if (number == 0 || !found.candidates[c].left_out) continue;
+    found.misfits[number] =
+        "the block is left out (" + name_of(*found.candidates[c].left_out) + "); remove the edit";
+  }
   return found;
 }
 

@@ -23,6 +23,7 @@ struct DepositCandidate {
 struct DepositCandidates {
   std::vector<DepositCandidate> candidates;  ///< in the order of their first points
   double spacing = 0.0;                      ///< median point spacing, m
+  EditMisfits misfits;                       ///< edits that do not fit the points
 };
 
 /// Segments a cloud and estimates the bodies of those regions whose centres are in `core`.

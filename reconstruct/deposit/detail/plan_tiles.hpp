@@ -18,6 +18,8 @@ struct PlanBox {
     return (point.head<2>().array() >= lower.array()).all() &&
            (point.head<2>().array() < upper.array()).all();
   }
+  /// True if the box is the whole plane.
+  bool is_unbounded() const { return (upper.array().min(-lower.array()).isInf()).all(); }
   /// Returns a box whose sides are farther outside by `distance`.
   PlanBox expanded(double distance) const {
     return {lower - Vec2::Constant(distance), upper + Vec2::Constant(distance)};

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "report/maps/qgis_styles.hpp"
+#include "report/maps/layer_style.hpp"
 
 namespace clast::report_detail {
 

@@ -1,5 +1,6 @@
 #include "classify/dimension_table.hpp"
 #include "pipeline/board_file.hpp"
+#include "pipeline/deposit_edits_file.hpp"
 #include "study/campaign/campaign.hpp"
 #include "study/campaign/release_points.hpp"
 #include "study/compare/measured_stops.hpp"
@@ -79,6 +80,12 @@ constexpr const char* kBoard =
     "dictionary = \"4x4_50\"\nmarker_side_m = 0.05\n[[marker]]\nid = 0\ncentre_m = [0.0, 0.0]\n"
     "[[marker]]\nid = 1\ncentre_m = [0.6, 0.0]\n";
 
+constexpr const char* kEdits =
+    "{\"format\": \"clast deposit edits\", \"edits\": [\n"
+    "{\"kind\": \"merge\", \"points\": [[1, 2.5, -3e-2], [4, 5, 6]]},\n"
+    "{\"kind\": \"cut\", \"points\": [[1, 2, 3]], \"line\": [[0, 0], [1, 1, 2]], "
+    "\"view\": [0, 0, -1]}]}\n";
+
 }  // namespace
 
 std::vector<NamedReader> table_and_campaign_readers() {
@@ -115,6 +122,11 @@ std::vector<NamedReader> table_and_campaign_readers() {
       reader_of(
           "board.toml", [] { return std::string(kBoard); },
           [](const auto& path) { read_scale_board(path); }),
+      reader_of(
+          "edits.json", [] { return std::string(kEdits); },
+          [](const auto& path) {
+            for (const DepositEdit& edit : read_deposit_edits(path)) edit.check();
+          }),
   };
 }
 

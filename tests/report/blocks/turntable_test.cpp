@@ -56,6 +56,28 @@ TEST(Turntable, HoldsBlockScanAndBoxWhereTheyAre) {
   EXPECT_EQ(data["unit"], "m");
 }
 
+TEST(Turntable, MarksTrianglesThatWereNotObserved) {
+  const Block block = scanned_block();
+  const Json all_observed = Json::parse(format_turntable_json(block));
+  EXPECT_FALSE(all_observed["block"].contains("unobserved"));
+  const auto is_below = [&](const Vec3& place) { return place.z() < block.box.centre.z(); };
+  const Json data = Json::parse(format_turntable_json(block, {}, is_below));
+  for (const char* name : {"block", "scan"}) {
+    const Json& mesh = data[name];
+    const std::vector<Vec3> corners = places(mesh, data);
+    const auto triangles = packed_numbers<std::uint32_t>(mesh["triangles"]);
+    const auto unobserved = packed_numbers<std::uint8_t>(mesh["unobserved"]);
+    ASSERT_EQ(unobserved.size(), triangles.size() / 3);
+    for (std::size_t t = 0; t < unobserved.size(); ++t) {
+      const Vec3 middle = (corners[triangles[3 * t]] + corners[triangles[3 * t + 1]] +
+                           corners[triangles[3 * t + 2]]) /
+                          3.0;
+      const double height = middle.z() - block.box.centre.z();
+      if (std::abs(height) > 1e-3) EXPECT_EQ(unobserved[t], height < 0.0 ? 1 : 0);
+    }
+  }
+}
+
 // Each distance is that of its corner between those of a triangle, searched through all triangles.
 TEST(Turntable, HasTheDistanceOfEveryCornerFromTheScan) {
   const Block block = scanned_block();
