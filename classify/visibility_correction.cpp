@@ -15,8 +15,8 @@ constexpr std::size_t kSpacings = 9;       ///< quantiles of the spacing
 constexpr std::size_t kMostFitted = 1000;  ///< blocks to which the model is fitted
 constexpr double kLargestMean = 4.0;       ///< visible area over I^2
 constexpr double kSmallestMean = -2.0;     ///< likewise, of blocks that are mostly hidden
-constexpr double kSlope = 0.4, kSlopeDeviation = 0.3;             ///< prior of the slope
-constexpr double kDeviation = 0.6, kLogDeviationDeviation = 0.2;  ///< prior of the deviation
+constexpr double kSlope = 0.4, kSlopeDeviation = 0.25;             ///< prior of the slope
+constexpr double kDeviation = 0.65, kLogDeviationDeviation = 0.1;  ///< prior of the deviation
 constexpr double kLeastTail = 1e-300;
 
 /// Visible area of a found block, and the area that it must have to be found, over I^2.

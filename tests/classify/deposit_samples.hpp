@@ -13,7 +13,7 @@ namespace clast {
 /// Deposit of which the scan finds the blocks with a large enough visible area.
 struct SampledDeposit {
   std::vector<Axes> truth;  ///< axes of all bodies, m
-  Population found;         ///< blocks that are found, without errors of their sizes
+  Population found;         ///< blocks that are found, with errors of their sizes
 };
 
 struct DepositSampling {
@@ -21,7 +21,7 @@ struct DepositSampling {
   double slope = 0.5;        ///< its change with ln I
   double deviation = 0.6;    ///< its standard deviation
   double spacing = 0.0167;   ///< m
-  double axis_error = 0.05;  ///< half width of the 90 % intervals of ln L, ln I and ln S
+  double axis_error = 0.12;  ///< half width of the 90 % intervals of ln L, ln I and ln S
 };
 
 /// Draws bodies with N(larger than I) ~ 1/I^2 from 0.25 m on. Those with at least 250 points and 12
@@ -41,11 +41,15 @@ inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
                         sampling.deviation * random.normal();
     const double points = area * size * size / (sampling.spacing * sampling.spacing);
     if (points < 250.0 || area < 0.12 * kSurface) continue;
-    MeasuredBlock block = make_measured_block("B" + std::to_string(deposit.truth.size()), axes);
+    const auto measured = [&](double side) {
+      return side * std::exp(sampling.axis_error / 1.645 * random.normal());
+    };
+    const Axes estimate = Axes::sorted(measured(axes.L), measured(axes.I), measured(axes.S));
+    MeasuredBlock block = make_measured_block("B" + std::to_string(deposit.truth.size()), estimate);
     DepositObservation seen;
     const double low = std::exp(-sampling.axis_error), high = std::exp(sampling.axis_error);
-    seen.lower_axes = {axes.L * low, axes.I * low, axes.S * low};
-    seen.upper_axes = {axes.L * high, axes.I * high, axes.S * high};
+    seen.lower_axes = {estimate.L * low, estimate.I * low, estimate.S * low};
+    seen.upper_axes = {estimate.L * high, estimate.I * high, estimate.S * high};
     seen.volume = 0.5 * axes.L * axes.I * axes.S;
     seen.lower_volume = seen.volume * low * low * low;
     seen.upper_volume = seen.volume * high * high * high;
