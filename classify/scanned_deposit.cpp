@@ -117,17 +117,47 @@ EstimatedValue estimate_from(double value, std::vector<double> replicates) {
   return {value, {value * interval.low / median, value * interval.high / median}};
 }
 
-/// EstimatedValue of a proportion: mean of its replicates, with Wilson's interval of as many
-/// independent blocks as have the variance of the replicates.
+/// Returns entry `k` of each list.
+std::vector<double> entries_of(const std::vector<std::vector<double>>& lists, std::size_t k) {
+  std::vector<double> entries;
+  for (const std::vector<double>& list : lists) entries.push_back(list[k]);
+  return entries;
+}
+
+/// Estimates proportions that sum to one. Classes of the estimated axes are blurred by the errors
+/// of the axes, those of the replicates once more. To first order in the variance of the errors,
+/// the difference is the bias (simulation extrapolation), which is subtracted. The interval is
+/// Wilson's of as many independent blocks as have the variance of the replicates, with the errors
+/// of the axes counted twice because of the subtraction.
+/// @param estimated  proportions of the estimated axes
+/// @param replicates  proportions in each replicate
 /// @param most_trials  number of blocks that the weights are worth
-EstimatedValue estimate_proportion(const std::vector<double>& replicates, double most_trials) {
-  const double p = std::clamp(arithmetic_mean(replicates), 0.0, 1.0);
-  double variance = 0.0;
-  for (const double value : replicates) variance += (value - p) * (value - p);
-  variance /= static_cast<double>(replicates.size());
-  double trials = most_trials;
-  if (variance > 0.0) trials = std::min(trials, p * (1.0 - p) / variance);
-  return {p, wilson_interval_of_proportion(p, std::max(trials, 1.0))};
+/// @cite cook1994
+std::vector<EstimatedValue> estimate_proportions(const std::vector<double>& estimated,
+                                                 const std::vector<std::vector<double>>& replicates,
+                                                 double most_trials) {
+  constexpr double kVarianceFactor = 3.0;  // of 2 x - y, if x and y have a correlation of a half
+  std::vector<EstimatedValue> proportions(estimated.size());
+  double sum = 0.0;
+  for (std::size_t k = 0; k < estimated.size(); ++k) {
+    proportions[k].value =
+        std::max(0.0, 2.0 * estimated[k] - arithmetic_mean(entries_of(replicates, k)));
+    sum += proportions[k].value;
+  }
+  for (std::size_t k = 0; k < estimated.size(); ++k) {
+    const double p = sum > 0.0 ? std::min(1.0, proportions[k].value / sum) : 0.0;
+    const std::vector<double> values = entries_of(replicates, k);
+    const double mean = arithmetic_mean(values);
+    double variance = 0.0;
+    for (const double value : values) variance += (value - mean) * (value - mean);
+    const double step = mean - estimated[k];
+    variance = kVarianceFactor * variance / static_cast<double>(values.size()) + step * step;
+    double trials = most_trials;
+    const double spread = std::max(p, mean);
+    if (variance > 0.0) trials = std::min(trials, spread * (1.0 - spread) / variance);
+    proportions[k] = {p, wilson_interval_of_proportion(p, std::max(trials, 1.0))};
+  }
+  return proportions;
 }
 
 /// Number of equally weighted blocks with the sampling variance of the weights.
@@ -151,13 +181,6 @@ auto values_of(const Replicates& replicates, unsigned threads, const Compute& co
   parallel_for(replicates.size(), threads,
                [&](std::size_t r) { values[r] = compute(replicates[r]); });
   return values;
-}
-
-/// Returns entry `k` of each list.
-std::vector<double> entries_of(const std::vector<std::vector<double>>& lists, std::size_t k) {
-  std::vector<double> entries;
-  for (const std::vector<double>& list : lists) entries.push_back(list[k]);
-  return entries;
 }
 
 std::array<WeightedSizes, kSizeWeightings.size()> estimate_sizes(const WeighedBlocks& estimated,
@@ -185,19 +208,22 @@ struct EffectiveTrials {
 };
 
 CorrectedSchemeFractions estimate_fractions(const std::string& scheme, const SchemeOptions& limits,
+                                            const WeighedBlocks& estimated,
                                             const Replicates& replicates, unsigned threads,
                                             const EffectiveTrials& trials) {
-  const auto fractions_by = [&](std::size_t weighting) {
-    return values_of(replicates, threads, [&](const WeighedBlocks& one) {
+  const auto proportions_by = [&](std::size_t weighting, double most_trials) {
+    const auto fractions = [&](const WeighedBlocks& one) {
       return fractions_of(one, weighting, scheme, limits);
-    });
+    };
+    return estimate_proportions(fractions(estimated), values_of(replicates, threads, fractions),
+                                most_trials);
   };
-  const auto found = fractions_by(kFound), corrected = fractions_by(kCorrected);
+  const std::vector<EstimatedValue> found = proportions_by(kFound, trials.found);
+  const std::vector<EstimatedValue> corrected = proportions_by(kCorrected, trials.corrected);
   const std::vector<std::string>& names = class_names(scheme);
   CorrectedSchemeFractions result{scheme, {}};
   for (std::size_t k = 0; k < names.size(); ++k) {
-    result.fractions.push_back({names[k], estimate_proportion(entries_of(found, k), trials.found),
-                                estimate_proportion(entries_of(corrected, k), trials.corrected)});
+    result.fractions.push_back({names[k], found[k], corrected[k]});
   }
   return result;
 }
@@ -250,8 +276,8 @@ std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population&
   const double corrected_trials =
       effective_trials(estimated.weights[kCorrected], 1.0 - found_fraction);
   for (const std::string& scheme : options.selected_schemes()) {
-    summary.schemes.push_back(estimate_fractions(scheme, options.limits, replicates, threads,
-                                                 {found_trials, corrected_trials}));
+    summary.schemes.push_back(estimate_fractions(scheme, options.limits, estimated, replicates,
+                                                 threads, {found_trials, corrected_trials}));
   }
   summary.long_axes = summarise_long_axes(observed);
   return summary;

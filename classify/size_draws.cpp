@@ -7,7 +7,6 @@
 namespace clast {
 namespace {
 
-constexpr int kMaxTrials = 50;             ///< draws until L >= I >= S; then the last is sorted
 constexpr double kLimitScore = 1.6448536;  ///< normal quantile of 95 %
 
 /// Returns the size at a normal score: the estimate at 0, the limits of its interval at -1.64 and
@@ -30,20 +29,16 @@ BlockSizes draw_block_sizes(const MeasuredBlock& block, Random& random) {
   const double own = std::sqrt(1.0 - kAxisErrorCorrelation);
   // Standard deviation of the sum of three scores.
   const double sum_deviation = std::sqrt(3.0 + 6.0 * kAxisErrorCorrelation);
+  const double shared = common * random.normal();
+  const double l = shared + own * random.normal();
+  const double i = shared + own * random.normal();
+  const double s = shared + own * random.normal();
   BlockSizes sizes;
-  for (int trial = 0; trial < kMaxTrials; ++trial) {
-    const double shared = common * random.normal();
-    const double l = shared + own * random.normal();
-    const double i = shared + own * random.normal();
-    const double s = shared + own * random.normal();
-    sizes.axes = {size_at_score(block.axes.L, seen.lower_axes.L, seen.upper_axes.L, l),
-                  size_at_score(block.axes.I, seen.lower_axes.I, seen.upper_axes.I, i),
-                  size_at_score(block.axes.S, seen.lower_axes.S, seen.upper_axes.S, s)};
-    sizes.volume = size_at_score(seen.volume, seen.lower_volume, seen.upper_volume,
-                                 (l + i + s) / sum_deviation);
-    if (sizes.axes.L >= sizes.axes.I && sizes.axes.I >= sizes.axes.S) return sizes;
-  }
-  sizes.axes = Axes::sorted(sizes.axes.L, sizes.axes.I, sizes.axes.S);
+  sizes.axes = Axes::sorted(size_at_score(block.axes.L, seen.lower_axes.L, seen.upper_axes.L, l),
+                            size_at_score(block.axes.I, seen.lower_axes.I, seen.upper_axes.I, i),
+                            size_at_score(block.axes.S, seen.lower_axes.S, seen.upper_axes.S, s));
+  sizes.volume =
+      size_at_score(seen.volume, seen.lower_volume, seen.upper_volume, (l + i + s) / sum_deviation);
   return sizes;
 }
 

@@ -14,8 +14,8 @@ struct BlockSizes {
 ///
 /// The logarithm of each size is normal on either side of the estimate, with the limits of the
 /// interval at the quantiles 5 and 95 %. The errors of L, I and S are correlated
-/// (`kAxisErrorCorrelation`), and that of the volume is the sum of theirs. Draws that contradict
-/// L >= I >= S are repeated.
+/// (`kAxisErrorCorrelation`), and that of the volume is the sum of theirs. The drawn lengths are
+/// sorted, as the sides of a box are.
 /// @param block  with an observation (`MeasuredBlock::deposit`)
 BlockSizes draw_block_sizes(const MeasuredBlock& block, Random& random);
 

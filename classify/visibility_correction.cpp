@@ -30,6 +30,13 @@ double relative_area(double points, double spacing, double intermediate) {
   return points * spacing * spacing / (intermediate * intermediate);
 }
 
+/// Least visible area of a block that is found, over I^2.
+double least_area(double spacing, double intermediate, double surface_ratio) {
+  constexpr auto kPoints = static_cast<double>(VisibilityCorrection::kLeastPoints);
+  return std::max(relative_area(kPoints, spacing, intermediate),
+                  VisibilityCorrection::kLeastVisibleFraction * surface_ratio);
+}
+
 /// Maps a point of the unit cube to a model, by the quantiles of its prior.
 VisibleAreaModel model_at(const Eigen::VectorXd& point) {
   const auto score = [&](Eigen::Index i) {
@@ -68,10 +75,7 @@ double VisibilityCorrection::inclusion_probability(double intermediate) const {
   const double mean = model.mean + model.slope * std::log(intermediate / middle_size);
   double sum = 0.0;
   for (const double spacing : spacings) {
-    const double limit =
-        std::max(relative_area(static_cast<double>(least_points), spacing, intermediate),
-                 least_visible_fraction * surface_ratio);
-    sum += normal_cdf((mean - limit) / model.deviation);
+    sum += normal_cdf((mean - least_area(spacing, intermediate, surface_ratio)) / model.deviation);
   }
   return kMostFound * std::max(kLeastProbability, sum / static_cast<double>(spacings.size()));
 }
@@ -94,13 +98,9 @@ VisibilityCorrection fit_visibility_correction(std::span<const MeasuredBlock> bl
   VisibilityCorrection fit;
   std::vector<double> spacings, ratios;
   double log_size = 0.0;
-  fit.least_points = blocks.front().deposit->points;
-  fit.least_visible_fraction = blocks.front().deposit->visible_fraction;
   for (const MeasuredBlock& block : blocks) {
     const DepositObservation& seen = *block.deposit;
     log_size += std::log(block.axes.I) / static_cast<double>(blocks.size());
-    fit.least_points = std::min(fit.least_points, seen.points);
-    fit.least_visible_fraction = std::min(fit.least_visible_fraction, seen.visible_fraction);
     spacings.push_back(seen.spacing);
     ratios.push_back(relative_area(static_cast<double>(seen.points), seen.spacing, block.axes.I) /
                      std::max(seen.visible_fraction, 1e-3));
@@ -117,9 +117,7 @@ VisibilityCorrection fit_visibility_correction(std::span<const MeasuredBlock> bl
     VisibleArea one;
     one.log_size = std::log(block.axes.I / fit.middle_size);
     one.area = relative_area(static_cast<double>(seen.points), seen.spacing, block.axes.I);
-    one.limit = std::min(one.area, std::max(relative_area(static_cast<double>(fit.least_points),
-                                                          seen.spacing, block.axes.I),
-                                            fit.least_visible_fraction * fit.surface_ratio));
+    one.limit = std::min(one.area, least_area(seen.spacing, block.axes.I, fit.surface_ratio));
     areas.push_back(one);
   }
   const TemperedSample sample =

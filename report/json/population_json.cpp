@@ -155,8 +155,8 @@ Json correction_json(const VisibilityCorrection& correction) {
           {"visible_area_mean", correction.model.mean},
           {"visible_area_slope", correction.model.slope},
           {"visible_area_deviation", correction.model.deviation},
-          {"least_points", correction.least_points},
-          {"least_visible_fraction", correction.least_visible_fraction},
+          {"least_points", VisibilityCorrection::kLeastPoints},
+          {"least_visible_fraction", VisibilityCorrection::kLeastVisibleFraction},
           {"words", describe_visibility_correction(correction)}};
 }
 

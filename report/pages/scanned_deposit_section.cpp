@@ -80,7 +80,9 @@ std::string format_scanned_deposit_section(const PopulationReport& report,
           "area in plan, and by grid with the part of it that is seen from above, as if the points "
           "of a grid were counted (Wolman). Corrected sizes and fractions are those of all blocks "
           "of the deposit by number: each block stands for as many as are needed to find one of "
-          "its size. In fractions, each block counts in all classes that its axes may have. "
+          "its size. In fractions, each block counts in all classes that its axes may have, and "
+          "the "
+          "blur by the errors of the axes is removed. "
           "Intervals of 95 % include the sizes and confidences of the blocks, and which blocks of "
           "this deposit show; those of other parts of it may differ more.") +
           html);

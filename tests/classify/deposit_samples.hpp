@@ -1,6 +1,7 @@
 #pragma once
 /// Populations of scanned deposits with known sizes, for tests.
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,24 @@ struct DepositSampling {
   double axis_error = 0.12;  ///< half width of the 90 % intervals of ln L, ln I and ln S
 };
 
-/// Draws bodies with N(larger than I) ~ 1/I^2 from 0.25 m on. Those with at least 250 points and 12
+/// Draws the axes of a compact, platy, bladed, elongated or needle-shaped rock.
+inline Axes draw_rock_axes(double size, Random& random) {
+  struct Kind {
+    double fraction, l_low, l_high, s_low, s_high;  ///< ranges of L/I and S/I
+  };
+  constexpr Kind kKinds[] = {{0.46, 1.02, 1.4, 0.6, 0.97},
+                             {0.16, 1.05, 1.3, 0.3, 0.48},
+                             {0.20, 1.35, 1.8, 0.45, 0.68},
+                             {0.13, 1.6, 2.2, 0.75, 0.92},
+                             {0.05, 2.5, 3.2, 0.7, 0.88}};
+  double left = random.uniform();
+  const Kind* kind = kKinds;
+  while (left > kind->fraction && kind + 1 < std::end(kKinds)) left -= (kind++)->fraction;
+  return {size * random.uniform(kind->l_low, kind->l_high), size,
+          size * random.uniform(kind->s_low, kind->s_high)};
+}
+
+/// Draws bodies with N(larger than I) ~ 1/I^2 from 0.25 m on. Those with at least 300 points and 12
 /// % of their surface are found.
 inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
                                      const DepositSampling& sampling = {}) {
@@ -35,12 +53,12 @@ inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
   deposit.found.name = "deposit";
   while (deposit.truth.size() < count) {
     const double size = kSmallest / std::sqrt(1.0 - random.uniform());
-    const Axes axes{size * random.uniform(1.0, 2.0), size, size * random.uniform(0.3, 1.0)};
+    const Axes axes = draw_rock_axes(size, random);
     deposit.truth.push_back(axes);
     const double area = sampling.mean_area + sampling.slope * std::log(size / kSmallest) +
                         sampling.deviation * random.normal();
     const double points = area * size * size / (sampling.spacing * sampling.spacing);
-    if (points < 250.0 || area < 0.12 * kSurface) continue;
+    if (points < 300.0 || area < 0.12 * kSurface) continue;
     const auto measured = [&](double side) {
       return side * std::exp(sampling.axis_error / 1.645 * random.normal());
     };
