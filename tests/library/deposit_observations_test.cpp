@@ -51,5 +51,53 @@ TEST(DepositObservations, OtherBlocksHaveNone) {
   for (const auto& seen : make_deposit_observations(blocks)) EXPECT_FALSE(seen);
 }
 
+/// Twenty blocks of a deposit with I from 0.25 to 1.2 m, the small ones hardly resolved.
+std::vector<Block> deposit_of_sizes() {
+  std::vector<Block> blocks;
+  for (int k = 0; k < 20; ++k) {
+    Block block = deposit_block("D" + std::to_string(k), Vec3::Zero());
+    const double size = 0.25 + 0.05 * k;
+    block.box.lengths = {1.5 * size, size, 0.7 * size};
+    block.volume_bracket->intervals = {
+        1.0, 2.0, {0.9 * block.box.lengths, 1.1 * block.box.lengths}};
+    block.deposit->spacing = 0.0125;
+    block.deposit->points = static_cast<std::size_t>((0.8 + 0.05 * (k % 7)) * size * size * 6400.0);
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+std::vector<const Block*> pointers_to(const std::vector<Block>& blocks) {
+  std::vector<const Block*> pointers;
+  for (const Block& block : blocks) pointers.push_back(&block);
+  return pointers;
+}
+
+TEST(WeightedDeposit, SmallBlocksStandForMoreThanLargeOnes) {
+  std::vector<Block> blocks = deposit_of_sizes();
+  const auto deposit = weigh_deposit(pointers_to(blocks));
+  ASSERT_TRUE(deposit);
+  EXPECT_GT(deposit->weights.front(), deposit->weights.back());
+  blocks[3].deposit->confidence = 0.45;
+  EXPECT_NEAR(weigh_deposit(pointers_to(blocks))->weights[3], 0.5 * deposit->weights[3], 1e-9);
+}
+
+TEST(WeightedDeposit, NeedsDepositsOnly) {
+  std::vector<Block> blocks = deposit_of_sizes();
+  blocks.push_back(filled_block("single"));
+  EXPECT_FALSE(weigh_deposit(pointers_to(blocks)));
+  blocks.resize(2);
+  EXPECT_FALSE(weigh_deposit(pointers_to(blocks)));
+}
+
+TEST(WeightedDeposit, ChoosesInProportionToTheWeights) {
+  Random random(1);
+  const std::vector<double> weights = {1.0, 0.0, 3.0};
+  std::vector<int> counts(3, 0);
+  for (int k = 0; k < 8000; ++k) ++counts[choose_by_weight(weights, random)];
+  EXPECT_EQ(counts[1], 0);
+  EXPECT_NEAR(counts[0], 2000, 5 * 39);  // five standard deviations
+}
+
 }  // namespace
 }  // namespace clast
