@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "classify/size_draws.hpp"
 #include "core/parallel.hpp"
@@ -13,8 +12,6 @@ namespace clast {
 namespace {
 
 constexpr std::size_t kReplicates = 400;
-constexpr std::size_t kLeastDepositBlocks = 3;
-constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15ULL;  ///< between replicates
 
 /// Sizes of the blocks of a deposit, and their weights, in one replicate or as estimated.
 struct WeighedBlocks {
@@ -254,7 +251,7 @@ std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population&
     blocks.push_back(&block);
     observed.push_back(block);
   }
-  if (blocks.size() < kLeastDepositBlocks) return std::nullopt;
+  if (blocks.size() < kLeastCorrectedBlocks) return std::nullopt;
   ScannedDepositSummary summary;
   summary.blocks = blocks.size();
   for (const MeasuredBlock* block : blocks) summary.expected_blocks += block->deposit->confidence;
@@ -262,8 +259,11 @@ std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population&
 
   const WeighedBlocks estimated = weigh_estimates(blocks, summary.correction);
   Replicates replicates(kReplicates);
+  std::vector<std::uint64_t> seeds;
+  for (Random random(options.seed); seeds.size() < kReplicates;)
+    seeds.push_back(random.next_bits());
   parallel_for(kReplicates, threads, [&](std::size_t r) {
-    Random random(options.seed + kSeedStep * (r + 1));
+    Random random(seeds[r]);
     replicates[r] = draw_replicate(blocks, summary.correction.with_draw(r), random);
   });
   const auto count_of = [](const WeighedBlocks& one) { return sum_of(one.weights[kCorrected]); };

@@ -1,7 +1,6 @@
 #pragma once
 /// Statistics of the population of a deposit of which the surface was scanned.
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,7 +71,7 @@ struct ScannedDepositSummary {
 /// intervals (`draw_block_sizes`), blocks are kept with the probability of their confidence, and
 /// the number of bodies that each stands for varies as it does if bodies of a finite deposit are
 /// found independently of each other (docs/theory/deposits.md).
-/// @return empty if fewer than three scaled blocks have an observation
+/// @return empty if fewer than `kLeastCorrectedBlocks` scaled blocks have an observation
 /// @param threads  number of threads, 0: one per core; does not affect the result
 std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population& population,
                                                                const PopulationOptions& options,

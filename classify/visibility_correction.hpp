@@ -52,6 +52,9 @@ struct VisibilityCorrection {
   VisibilityCorrection with_draw(std::size_t index) const;
 };
 
+/// Least number of blocks for which a correction is estimated.
+inline constexpr std::size_t kLeastCorrectedBlocks = 3;
+
 /// Estimates the correction from the found blocks of a deposit.
 /// @param blocks  not empty; all with an observation
 /// @param draws  number of draws of the model, positive

@@ -12,8 +12,6 @@
 namespace clast {
 namespace {
 
-constexpr std::size_t kLeastWeighedBlocks = 3;
-
 Axes axes_of(const Vec3& sides) { return {sides[0], sides[1], sides[2]}; }
 
 DepositObservation observation_of(const Block& block, const PlanCover& cover) {
@@ -72,7 +70,7 @@ std::optional<WeightedDeposit> weigh_deposit(std::span<const Block* const> block
     deposit.blocks.push_back(make_measured_block(block->id, block->axes(), block->mass.mass));
     deposit.blocks.back().deposit = observation_of(*block, {});
   }
-  if (blocks.size() < kLeastWeighedBlocks) return std::nullopt;
+  if (blocks.size() < kLeastCorrectedBlocks) return std::nullopt;
   constexpr std::uint64_t kSeed = 1;  // as `PopulationOptions::seed`
   const VisibilityCorrection correction = fit_visibility_correction(deposit.blocks, kSeed);
   for (const MeasuredBlock& block : deposit.blocks) {

@@ -24,7 +24,7 @@ struct WeightedDeposit {
 
 /// Weighs the blocks of a scanned deposit by the correction for blocks that do not show. Areas in
 /// plan are not measured.
-/// @return empty unless there are at least three blocks, all of scanned deposits
+/// @return empty unless there are at least `kLeastCorrectedBlocks`, all of scanned deposits
 std::optional<WeightedDeposit> weigh_deposit(std::span<const Block* const> blocks);
 
 /// Draws an index with a probability proportional to its weight.

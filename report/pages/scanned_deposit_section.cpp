@@ -27,7 +27,7 @@ std::string size_tables(const ScannedDepositSummary& deposit) {
     heads.insert(heads.end(), kWeightedPercentileNames.begin(), kWeightedPercentileNames.end());
     HtmlTable table(heads, 1);
     for (const WeightedSizes& sizes : deposit.sizes) {
-      std::vector<std::string> cells = {"by " + name_of(sizes.weighting)};
+      std::vector<std::string> cells = {heading_of(sizes.weighting)};
       for (const EstimatedValue& estimate : sizes.percentiles[q]) {
         cells.push_back(size_cell(estimate));
       }

@@ -28,7 +28,7 @@ std::string sizes_text(const ScannedDepositSummary& summary) {
     TextTable table{{std::string(kWeightedQuantities[q]) + (volume ? " m3" : " m")}, {}};
     for (const char* name : kWeightedPercentileNames) table.headings.push_back(name);
     for (const WeightedSizes& sizes : summary.sizes) {
-      table.rows.push_back({"by " + name_of(sizes.weighting)});
+      table.rows.push_back({heading_of(sizes.weighting)});
       for (const EstimatedValue& estimate : sizes.percentiles[q]) {
         table.rows.back().push_back(estimate_text(estimate));
       }
@@ -47,6 +47,11 @@ std::string fractions_text(const CorrectedSchemeFractions& scheme) {
 }
 
 }  // namespace
+
+std::string heading_of(SizeWeighting weighting) {
+  if (weighting == SizeWeighting::kCorrected) return "by number, corrected";
+  return "by " + name_of(weighting);
+}
 
 std::string describe_visibility_correction(const VisibilityCorrection& correction) {
   const auto words = [&](double size) {

@@ -81,7 +81,8 @@ TEST(ScannedDepositReport, PageHasTheSectionAndIsWellFormed) {
   EXPECT_TRUE(contains(html, "What the surface shows and hides"));
   EXPECT_TRUE(contains(html, "north (+y)"));
   EXPECT_EQ(html.find(">nan"), std::string::npos);
-  EXPECT_TRUE(contains(format_scanned_deposit(*report.populations[0].deposit), "by corrected"));
+  EXPECT_TRUE(
+      contains(format_scanned_deposit(*report.populations[0].deposit), "by number, corrected"));
 }
 
 class DepositFolder : public WorkingFolder {};
