@@ -105,7 +105,7 @@ std::vector<double> fractions_of(const WeighedBlocks& blocks, std::size_t weight
   return sums;
 }
 
-/// EstimatedValue whose interval is that of the replicates, relative to their median.
+/// Makes an estimate whose interval is that of the replicates, relative to their median.
 EstimatedValue estimate_from(double value, std::vector<double> replicates) {
   std::sort(replicates.begin(), replicates.end());
   const double median = quantile(replicates, 0.5);
@@ -124,8 +124,8 @@ std::vector<double> entries_of(const std::vector<std::vector<double>>& lists, st
 /// Estimates proportions that sum to one. Classes of the estimated axes are blurred by the errors
 /// of the axes, those of the replicates once more. To first order in the variance of the errors,
 /// the difference is the bias (simulation extrapolation), which is subtracted. The interval is
-/// Wilson's of as many independent blocks as have the variance of the replicates, with the errors
-/// of the axes counted twice because of the subtraction.
+/// Wilson's of as many independent blocks as have this variance: three times that of the
+/// replicates, and the square of the difference, since its extrapolation is uncertain.
 /// @param estimated  proportions of the estimated axes
 /// @param replicates  proportions in each replicate
 /// @param most_trials  number of blocks that the weights are worth
@@ -133,7 +133,7 @@ std::vector<double> entries_of(const std::vector<std::vector<double>>& lists, st
 std::vector<EstimatedValue> estimate_proportions(const std::vector<double>& estimated,
                                                  const std::vector<std::vector<double>>& replicates,
                                                  double most_trials) {
-  constexpr double kVarianceFactor = 3.0;  // of 2 x - y, if x and y have a correlation of a half
+  constexpr double kVarianceFactor = 3.0;  ///< of 2 x - y, if x and y have a correlation of a half
   std::vector<EstimatedValue> proportions(estimated.size());
   double sum = 0.0;
   for (std::size_t k = 0; k < estimated.size(); ++k) {
@@ -255,6 +255,7 @@ std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population&
   ScannedDepositSummary summary;
   summary.blocks = blocks.size();
   for (const MeasuredBlock* block : blocks) summary.expected_blocks += block->deposit->confidence;
+  if (!(summary.expected_blocks > 0.0)) return std::nullopt;
   summary.correction = fit_visibility_correction(observed, options.seed, kReplicates);
 
   const WeighedBlocks estimated = weigh_estimates(blocks, summary.correction);

@@ -71,7 +71,8 @@ struct ScannedDepositSummary {
 /// intervals (`draw_block_sizes`), blocks are kept with the probability of their confidence, and
 /// the number of bodies that each stands for varies as it does if bodies of a finite deposit are
 /// found independently of each other (docs/theory/deposits.md).
-/// @return empty if fewer than `kLeastCorrectedBlocks` scaled blocks have an observation
+/// @return empty if fewer than `kLeastCorrectedBlocks` scaled blocks have an observation, or if all
+/// have a confidence of 0
 /// @param threads  number of threads, 0: one per core; does not affect the result
 std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population& population,
                                                                const PopulationOptions& options,

@@ -80,11 +80,6 @@ double VisibilityCorrection::inclusion_probability(double intermediate) const {
   return kMostFound * std::max(kLeastProbability, sum / static_cast<double>(spacings.size()));
 }
 
-double VisibilityCorrection::hidden_fraction(double intermediate) const {
-  const double mean = model.mean + model.slope * std::log(intermediate / middle_size);
-  return normal_cdf(-mean / model.deviation);
-}
-
 VisibilityCorrection VisibilityCorrection::with_draw(std::size_t index) const {
   VisibilityCorrection drawn = *this;
   drawn.model = draws[index % draws.size()];

@@ -37,8 +37,6 @@ struct VisibilityCorrection {
 
   VisibleAreaModel model;
   double middle_size = 1.0;             ///< geometric mean of the I of the found blocks, m
-  std::size_t least_points = 0;         ///< least number of points of a found block
-  double least_visible_fraction = 0.0;  ///< least visible fraction of a found block
   double surface_ratio = 0.0;           ///< area of the surface of a block over I^2, median
   std::vector<double> spacings;         ///< quantiles of the point spacing, m
   std::vector<VisibleAreaModel> draws;  ///< models that are as probable as their number says
@@ -46,8 +44,6 @@ struct VisibilityCorrection {
   /// Returns the probability that a block of the deposit is found.
   /// @param intermediate  I, m, positive
   double inclusion_probability(double intermediate) const;
-  /// Returns the fraction of the blocks of a size that are wholly hidden.
-  double hidden_fraction(double intermediate) const;
   /// Returns the correction by one of `draws`, which must not be empty.
   VisibilityCorrection with_draw(std::size_t index) const;
 };
