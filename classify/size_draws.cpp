@@ -1,6 +1,5 @@
 #include "classify/size_draws.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -14,9 +13,9 @@ constexpr double kLimitScore = 1.6448536;  ///< normal quantile of 95 %
 double size_at_score(double estimate, double lower, double upper, double score) {
   const double limit = score < 0.0 ? lower : upper;
   if (!(limit > 0.0)) return estimate;
-  // An estimate outside of its interval is at the nearest limit.
-  const double ratio =
-      score < 0.0 ? std::min(1.0, limit / estimate) : std::max(1.0, limit / estimate);
+  const double ratio = limit / estimate;
+  const bool is_outside = score < 0.0 ? ratio > 1.0 : ratio < 1.0;
+  if (is_outside) return estimate;
   return estimate * std::pow(ratio, std::abs(score) / kLimitScore);
 }
 

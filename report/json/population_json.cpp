@@ -172,7 +172,7 @@ Json long_axes_json(const LongAxisTrends& axes) {
 }
 
 /// Statistics of a scanned deposit: sizes {weighting: {quantity: {percentile: ...}}} and classes.
-Json deposit_json(const ScannedDepositSummary& summary) {
+Json scanned_deposit_json(const ScannedDepositSummary& summary) {
   Json json = {{"blocks", summary.blocks},
                {"expected_blocks", summary.expected_blocks},
                {"corrected_blocks", estimate_json(summary.corrected_blocks)},
@@ -260,7 +260,7 @@ void write_population(std::ostream& out, const ReportedPopulation& reported,
   }
   out << "\n],";
   if (reported.deposit)
-    out << "\n\"deposit\": " << one_line(deposit_json(*reported.deposit)) << ",";
+    out << "\n\"deposit\": " << one_line(scanned_deposit_json(*reported.deposit)) << ",";
   out << "\n\"population\": " << one_line(shares_json(summary))
       << ",\n\"size\": " << one_line(size_json(summary))
       << ",\n\"size_and_shape\": " << one_line(size_and_shape_json(summary))
