@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "classify/deposit_observation.hpp"
 #include "classify/form.hpp"
 
 namespace clast {
@@ -19,12 +20,13 @@ struct MeasuredBlock {
       axes_by_box;  ///< axes for each of `kBoxConventions`, m; empty if measured by tape
   /// True if the unit of the lengths is unknown, so that the block has neither size nor mass.
   bool unscaled = false;
+  std::optional<DepositObservation> deposit = {};  ///< empty if the block is not of a deposit
 };
 
 /// Makes a block from axes that were measured in metres.
 inline MeasuredBlock make_measured_block(std::string name, const Axes& axes,
                                          std::optional<double> mass = std::nullopt) {
-  return {std::move(name), axes, axes, mass, 0.0, {}, false};
+  return {std::move(name), axes, axes, mass, 0.0, {}, false, {}};
 }
 
 }  // namespace clast

@@ -277,19 +277,32 @@ void compute_goodness_of_fit(FittedSizeLaw& law, std::span<const double> sizes, 
 
 double weighted_percentile(std::span<const double> sizes, std::span<const double> weights,
                            double share) {
+  return weighted_percentiles(sizes, weights, std::span(&share, 1)).front();
+}
+
+std::vector<double> weighted_percentiles(std::span<const double> sizes,
+                                         std::span<const double> weights,
+                                         std::span<const double> fractions) {
   assert(!sizes.empty() && sizes.size() == weights.size());
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return sizes[a] < sizes[b]; });
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  double sum = 0.0;
-  for (const std::size_t i : order) {
-    sum += weights[i];
-    // Sums of the same weights in another order differ in their last bits.
-    if (sum >= share * total * (1.0 - 1e-12)) return sizes[i];
+  std::vector<double> percentiles;
+  for (const double fraction : fractions) {
+    double sum = 0.0;
+    std::size_t last = order.back();
+    for (const std::size_t i : order) {
+      sum += weights[i];
+      // Sums of the same weights in another order differ in their last bits.
+      if (sum < fraction * total * (1.0 - 1e-12)) continue;
+      last = i;
+      break;
+    }
+    percentiles.push_back(sizes[last]);
   }
-  return sizes[order.back()];
+  return percentiles;
 }
 
 SizeDistribution size_distribution(const Population& population, SizeMeasure measure,

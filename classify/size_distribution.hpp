@@ -100,5 +100,9 @@ SizeDistribution size_distribution(const Population& population, SizeMeasure mea
 /// @param sizes, weights  of equal length, not empty
 double weighted_percentile(std::span<const double> sizes, std::span<const double> weights,
                            double fraction);
+/// Returns `weighted_percentile` for each fraction; sizes are sorted once.
+std::vector<double> weighted_percentiles(std::span<const double> sizes,
+                                         std::span<const double> weights,
+                                         std::span<const double> fractions);
 
 }  // namespace clast

@@ -10,6 +10,7 @@
 #include "core/number_text.hpp"
 #include "core/utf8.hpp"
 #include "library/block_ranges.hpp"
+#include "library/deposit_observations.hpp"
 #include "library/library_update.hpp"
 #include "library/variation_ranges.hpp"
 
@@ -17,10 +18,34 @@ namespace clast {
 
 namespace {
 
+/// Number of forms that represent a corrected deposit.
+constexpr std::size_t kDepositForms = 2000;
+
+/// Forms of library blocks. Those of a scanned deposit are drawn from their intervals, in the
+/// numbers for which the blocks stand.
+std::vector<BlockForm> forms_of_blocks(std::span<const Block* const> blocks, std::uint64_t seed,
+                                       std::vector<std::string>& notes) {
+  const std::optional<WeightedDeposit> deposit = weigh_deposit(blocks);
+  std::vector<BlockForm> forms = block_forms(blocks);
+  if (!deposit) return forms;
+  notes.push_back(describe_weighted_deposit(*deposit));
+  Random random(seed);
+  std::vector<BlockForm> drawn;
+  for (std::size_t k = 0; k < kDepositForms; ++k) {
+    const std::size_t i = choose_by_weight(deposit->weights, random);
+    drawn.push_back({draw_block_sizes(deposit->blocks[i], random).axes, forms[i].convexity});
+  }
+  return drawn;
+}
+
 std::vector<BlockForm> population_of(const VariationSeriesRequest& request,
                                      std::span<const Block* const> parents,
                                      std::vector<std::string>& notes) {
-  if (request.table.empty()) return block_forms(parents);
+  if (request.table.empty()) return forms_of_blocks(parents, request.seed, notes);
+  if (request.table.extension() == ".h5" || request.table.extension() == ".hdf5") {
+    const BlockLibrary population = BlockLibrary::read(request.table);
+    return forms_of_blocks(population.select_blocks({}), request.seed, notes);
+  }
   DimensionColumns columns;
   if (!request.units.empty()) columns.units = parse_length_unit(request.units);
   const DimensionTable table = read_dimension_table(request.table, columns);

@@ -20,8 +20,8 @@ struct VariationSeriesRequest {
   std::vector<std::string>
       target_ratio_ids;           ///< library blocks to whose ratios the blocks are stretched
   std::size_t sampled_count = 0;  ///< number of additional bodies sampled from a population
-  std::filesystem::path table;    ///< table of the population of measured blocks; if empty, the
-                                  ///< library blocks are the population
+  /// Table or library (.h5) of the population; if empty, the library blocks are the population.
+  std::filesystem::path table;
   std::string units;  ///< length unit of the table; if empty, that of its header, otherwise m
   std::string prefix = "V";  ///< prefix of the ids of sampled bodies
   std::uint64_t seed = 1;

@@ -18,6 +18,7 @@
 #include "report/population_report.hpp"
 #include "report/tables/population_tables.hpp"
 #include "report/text/population_text.hpp"
+#include "report/text/scanned_deposit_text.hpp"
 
 namespace clast::python_detail {
 
@@ -71,6 +72,7 @@ std::string words_of(const PopulationReport& report) {
   std::string text;
   for (const ReportedPopulation& reported : report.populations) {
     text += (text.empty() ? "" : "\n") + format_population_summary(reported.summary);
+    if (reported.deposit) text += format_scanned_deposit(*reported.deposit);
   }
   return report.comparison ? text + format_population_comparison(*report.comparison) : text;
 }

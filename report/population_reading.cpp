@@ -17,6 +17,7 @@
 #include "library/block_library.hpp"
 #include "library/block_measures.hpp"
 #include "library/block_ranges.hpp"
+#include "library/deposit_observations.hpp"
 #include "library/unscaled.hpp"
 
 namespace clast {
@@ -44,10 +45,23 @@ SurfaceMeasures surface_measures(const Block& block, const Axes& axes,
   return measures;
 }
 
+/// Converts the intervals of the sides of the smallest box to those of another box.
+DepositObservation observation_by_box(DepositObservation seen, const Axes& smallest,
+                                      const Axes& axes) {
+  for (Axes* limit : {&seen.lower_axes, &seen.upper_axes}) {
+    *limit = {limit->L * axes.L / smallest.L, limit->I * axes.I / smallest.I,
+              limit->S * axes.S / smallest.S};
+  }
+  return seen;
+}
+
 void add_library(ReportedPopulation& reported, const BlockMeasuringOptions& reading,
                  const std::string& path) {
   const BlockLibrary library = BlockLibrary::read(path);
-  for (const Block& block : library.blocks()) {
+  const std::vector<std::optional<DepositObservation>> observations =
+      make_deposit_observations(library.blocks());
+  for (std::size_t i = 0; i < library.blocks().size(); ++i) {
+    const Block& block = library.blocks()[i];
     std::vector<Axes> axes_by_box;
     for (const BoxConvention convention : kBoxConventions) {
       const Vec3 sides = block_box(block, convention).lengths;
@@ -58,6 +72,8 @@ void add_library(ReportedPopulation& reported, const BlockMeasuringOptions& read
     measured.unscaled = is_unscaled(block);
     if (!measured.unscaled) measured.mass = block.mass.mass;
     measured.axes_by_box = std::move(axes_by_box);
+    if (observations[i])
+      measured.deposit = observation_by_box(*observations[i], block.axes(), axes);
     // The scan's extents are within twice the deviation of the block's.
     measured.axis_error = reading.axis_error && !measured.unscaled
                               ? *reading.axis_error
@@ -244,6 +260,7 @@ PopulationReport read_populations(const PopulationReportRequest& request) {
   }
   for (ReportedPopulation& reported : both) {
     reported.summary = summarise_population(reported.population, report.options);
+    reported.deposit = summarise_scanned_deposit(reported.population, report.options);
   }
   if (both.size() < 2) return report;
   Population &a = both[0].population, &b = both[1].population;

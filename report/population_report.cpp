@@ -1,5 +1,6 @@
 #include "report/population_report.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "report/html/html_page.hpp"
 #include "report/pages/population_page.hpp"
 #include "report/tables/population_tables.hpp"
+#include "report/tables/scanned_deposit_tables.hpp"
 
 namespace clast {
 
@@ -85,8 +87,12 @@ void write_population_report(const PopulationReport& report, const std::filesyst
   }
   const PopulationDiagrams diagrams = draw_population_diagrams(report);
   write_classes_csv(report, folder / "classes.csv");
+  const bool has_deposit =
+      std::any_of(report.populations.begin(), report.populations.end(),
+                  [](const ReportedPopulation& reported) { return reported.deposit.has_value(); });
   for (const PopulationTable& table : population_tables()) {
     if (table.name == "classes") continue;  // written above, never whole in memory
+    if (!has_deposit && is_table_file(scanned_deposit_tables(), table.name + ".csv")) continue;
     write_text_file(folder / (table.name + ".csv"), table.csv(report));
   }
   for (const auto& [name, svg] : diagrams) {

@@ -8,6 +8,7 @@
 #include "classify/equilibria.hpp"
 #include "classify/population_summary.hpp"
 #include "classify/roundness.hpp"
+#include "classify/scanned_deposit.hpp"
 
 namespace clast {
 
@@ -36,6 +37,8 @@ struct SurfaceMeasures {
 struct ReportedPopulation {
   Population population;
   PopulationSummary summary;
+  /// Statistics of the blocks of scanned deposits; empty if there are fewer than three.
+  std::optional<ScannedDepositSummary> deposit;
   /// Origin of L, I, S, such as "sides of the smallest box" or "as in the table".
   std::string measured;
   AppliedMeasuringOptions reading;

@@ -16,6 +16,7 @@
 #include "report/population_reading.hpp"
 #include "report/population_report.hpp"
 #include "report/text/population_text.hpp"
+#include "report/text/scanned_deposit_text.hpp"
 
 namespace clast {
 
@@ -46,6 +47,7 @@ void print_tables(const PopulationReport& report) {
       std::cout << format_blocks_table(reported.population, report.options);
     }
     std::cout << format_population_summary(reported.summary);
+    if (reported.deposit) std::cout << format_scanned_deposit(*reported.deposit);
     if (reported.skipped > 0) std::cout << format_count(reported.skipped, "row") << " skipped\n";
   }
   if (report.comparison) std::cout << format_population_comparison(*report.comparison);

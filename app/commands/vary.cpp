@@ -213,7 +213,7 @@ void add_body_options(CLI::App& command, VaryArgs& args) {
           ->type_name("N");
   command
       .add_option("--from", args.table,
-                  "Table of measured blocks with columns L, I and S, for --draw")
+                  "Table of measured blocks with columns L, I and S, or a library, for --draw")
       ->needs(draw)
       ->type_name("TABLE");
   command

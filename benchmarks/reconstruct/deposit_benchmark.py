@@ -67,7 +67,55 @@ def measure(build, folder, kind, seed, options):
     write_bodies(json.loads(blocks.read_text(encoding="utf-8"))["blocks"], folder / "bodies.csv")
     run([build / "samples/deposit/score_deposit", scene, labelled, "--bodies", folder / "bodies.csv"],
         folder / "score.json")
+    run([build / "app/clast", "classify", folder / "blocks.h5", "--scheme", "sneed-folk", "--json"],
+        folder / "population.json")
     return json.loads((folder / "score.json").read_text(encoding="utf-8"))
+
+
+def quantile(values, fraction):
+    """Smallest value up to which there is at least the fraction of the values."""
+    return sorted(values)[math.ceil(fraction * len(values)) - 1]
+
+
+def score_population(folder):
+    """Relative errors of D50 and D84 of I of all true bodies, found and corrected, and the true fractions of the
+    classes of eligible and of all bodies with their intervals."""
+    with open(folder / "scene" / "blocks.csv", newline="", encoding="utf-8") as file:
+        truth = list(csv.DictReader(file))
+    deposit = json.loads((folder / "population.json").read_text(encoding="utf-8"))["deposit"]
+    errors = {}
+    for name, fraction in [("D50", 0.5), ("D84", 0.84)]:
+        true_size = quantile([float(body["I_m"]) for body in truth], fraction)
+        for weighting in ["number", "corrected"]:
+            size = deposit["sizes"][weighting]["I_m"][name]
+            errors[weighting, name] = size["value"] / true_size - 1
+            errors[weighting, name, "held"] = size["low"] <= true_size <= size["high"]
+    classes = {"found": [], "corrected": []}
+    for key, bodies in [("found", [b for b in truth if b["eligible"] == "1"]), ("corrected", truth)]:
+        for one in deposit["classes"]["sneed-folk"]:
+            true_fraction = sum(body["class"] == one["class"] for body in bodies) / len(bodies)
+            low, high = one[key]["low"], one[key]["high"]
+            classes[key].append((low <= true_fraction <= high, high - low, one["class"],
+                                 one[key]["value"] - true_fraction))
+    return errors, classes
+
+
+def print_populations(folders):
+    """Prints the bars of the population: mean bias of D50 and D84, and coverage of class fractions."""
+    scores = [score_population(folder) for folder in folders]
+    print("\nI of all true bodies by number: mean relative error over the deposits, and in each of them")
+    for name in ["D50", "D84"]:
+        for weighting in ["number", "corrected"]:
+            errors = [errors[weighting, name] for errors, _ in scores]
+            held = sum(errors[weighting, name, "held"] for errors, _ in scores)
+            print(f"{name} by {weighting:10}{statistics.mean(errors):8.3f}   interval holds {held}/{len(errors)}   "
+                  + " ".join(f"{error:6.3f}" for error in errors))
+    print("\nfractions of the Sneed-Folk classes inside their 95 % intervals")
+    for key, bodies in [("found", "eligible bodies"), ("corrected", "all bodies")]:
+        rows = [row for _, classes in scores for row in classes[key]]
+        print(f"{bodies:16}{sum(row[0] for row in rows) / len(rows):7.3f} of {len(rows)}, median width "
+              f"{statistics.median(row[1] for row in rows):.3f}, mean width "
+              f"{statistics.mean(row[1] for row in rows):.3f}")
 
 
 def main():
@@ -81,10 +129,11 @@ def main():
     first, last = (int(seed) for seed in args.seeds.split("-"))
     names = ["eligible", "precision", "recall", "close_fraction"]
     print(f"{'deposit':16}" + "".join(f"{name:>15}" for name in names))
-    scores = []
+    scores, folders = [], []
     for kind in args.kinds.split(","):
         for seed in range(first, last + 1):
-            score = measure(args.build, args.out / f"{kind}_{seed}", kind, seed, args.option.split())
+            folders.append(args.out / f"{kind}_{seed}")
+            score = measure(args.build, folders[-1], kind, seed, args.option.split())
             scores.append(score)
             print(f"{kind + ' ' + str(seed):16}" + "".join(f"{score[name]:15.3f}" for name in names),
                   flush=True)
@@ -106,6 +155,7 @@ def main():
             if count and not math.isnan(sum(held)):
                 line += f" {key} hold {sum(held) / sum(count):.3f}"
         print(line)
+    print_populations(folders)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include "report/charts/class_fraction_chart.hpp"
 #include "report/charts/form_diagram.hpp"
 #include "report/charts/palette.hpp"
+#include "report/charts/rose_diagram.hpp"
 #include "report/charts/svg_chart.hpp"
 #include "report/html/html_page.hpp"
 #include "report/tables/population_tables.hpp"
@@ -130,6 +131,26 @@ std::string size_chart(const ReportedPopulation& reported, std::size_t number) {
                                series, curves);
 }
 
+/// Sizes of the blocks of a scanned deposit by number, by grid and corrected.
+std::string found_sizes_chart(const ReportedPopulation& reported) {
+  ChartSeries by_number{"blocks that show", series_colour(0), "", {}},
+      by_grid{"by grid", series_colour(1), "6 3", {}},
+      corrected{"corrected", series_colour(2), "2 2", {}};
+  for (const MeasuredBlock& block : reported.population.blocks) {
+    if (!block.deposit || block.unscaled) continue;
+    for (ChartSeries* series : {&by_number, &by_grid, &corrected}) {
+      series->values.push_back(block.axes.I);
+    }
+    const double confidence = block.deposit->confidence;
+    by_number.weights.push_back(confidence);
+    by_grid.weights.push_back(confidence * block.deposit->exposed_area);
+    corrected.weights.push_back(confidence /
+                                reported.deposit->correction.inclusion_probability(block.axes.I));
+  }
+  return draw_cumulative_chart({"Sizes that the surface shows, and all sizes", "size I, m", true},
+                               {by_number, by_grid, corrected});
+}
+
 }  // namespace
 
 std::string population_file_suffix(const PopulationReport& report, std::size_t number) {
@@ -158,6 +179,13 @@ PopulationDiagrams draw_population_diagrams(const PopulationReport& report) {
         draw_zingg_diagram(reported.population, i, report.options);
     if (has_scaled_blocks(reported)) {
       diagrams["size" + population_file_suffix(report, i)] = size_chart(reported, i);
+    }
+    if (reported.deposit) {
+      const LongAxisTrends& axes = reported.deposit->long_axes;
+      diagrams["found_sizes" + population_file_suffix(report, i)] = found_sizes_chart(reported);
+      diagrams["long_axes" + population_file_suffix(report, i)] =
+          draw_rose_diagram(shorten_text(reported.population.name, kMaxTitle), series_colour(i),
+                            axes.trends, axes.mean, {"north (+y)", "south"});
     }
   }
   const bool sized =

@@ -53,7 +53,8 @@ std::vector<std::size_t> sector_counts(const std::vector<double>& trends) {
 }  // namespace
 
 std::string draw_rose_diagram(const std::string& name, const std::string& colour,
-                              const std::vector<double>& trends, const AxialMean& mean) {
+                              const std::vector<double>& trends, const AxialMean& mean,
+                              const RoseDirections& directions) {
   const std::vector<std::size_t> counts = sector_counts(trends);
   const std::size_t maximum =
       std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
@@ -86,8 +87,8 @@ std::string draw_rose_diagram(const std::string& name, const std::string& colour
     const Vec2 b = rose_point(mean.direction + kPi, kRadius * mean.resultant_length);
     svg += format_svg_line(a.x(), a.y(), b.x(), b.y(), "stroke=\"#1d2733\" stroke-width=\"3\"");
   }
-  svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, "downslope", kRoseText);
-  svg += svg_text(kCentre.x(), kCentre.y() + kRadius + 16.0, "upslope", kRoseText);
+  svg += svg_text(kCentre.x(), kCentre.y() - kRadius - 8.0, directions.top, kRoseText);
+  svg += svg_text(kCentre.x(), kCentre.y() + kRadius + 16.0, directions.bottom, kRoseText);
   return svg + "</svg>\n";
 }
 

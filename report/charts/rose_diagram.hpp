@@ -7,11 +7,17 @@
 
 namespace clast::report_detail {
 
-/// Draws a rose diagram, in which downslope is upwards. Symmetric sectors of 15 degrees have areas
-/// proportional to the counts. A line along the axial mean has the length of the resultant.
+/// Directions at the top and at the bottom of a rose diagram.
+struct RoseDirections {
+  std::string top, bottom;
+};
+
+/// Draws a rose diagram. Symmetric sectors of 15 degrees have areas proportional to the counts. A
+/// line along the axial mean has the length of the resultant.
 /// @param name  plain text above the diagram
-/// @param trends  angles from downslope to the right, rad
+/// @param trends  angles from the top to the right, rad
 std::string draw_rose_diagram(const std::string& name, const std::string& colour,
-                              const std::vector<double>& trends, const AxialMean& mean);
+                              const std::vector<double>& trends, const AxialMean& mean,
+                              const RoseDirections& directions);
 
 }  // namespace clast::report_detail

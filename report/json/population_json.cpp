@@ -1,12 +1,16 @@
 #include "report/json/population_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "classify/axis_orientation.hpp"
 #include "classify/box_convention.hpp"
 #include "classify/certainty.hpp"
 #include "classify/surface_indices.hpp"
+#include "core/angle.hpp"
 #include "report/json/block_json.hpp"
+#include "report/text/scanned_deposit_text.hpp"
 
 namespace clast {
 
@@ -140,6 +144,74 @@ Json size_and_shape_json(const PopulationSummary& summary) {
   return all;
 }
 
+Json estimate_json(const EstimatedValue& estimate) {
+  return {
+      {"value", estimate.value}, {"low", estimate.interval.low}, {"high", estimate.interval.high}};
+}
+
+Json correction_json(const VisibilityCorrection& correction) {
+  return {{"found_at_most", VisibilityCorrection::kMostFound},
+          {"middle_size_m", correction.middle_size},
+          {"visible_area_mean", correction.model.mean},
+          {"visible_area_slope", correction.model.slope},
+          {"visible_area_deviation", correction.model.deviation},
+          {"least_points", VisibilityCorrection::kLeastPoints},
+          {"least_visible_fraction", VisibilityCorrection::kLeastVisibleFraction},
+          {"words", describe_visibility_correction(correction)}};
+}
+
+Json long_axes_json(const LongAxisTrends& axes) {
+  Json json = {{"blocks", axes.trends.size()},
+               {"least_elongation", kLeastElongation},
+               {"resultant_length", axes.mean.resultant_length},
+               {"rayleigh_p_value", axes.p_value},
+               {"words", describe_long_axes(axes)}};
+  json["mean_trend_deg"] =
+      std::isfinite(axes.mean.direction) ? Json(axes.mean.direction * kDegreesPerRadian) : Json();
+  return json;
+}
+
+/// Statistics of a scanned deposit: sizes {weighting: {quantity: {percentile: ...}}} and classes.
+Json scanned_deposit_json(const ScannedDepositSummary& summary) {
+  Json json = {{"blocks", summary.blocks},
+               {"expected_blocks", summary.expected_blocks},
+               {"corrected_blocks", estimate_json(summary.corrected_blocks)},
+               {"correction", correction_json(summary.correction)}};
+  for (const WeightedSizes& sizes : summary.sizes) {
+    Json& weighted = json["sizes"][name_of(sizes.weighting)];
+    for (std::size_t q = 0; q < kWeightedQuantities.size(); ++q) {
+      const std::string quantity = kWeightedQuantities[q];
+      for (std::size_t p = 0; p < kWeightedPercentiles.size(); ++p) {
+        weighted[quantity + (quantity == "volume" ? "_m3" : "_m")][kWeightedPercentileNames[p]] =
+            estimate_json(sizes.percentiles[q][p]);
+      }
+    }
+  }
+  for (const CorrectedSchemeFractions& scheme : summary.schemes) {
+    for (const CorrectedFraction& one : scheme.fractions) {
+      json["classes"][scheme.scheme].push_back({{"class", one.name},
+                                                {"found", estimate_json(one.found)},
+                                                {"corrected", estimate_json(one.corrected)}});
+    }
+  }
+  json["long_axes"] = long_axes_json(summary.long_axes);
+  return json;
+}
+
+/// Observation of a block of a scanned deposit.
+Json observation_json(const DepositObservation& seen, const VisibilityCorrection& correction,
+                      double intermediate) {
+  const AxisOrientation axis = axis_orientation(seen.long_axis);
+  return {{"points", seen.points},
+          {"visible_fraction", seen.visible_fraction},
+          {"confidence", seen.confidence},
+          {"plan_area_m2", seen.plan_area},
+          {"exposed_area_m2", seen.exposed_area},
+          {"trend_deg", axis.trend * kDegreesPerRadian},
+          {"plunge_deg", axis.plunge * kDegreesPerRadian},
+          {"found_probability", correction.inclusion_probability(intermediate)}};
+}
+
 Json comparison_json(const PopulationComparison& comparison) {
   Json measures = Json::array(), schemes = Json::array();
   for (const ShapeMeasureDifference& one : comparison.measures) {
@@ -179,9 +251,17 @@ void write_population(std::ostream& out, const ReportedPopulation& reported,
       json["indices"].update(Json(reported.surfaces[i]->indices));
       json.update(surface_json(*reported.surfaces[i]));
     }
+    const MeasuredBlock& block = reported.population.blocks[i];
+    if (reported.deposit && block.deposit && !block.unscaled) {
+      json["deposit"] =
+          observation_json(*block.deposit, reported.deposit->correction, block.axes.I);
+    }
     out << (i > 0 ? ",\n" : "\n") << one_line(json);
   }
-  out << "\n],\n\"population\": " << one_line(shares_json(summary))
+  out << "\n],";
+  if (reported.deposit)
+    out << "\n\"deposit\": " << one_line(scanned_deposit_json(*reported.deposit)) << ",";
+  out << "\n\"population\": " << one_line(shares_json(summary))
       << ",\n\"size\": " << one_line(size_json(summary))
       << ",\n\"size_and_shape\": " << one_line(size_and_shape_json(summary))
       << ",\n\"c40\": " << one_line(summary.c40) << ",\n\"skipped\": " << reported.skipped

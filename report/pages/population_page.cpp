@@ -10,6 +10,7 @@
 #include "report/html/html_page.hpp"
 #include "report/html/report_page.hpp"
 #include "report/pages/population_sizes.hpp"
+#include "report/pages/scanned_deposit_section.hpp"
 
 namespace clast::report_detail {
 namespace {
@@ -231,7 +232,8 @@ std::string make_population_page(const PopulationReport& report,
   return make_report_page(
       title, population_head(report) + comparison_section(report) +
                  classes_section(report, diagrams) + diagrams_section(report, diagrams) +
-                 format_size_section(report, diagrams) + blocks_section(report) +
+                 format_size_section(report, diagrams) +
+                 format_scanned_deposit_section(report, diagrams) + blocks_section(report) +
                  boxes_section(report) + sources_section(report));
 }
 

@@ -8,6 +8,7 @@
 #include "core/files/output_file.hpp"
 #include "core/files/table.hpp"
 #include "core/parallel.hpp"
+#include "report/tables/scanned_deposit_tables.hpp"
 
 namespace clast {
 
@@ -302,11 +303,15 @@ void write_classes_csv(const PopulationReport& report, const std::filesystem::pa
 }
 
 const std::vector<PopulationTable>& population_tables() {
-  static const std::vector<PopulationTable> tables = {
-      population_table("classes", class_columns, block_rows),
-      population_table("shares", share_columns, share_rows),
-      population_table("sizes", size_columns, size_rows),
-      population_table("tests", test_columns, test_rows)};
+  static const std::vector<PopulationTable> tables = [] {
+    std::vector<PopulationTable> all = {population_table("classes", class_columns, block_rows),
+                                        population_table("shares", share_columns, share_rows),
+                                        population_table("sizes", size_columns, size_rows),
+                                        population_table("tests", test_columns, test_rows)};
+    const std::vector<PopulationTable>& scanned = scanned_deposit_tables();
+    all.insert(all.end(), scanned.begin(), scanned.end());
+    return all;
+  }();
   return tables;
 }
 

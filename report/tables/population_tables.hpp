@@ -14,7 +14,8 @@ std::string class_column_name(const std::string& scheme);
 
 using PopulationTable = ReportTable<PopulationReport>;
 
-/// Returns the tables of a population report: "classes", "shares", "sizes" and "tests".
+/// Returns the tables of a population report: "classes", "shares", "sizes" and "tests", and those
+/// of scanned deposits (`scanned_deposit_tables`).
 const std::vector<PopulationTable>& population_tables();
 
 /// Writes the table "classes" as CSV file: one row per block with all classes and indices. The file

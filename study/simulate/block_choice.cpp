@@ -9,6 +9,7 @@
 #include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "library/block_library.hpp"
+#include "library/deposit_observations.hpp"
 #include "library/unscaled.hpp"
 #include "study/campaign/campaign_reading.hpp"
 #include "study/campaign/named_seed.hpp"
@@ -156,11 +157,28 @@ void put_in_groups(const Campaign& campaign, CampaignBlocks& choice) {
 struct DrawPools {
   std::vector<std::vector<std::size_t>> pools;
   std::vector<double> shares;
+  std::optional<WeightedDeposit> deposit = {};  ///< if the blocks are those of a scanned deposit
+
+  double weight(std::size_t block) const { return deposit ? deposit->weights[block] : 1.0; }
+  std::size_t choose(std::size_t pool, Random& random) const {
+    const std::vector<std::size_t>& blocks = pools[pool];
+    if (!deposit) return blocks[random.uniform_index(blocks.size())];
+    std::vector<double> weights;
+    for (const std::size_t block : blocks) weights.push_back(weight(block));
+    return blocks[choose_by_weight(weights, random)];
+  }
 };
+
+std::optional<WeightedDeposit> weighed(const std::vector<Block>& blocks) {
+  std::vector<const Block*> pointers;
+  for (const Block& block : blocks) pointers.push_back(&block);
+  return weigh_deposit(pointers);
+}
 
 DrawPools pools_of_shares(const Campaign& campaign, const std::vector<Block>& blocks) {
   const BlockSampling& draw = *campaign.blocks.draw;
   DrawPools result;
+  result.deposit = weighed(blocks);
   if (draw.shares.empty()) {
     result.pools.emplace_back(blocks.size());
     std::iota(result.pools.back().begin(), result.pools.back().end(), std::size_t{0});
@@ -187,15 +205,16 @@ DrawPools pools_of_shares(const Campaign& campaign, const std::vector<Block>& bl
 double mean_drawn_volume(const Campaign& campaign, const std::vector<Block>& blocks) {
   const std::optional<Distribution>& drawn_mass = campaign.blocks.draw->mass;
   const double mean_mass = drawn_mass ? drawn_mass->mean() : 0.0;
-  const auto [pools, shares] = pools_of_shares(campaign, blocks);
+  const DrawPools from = pools_of_shares(campaign, blocks);
   double volume = 0.0;
-  for (std::size_t i = 0; i < pools.size(); ++i) {
-    double sum = 0.0;
-    for (const std::size_t block : pools[i]) {
+  for (std::size_t i = 0; i < from.pools.size(); ++i) {
+    double sum = 0.0, weights = 0.0;
+    for (const std::size_t block : from.pools[i]) {
       const MassProperties& own = blocks[block].mass;
-      sum += drawn_mass ? own.volume * mean_mass / own.mass : own.volume;
+      weights += from.weight(block);
+      sum += from.weight(block) * (drawn_mass ? own.volume * mean_mass / own.mass : own.volume);
     }
-    volume += shares[i] * sum / static_cast<double>(pools[i].size());
+    volume += from.shares[i] * sum / weights;
   }
   return volume;
 }
@@ -254,21 +273,27 @@ std::vector<Block> read_selected_blocks(const Campaign& campaign) {
 std::vector<CampaignBlock> sample_blocks(const Campaign& campaign,
                                          const std::vector<Block>& blocks) {
   const BlockSampling& draw = *campaign.blocks.draw;
-  const auto [pools, shares] = pools_of_shares(campaign, blocks);
+  const DrawPools from = pools_of_shares(campaign, blocks);
   std::vector<CampaignBlock> drawn;
   const std::vector<std::size_t> counts =
-      allocate_quotas(shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
+      allocate_quotas(from.shares, draw.count > 0 ? draw.count : count_of_volume(campaign, blocks));
   const std::uint32_t draws =
       campaign.persistent_blocks ? campaign.persistent_blocks->realisations : 1;
   for (std::uint32_t k = 0; k < draws; ++k) {
     Random random(k == 0
                       ? draw.seed
                       : study_detail::derive_seed(draw.seed, "realisation " + std::to_string(k)));
-    for (std::size_t pool = 0; pool < pools.size(); ++pool) {
+    for (std::size_t pool = 0; pool < from.pools.size(); ++pool) {
       for (std::size_t i = 0; i < counts[pool]; ++i) {
-        const std::size_t block = pools[pool][random.uniform_index(pools[pool].size())];
+        const std::size_t block = from.choose(pool, random);
         const double mass = blocks[block].mass.mass;
-        const double scale = draw.mass ? std::cbrt(draw.mass->draw(random) / mass) : 1.0;
+        double scale = 1.0;
+        if (draw.mass) {
+          scale = std::cbrt(draw.mass->draw(random) / mass);
+        } else if (from.deposit) {
+          const MeasuredBlock& seen = from.deposit->blocks[block];
+          scale = draw_block_sizes(seen, random).axes.I / seen.axes.I;
+        }
         drawn.push_back(
             {blocks[block].id + "#" + std::to_string(drawn.size() + 1), block, scale, 0});
       }

@@ -22,7 +22,8 @@ struct CampaignBlock {
 struct CampaignBlocks {
   std::vector<Block> library;        ///< unscaled library blocks
   std::vector<std::string> parents;  ///< ids of blocks from which others were varied
-  std::vector<std::string> notes;  ///< notes on the population table from which shapes were sampled
+  /// Notes on the table or the deposit from which blocks or shapes were sampled.
+  std::vector<std::string> notes;
   /// Blocks of the campaign; sampled persistent blocks are ordered by realisation.
   std::vector<CampaignBlock> blocks;
 };
@@ -46,7 +47,9 @@ CampaignBlocks choose_campaign_blocks(const Campaign& campaign,
 /// @throws InputError  if an id is missing or nothing is selected
 std::vector<Block> read_selected_blocks(const Campaign& campaign);
 
-/// Samples the blocks of a campaign at random from the selected library blocks.
+/// Samples the blocks of a campaign at random from the selected library blocks. Blocks of a scanned
+/// deposit are drawn in the numbers for which they stand (`weigh_deposit`), and scaled to sizes
+/// within their intervals unless masses are drawn.
 /// @param pool  selected blocks, to which samples refer by index
 /// @throws InputError  if a sampled class has no block, class fractions are invalid, or the
 ///                     requested volume needs less than half a block or too many
