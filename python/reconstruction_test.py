@@ -1,3 +1,5 @@
+import json
+
 import clast
 import numpy as np
 import pytest
@@ -86,6 +88,44 @@ def test_bad_scans_cost_a_batch_nothing(tmp_path):
 def test_what_gives_no_block_is_refused(scan, keywords, error, words):
     with pytest.raises(error, match=words):
         clast.reconstruct(scan, **keywords)
+
+
+def write_balls_on_a_floor(path):
+    """Points of two balls with a radius of 0.5 m that lie apart on a floor."""
+    noise = np.random.default_rng(1)
+    turn = np.pi * (3.0 - np.sqrt(5.0)) * np.arange(1500)
+    height = 1.0 - 2.0 * (np.arange(1500) + 0.5) / 1500
+    across = np.sqrt(1.0 - height**2)
+    ball = 0.5 * np.column_stack([across * np.cos(turn), across * np.sin(turn), height])
+    floor = np.stack(np.meshgrid(*2 * [np.arange(-2.0, 2.0, 0.045)]), -1).reshape(-1, 2)
+    floor = np.column_stack([floor, np.zeros(len(floor))])
+    parts = []
+    for x in (-0.9, 0.9):
+        moved = ball + [x, 0.0, 0.4]
+        parts.append(moved[moved[:, 2] > 0.15])
+        floor = floor[np.hypot(floor[:, 0] - x, floor[:, 1]) > 0.4]
+    points = np.concatenate([*parts, floor])
+    np.savetxt(path, points + 0.002 * noise.standard_normal(points.shape), fmt="%.5f")
+
+
+def test_edits_correct_the_blocks_of_a_deposit(tmp_path):
+    def drop(point):
+        edit = {"kind": "drop", "points": [point]}
+        text = json.dumps({"format": "clast deposit edits", "edits": [edit]})
+        (tmp_path / "edits.json").write_text(text)
+        return tmp_path / "edits.json"
+
+    scans = [tmp_path / "balls.xyz"]
+    write_balls_on_a_floor(scans[0])
+    both = clast.reconstruct_batch(scans, tmp_path / "a.h5", split=True)
+    assert both.added == ["balls_1", "balls_2"]
+    left = drop([-0.9, 0, 0.9])
+    one = clast.reconstruct_batch(scans, tmp_path / "b.h5", split=True, edits=left)
+    assert one.added == ["balls_1"]
+    assert one.library["balls_1"].centre[0] == pytest.approx(0.9, abs=0.1)
+    ground = drop([0, 1.5, 0])
+    none = clast.reconstruct_batch(scans, tmp_path / "c.h5", split=True, edits=ground)
+    assert none.added == [] and "edit 1 of 1 (drop at (0, 1.5, 0))" in none.failed[0][1]
 
 
 def test_a_rock_mass_is_cut_into_the_blocks_of_the_program(tmp_path):

@@ -11,12 +11,12 @@ namespace clast {
 
 /// Deposit and blocks of which its page is made.
 struct DepositPageContents {
-  std::string name;                 ///< id of the scan
-  std::string file;                 ///< path of the scan
-  const FieldScan* scan = nullptr;  ///< points, block of each point, and parts left out
-  double unit = 1.0;                ///< metres per unit of its points
-  std::string up = "z";             ///< up axis of its points
-  std::vector<std::string> ids;     ///< block ids in the order of `FieldDeposit::block_of_point`
+  std::string name;                   ///< id of the scan
+  std::string file;                   ///< path of the scan
+  const FieldScan* scan = nullptr;    ///< points, block of each point, and parts left out
+  double unit = 1.0;                  ///< metres per unit of its points
+  std::string up = "z";               ///< up axis of its points
+  std::vector<std::string> ids = {};  ///< block ids in the order of `FieldDeposit::block_of_point`
   const std::vector<Block>* blocks = nullptr;  ///< those that were made, in the same order
   std::vector<DepositEdit> edits = {};         ///< corrections that were applied
   std::string stem = "deposit";   ///< file name of the page and its map layers without extension

@@ -9,7 +9,7 @@
 
 #include "mesh/geodesic_sphere.hpp"
 #include "reconstruct/deposit/detail/prior_ellipsoid.hpp"
-#include "reconstruct/deposit/detail/region_samples.hpp"
+#include "reconstruct/deposit/detail/region_classes.hpp"
 #include "reconstruct/deposit/detail/star_body.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/support/balls_on_floor.hpp"
@@ -228,6 +228,24 @@ TEST(Deposit, ABlockWithoutGroundIsNotCutByTheBorder) {
     if (p.z() > 0.1) alone.push_back(p);
   }
   EXPECT_EQ(segment_deposit(alone).blocks.size(), 1u);
+}
+
+TEST(Deposit, GroundThatABlockEnclosesIsPartOfIt) {
+  std::vector<Vec3> plane;
+  for (int x = 0; x < 40; ++x) {
+    for (int y = 0; y < 40; ++y) plane.emplace_back(x, y, 0.0);
+  }
+  const OrientedPoints cloud = orient_points(plane, Vec3::Zero(), 1);
+  // Blocks in the left and the right half, with a pocket in the left one and one between them.
+  std::vector<std::uint32_t> labels, filled;
+  for (const Vec3& p : plane) {
+    const bool is_pocket = (p - Vec3(8.0, 20.0, 0.0)).norm() < 1.5;
+    const bool is_between = (p - Vec3(20.0, 20.0, 0.0)).norm() < 1.5;
+    labels.push_back(is_pocket || is_between ? 0 : p.x() < 20.0 ? 1 : 2);
+    filled.push_back(is_between ? 0 : p.x() < 20.0 ? 1 : 2);
+  }
+  fill_enclosed_ground(cloud, labels);
+  EXPECT_EQ(labels, filled);
 }
 
 TEST(Deposit, BareGroundHasNoBlocks) {

@@ -60,6 +60,7 @@ LabelledPoints label_points(const OrientedPoints& cloud, unsigned threads) {
     labelled.labels[i] = number[region[patches.patch_of_point[i]]];
   }
   refine_borders(cloud, labelled.labels, threads);
+  fill_enclosed_ground(cloud, labelled.labels);
   return labelled;
 }
 

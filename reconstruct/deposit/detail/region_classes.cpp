@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/disjoint_sets.hpp"
 #include "core/parallel.hpp"
 
 namespace clast::reconstruct_detail {
@@ -29,7 +30,8 @@ constexpr std::size_t kOwnSamples = 80, kOtherSamples = 120;
 constexpr double kMeasuringDistance = 3.0;  ///< in spacings
 constexpr double kOuterWindow = 1.5;        ///< around a region, in its radii
 constexpr double kBorderBand = 2.0;  ///< half width of the borders that are refined, in spacings
-constexpr int kVotes = 2;            ///< rounds of majority votes
+constexpr double kLargestPocket = 0.02;  ///< points of enclosed ground over those of the block
+constexpr int kVotes = 2;                ///< rounds of majority votes
 
 /// Extent of the samples along the mean of their normals, m.
 double extent_along_normals(std::span<const SurfaceSample> samples) {
@@ -127,6 +129,40 @@ std::vector<RegionMeasures> measure_regions(const OrientedPoints& cloud,
     m.border_bend = edges[r] > 0.0 ? bends[r] / edges[r] : kLargestBend;
   });
   return measures;
+}
+
+void fill_enclosed_ground(const OrientedPoints& cloud, std::vector<std::uint32_t>& labels) {
+  const std::uint32_t count = 1 + *std::max_element(labels.begin(), labels.end());
+  std::vector<std::size_t> sizes(count, 0);
+  for (const std::uint32_t label : labels) ++sizes[label];
+  DisjointSets pockets(cloud.size());
+  std::vector<std::uint32_t> enclosing(cloud.size(), 0);  // by the first point of a pocket
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    for (const std::uint32_t n : cloud.neighbours_of(i).first(kBorderNeighbours)) {
+      if (labels[i] == 0 && labels[n] == 0) pockets.join(i, n);
+    }
+  }
+  std::vector<std::size_t> pocket_sizes(cloud.size(), 0);
+  std::vector<std::uint8_t> has_others(cloud.size(), 0);
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (labels[i] == 0) ++pocket_sizes[pockets.find(i)];
+    for (const std::uint32_t n : cloud.neighbours_of(i).first(kBorderNeighbours)) {
+      if ((labels[i] == 0) == (labels[n] == 0)) continue;
+      const std::uint32_t pocket = pockets.find(labels[i] == 0 ? i : n);
+      const std::uint32_t block = std::max(labels[i], labels[n]);
+      has_others[pocket] |= enclosing[pocket] != 0 && enclosing[pocket] != block;
+      enclosing[pocket] = block;
+    }
+  }
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (labels[i] != 0) continue;
+    const std::uint32_t pocket = pockets.find(i);
+    const std::uint32_t block = enclosing[pocket];
+    if (block == 0 || has_others[pocket]) continue;
+    const double share =
+        static_cast<double>(pocket_sizes[pocket]) / static_cast<double>(sizes[block]);
+    if (share <= kLargestPocket) labels[i] = block;
+  }
 }
 
 void refine_borders(const OrientedPoints& cloud, std::vector<std::uint32_t>& labels,

@@ -39,6 +39,11 @@ std::vector<RegionMeasures> measure_regions(const OrientedPoints& cloud,
                                             std::span<const std::uint32_t> region_of_patch,
                                             unsigned threads);
 
+/// Adds to each block the pockets of ground that it encloses: connected points with label 0 that
+/// have no neighbours of other blocks, and at most 2 % of the points of the block.
+/// @param labels  block of each point; 0: ground
+void fill_enclosed_ground(const OrientedPoints& cloud, std::vector<std::uint32_t>& labels);
+
 /// Reassigns points near borders of regions to the region whose tangent planes they fit best, and
 /// smooths the labels by a majority vote.
 /// @param labels  region of each point

@@ -73,7 +73,9 @@ TEST(Turntable, MarksTrianglesThatWereNotObserved) {
                            corners[triangles[3 * t + 2]]) /
                           3.0;
       const double height = middle.z() - block.box.centre.z();
-      if (std::abs(height) > 1e-3) EXPECT_EQ(unobserved[t], height < 0.0 ? 1 : 0);
+      if (std::abs(height) > 1e-3) {
+        EXPECT_EQ(unobserved[t], height < 0.0 ? 1 : 0);
+      }
     }
   }
 }
