@@ -49,8 +49,10 @@ BlockBracket derive_block_bracket(const Block& block) {
   const auto& [low, high] = *range.axes;
   range.lower_s_c = std::max(0.0, low.L / high.I - 1.0);
   range.upper_s_c = high.L / low.I - 1.0;
+  const AxesBounds probable =
+      unseen.intervals ? including(unseen.intervals->sides, block.box.lengths) : *range.axes;
   for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
-    range.classes[scheme] = find_possible_classes(scheme, low, high);
+    range.classes[scheme] = find_possible_classes(scheme, probable.lower, probable.upper);
   }
   return range;
 }

@@ -23,8 +23,8 @@ struct BlockBracket {
   double upper_density = 0.0;
   std::optional<AxesBounds> axes;  ///< bounds that include the axes of the block; empty if unknown
   std::optional<double> lower_s_c, upper_s_c;
-  /// Possible classes of axes within their bounds, by scheme ("sneed-folk", "zingg", "garcia").
-  /// Empty if the bounds are unknown.
+  /// Possible classes of axes within their 90 % intervals, or within their bounds if there are no
+  /// intervals, by scheme ("sneed-folk", "zingg", "garcia"). Empty if the bounds are unknown.
   std::map<std::string, std::vector<std::string>> classes;
 };
 

@@ -52,6 +52,15 @@ TEST(BlockBracket, ClassesAreAllThatTheAxesAllow) {
   EXPECT_DOUBLE_EQ(range.upper_s_c.value(), 1.0);
 }
 
+TEST(BlockBracket, ClassesOfABlockOfADepositAreThoseOfItsIntervals) {
+  Block block = half_seen();
+  block.volume_bracket->intervals = {0.95, 1.1, {{2.0, 1.0, 0.55}, {2.0, 1.0, 0.65}}};
+  const BlockBracket range = derive_block_bracket(block);
+  // S/I does not pass 2/3 within the interval of S.
+  EXPECT_EQ(range.classes.at("zingg"), (std::vector<std::string>{"blade"}));
+  EXPECT_DOUBLE_EQ(range.axes->upper.S, 0.8);
+}
+
 // Between boxes of 1.4 x 1.2 and of 1.6 x 1.4 L/I is 1.17 and 1.14 alone; a body of 1.6 x 1.2 has
 // 1.33, which is elongated.
 TEST(BlockBracket, AxesRunThroughTheirBoundsEachByItself) {
