@@ -6,7 +6,6 @@
 #include "classify/visibility_correction.hpp"
 #include "core/number_text.hpp"
 #include "library/unscaled.hpp"
-
 #include "mesh/plan_cover.hpp"
 
 namespace clast {

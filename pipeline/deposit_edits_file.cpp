@@ -86,7 +86,7 @@ DepositEdit parse_deposit_edit(const EditsJson& object) {
   }
   if (object.contains("view")) edit.view = parse_edit_vector(object["view"], "view", 3);
   if (cuts) {
-    // In plan, heights do not matter.
+    // Heights do not matter for a vertical cut.
     const bool vertical = edit.view.head<2>().isZero(0.0);
     edit.line = parse_edit_points(require_edit_key(object, "line", "the points of the cut line"),
                                   "line", vertical ? 2 : 3);

@@ -88,7 +88,7 @@ def find_labels(points, labelled):
 
 
 def is_inside(x, y, outline):
-    """Tells whether a place is inside a polygon."""
+    """Returns whether a place is inside a polygon."""
     inside = False
     for (ax, ay), (bx, by) in zip(outline, outline[1:] + outline[:1]):
         if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):

@@ -135,7 +135,7 @@ const clastDeposit = (async () => {
     stroke(points, '#c0104a', 2);
   }
 
-  // What is selected, and what the lists say.
+  // Selection and lists.
   const rows = new Map();  // by label
   for (const mark of document.querySelectorAll('[data-block]')) {
     rows.set(+mark.dataset.block, mark.closest('tr'));

@@ -183,7 +183,7 @@ std::string ScanReport::Impl::write_deposits() const {
              "</a>: map, 3-D view and corrections of " +
              format_count(page.map.blocks.size(), "block") + "</p>\n";
   }
-  // Of a batch that is only continued, the page of an earlier run remains.
+  // A batch that only continues keeps the page of the earlier run.
   if (links.empty() && earlier > 0 && fs::exists(folder / "deposit.html")) {
     links = "<p><a href=\"deposit.html\">deposit.html</a></p>\n";
   }

@@ -144,7 +144,7 @@ TEST_F(DepositPage, SelectsCorrectsAndContinues) {
   const Json after = blocks();
   ASSERT_EQ(after.size(), 4u) << "block 4 of the first run is left in the library";
   EXPECT_TRUE(contains(std::string(after[0]["provenance"]["options"]), " edits="));
-  // What is left of 1 ends at the cut, 2 and 3 are one block, and 4 is as it was.
+  // The rest of 1 ends at the cut, 2 and 3 are one block, and 4 is unchanged.
   EXPECT_LT(after[0]["volume_m3"], 0.95 * double(before[0]["volume_m3"]));
   EXPECT_LT(after[0]["deposit"]["points"], 0.8 * double(before[0]["deposit"]["points"]));
   EXPECT_EQ(after[2]["deposit"]["confidence"], 1.0);

@@ -104,7 +104,7 @@ TEST_F(ScanToBlock, EditsCorrectADepositAndAreRecorded) {
   EXPECT_EQ(deposits, 1u);
   ASSERT_EQ(accepted.size(), 2u);
   EXPECT_EQ(accepted[0].surface.vertices, both[0].surface.vertices);
-  EXPECT_NE(accepted[0].source.options, dropped) << "the digest tells edits apart";
+  EXPECT_NE(accepted[0].source.options, dropped) << "the digest differs between edits";
 
   options.edits[0].points[0].z() += 100.0;
   EXPECT_TRUE(contains(refusal([&] { split(); }), "edit 1 of 1 (accept at ("));

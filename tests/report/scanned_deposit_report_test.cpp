@@ -1,4 +1,4 @@
-// What reports on the population of a scanned deposit contain.
+// Contents of reports on the population of a scanned deposit.
 #include <gtest/gtest.h>
 
 #include <filesystem>
