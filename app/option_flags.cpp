@@ -68,6 +68,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"segments", "--segments"},
     {"smallest_axis", "--smallest"},
     {"split", "--split"},
+    {"stations", "--stations"},
     {"to", "--to"},
     {"tolerance", "--tolerance"},
     {"units", "--units"},

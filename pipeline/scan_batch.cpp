@@ -166,6 +166,9 @@ class Batch {
     if (!options_.scan.edits.empty()) {
       throw InputError(scan.path.string() + ": is a shape and no scan, so `edits` do not apply");
     }
+    if (!options_.scan.stations.empty()) {
+      throw InputError(scan.path.string() + ": is a shape and no scan, so `stations` do not apply");
+    }
     const ShpShape shape = scan.shape ? *scan.shape : read_shp(scan.path).front();
     return {make_shape_block(shape, scan.path, scan.id, options_.scan, callbacks)};
   }
@@ -344,6 +347,10 @@ void ScanBatchOptions::check(std::size_t scans) const {
   scan.check();
   if (!scan.edits.empty() && scans != 1) {
     throw InputError("`edits` are for a single scan, but " + std::to_string(scans) +
+                     " scans are given");
+  }
+  if (!scan.stations.empty() && scans != 1) {
+    throw InputError("`stations` are those of a single scan, but " + std::to_string(scans) +
                      " scans are given");
   }
   if (!scan.labelled.empty() && scans != 1) {

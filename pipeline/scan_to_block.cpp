@@ -126,6 +126,7 @@ FieldScanOptions reading_options(const ScanToBlockOptions& options,
           .split = options.split,
           .smallest_axis = options.smallest_axis,
           .edits = options.edits,
+          .stations = options.stations,
           .surface = {.threads = options.block.threads},
           .progress = callbacks.progress};
 }
@@ -216,6 +217,9 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
   if (!options.edits.empty()) {
     source.options += " edits=" + sha256(format_field(options.edits)).substr(0, 16);
   }
+  if (!options.stations.empty()) {
+    source.options += " stations=" + sha256(format_field(options.stations)).substr(0, 16);
+  }
   if (!options.labelled.empty()) {
     write_labelled_cloud(options.labelled, found.raw.vertices, found.block_of_point);
   }
@@ -280,6 +284,7 @@ void ScanToBlockOptions::check() const {
   scan.check();
   if (vertices) SimplifyOptions{*vertices}.check();
   if (!edits.empty() && !split) throw InputError("`edits` needs `split`");
+  if (!stations.empty() && !split) throw InputError("`stations` needs `split`");
   if (!labelled.empty() && !split) throw InputError("`labelled` needs `split`");
   block.check();
 }

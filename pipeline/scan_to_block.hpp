@@ -35,6 +35,9 @@ struct ScanToBlockOptions {
   bool split = false;                   ///< true: makes all blocks of a deposit
   double smallest_axis = 0.0;           ///< with `split`: least intermediate axis I of a block, m
   std::vector<DepositEdit> edits = {};  ///< with `split`: corrections of the segmentation
+  /// With `split`: positions of the scanner or the cameras, in units and axes of the scan. Empty if
+  /// they are unknown; for photographs, those of the cameras are used.
+  std::vector<Vec3> stations = {};
   /// PLY file to which the points of a split scan are written with the block of each
   /// (`write_labelled_cloud`); empty: none is written.
   std::filesystem::path labelled = {};
@@ -46,7 +49,8 @@ struct ScanToBlockOptions {
 template <class Visit>
 void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   const auto& [scan, units, scale_points, scale_factor, vertices, block, radius_given, any_size,
-               up_given, find_ground, split, smallest_axis, edits, labelled, photos] = options;
+               up_given, find_ground, split, smallest_axis, edits, stations, labelled, photos] =
+      options;
   visit("scan", scan);
   visit("units", units);
   visit("scale_points", scale_points);
@@ -60,6 +64,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("split", split);
   visit("smallest_axis", smallest_axis);
   visit("edits", edits);
+  visit("stations", stations);
   visit("labelled", ExcludedField{labelled});
   visit("photos", photos);
 }

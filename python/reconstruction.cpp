@@ -13,6 +13,7 @@
 #include "pipeline/deposit_edits_file.hpp"
 #include "pipeline/scan_batch.hpp"
 #include "pipeline/shape_to_block.hpp"
+#include "pipeline/stations_file.hpp"
 #include "python/arrays.hpp"
 #include "python/options.hpp"
 #include "python/values.hpp"
@@ -75,9 +76,11 @@ void take_scan(Keywords& given, ScanToBlockOptions& options) {
   }
   given.read("split", options.split);
   given.read("smallest", options.smallest_axis);
-  std::optional<fs::path> edits, labelled;
+  std::optional<fs::path> edits, stations, labelled;
   given.read("edits", edits);
   if (edits) options.edits = read_deposit_edits(*edits);
+  given.read("stations", stations);
+  if (stations) options.stations = read_stations(*stations);
   given.read("labelled", labelled);
   if (labelled) options.labelled = *labelled;
   given.read("any_size", options.allow_any_size);

@@ -25,7 +25,10 @@ struct FieldScanOptions {
   bool split = false;  ///< true: extracts all blocks of a deposit; false: the one near the centre
   double smallest_axis = 0.0;           ///< with `split`: least intermediate axis I of a block, m
   std::vector<DepositEdit> edits = {};  ///< with `split`: corrections of the segmentation
-  CloudSurfaceOptions surface = {};     ///< surface reconstruction from points
+  /// With `split`: positions of the scanner or the cameras, in units and axes of the scan. Empty if
+  /// they are unknown.
+  std::vector<Vec3> stations = {};
+  CloudSurfaceOptions surface = {};  ///< surface reconstruction from points
   /// Observed free space in file coordinates; null if unknown.
   const FreeSpaceGrid* free_space = nullptr;
   ProgressCallback progress = {};  ///< called with the name of each step before it starts

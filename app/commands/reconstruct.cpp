@@ -16,6 +16,7 @@
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
 #include "pipeline/deposit_edits_file.hpp"
+#include "pipeline/stations_file.hpp"
 
 namespace clast {
 
@@ -25,8 +26,9 @@ struct ReconstructArgs {
   std::vector<std::string> scans;  ///< files and folders
   ScanBatchOptions batch;
   bool json = false;
-  std::string report;  ///< folder of pages; empty: none are written
-  std::string edits;   ///< file; empty: none
+  std::string report;    ///< folder of pages; empty: none are written
+  std::string edits;     ///< file; empty: none
+  std::string stations;  ///< file; empty: none
   std::string scale_length;
   double scale_factor = 1.0;
   std::string ground = "auto";
@@ -88,6 +90,7 @@ void reconstruct(const ReconstructArgs& args) {
   }
   options.scan.unit = unit * args.scale_factor;
   if (!args.edits.empty()) options.edits = read_deposit_edits(args.edits);
+  if (!args.stations.empty()) options.stations = read_stations(args.stations);
   options.scan.columns = split_comma_separated(args.columns);
   const std::vector<ScanFile> scans = list_scans(args.scans);
   check_usage([&] { batch.check(scans.size()); });
@@ -157,6 +160,13 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       .add_option("--edits", args.edits,
                   "With --split: corrections of the segmentation, JSON, as the page of the deposit "
                   "saves them: blocks to accept, drop, merge or cut")
+      ->type_name("FILE")
+      ->needs("--split");
+  command
+      .add_option("--stations", args.stations,
+                  "With --split: positions of the scanner or the cameras in the coordinates of the "
+                  "scan, a table of points such as CSV with the columns x, y and z; bodies do not "
+                  "reach into the free space before the points seen from there")
       ->type_name("FILE")
       ->needs("--split");
   command

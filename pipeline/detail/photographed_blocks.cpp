@@ -31,6 +31,7 @@ PhotographedBlocks reconstruct_photographs(const std::filesystem::path& folder,
   reading.scan.unit = 1.0;
   reading.surface.averaging_cell = kPhotoCell;
   reading.free_space = &scan.cloud.free_space;
+  for (const Photo& photo : scan.model.photos) reading.stations.push_back(photo.centre());
   callbacks.begin_step(
       "finding the surface in " + std::to_string(scan.cloud.points.size()) + " points", true);
   FieldScan found;

@@ -16,6 +16,9 @@ namespace clast {
 struct DepositOptions {
   double smallest_axis = 0.0;  ///< least intermediate axis I of a block, m; 0: as far as resolved
   std::vector<DepositEdit> edits = {};  ///< corrections of the segmentation, in their order
+  /// Positions of the scanner or the cameras, m. No body reaches into the free space between them
+  /// and the points. Empty if they are unknown.
+  std::vector<Vec3> stations = {};
   unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
   /// Clouds with more points are segmented in overlapping tiles, which bounds the memory.
   std::size_t tile_points = 4000000;

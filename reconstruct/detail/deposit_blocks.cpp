@@ -29,6 +29,8 @@ constexpr double kCentreDecay = 4.0;
 /// largest diagonal over that of the block.
 constexpr double kLeastGround = 0.05, kMaxSurroundings = 2.5;
 
+constexpr double kFarthestStation = 50.0;  ///< from the points, in diagonals of the scan
+
 constexpr std::size_t kMinSurfaceSamples = 60000;  ///< of a mesh
 
 std::string list_contacts(const std::vector<std::uint32_t>& contacts) {
@@ -77,6 +79,27 @@ bool has_strip_of_ground(const std::vector<Vec3>& points, const DepositBlock& bl
   return static_cast<double>(outside) > kLeastGround * static_cast<double>(points.size());
 }
 
+/// Converts the stations of the scan to metres.
+/// @throws InputError  if one is so far from the points that its coordinates are of another system
+std::vector<Vec3> find_stations(const std::vector<Vec3>& points, const std::string& name,
+                                const FieldScanOptions& options) {
+  Bounds extent;
+  for (const Vec3& p : points) extent.include(p);
+  std::vector<Vec3> stations;
+  for (const Vec3& given : options.stations) {
+    stations.push_back(in_metres(given, options.scan));
+    const Vec3& station = stations.back();
+    const double distance = (station - station.cwiseMax(extent.low).cwiseMin(extent.high)).norm();
+    if (distance <= kFarthestStation * extent.diagonal()) continue;
+    throw InputError(name + ": position " + std::to_string(stations.size()) + " of `stations`, " +
+                     format_point(given) + ", is " + format_significant(distance, 3) +
+                     " m from the points, which extend over " +
+                     format_significant(extent.diagonal(), 3) +
+                     " m; give positions in the coordinates of the scan");
+  }
+  return stations;
+}
+
 FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes) {
   FieldBlock found;
   found.scan.mesh = std::exchange(block.body, {});
@@ -99,8 +122,10 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
                              const FieldScanOptions& options) {
   CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
   for (Vec3& p : clean.points) p = in_metres(p, options.scan);
+  std::vector<Vec3> stations = find_stations(clean.points, name, options);
   Deposit deposit = segment_deposit(clean.points, {.smallest_axis = options.smallest_axis,
                                                    .edits = options.edits,
+                                                   .stations = std::move(stations),
                                                    .threads = options.surface.threads,
                                                    .progress = options.progress});
   if (deposit.blocks.empty()) {

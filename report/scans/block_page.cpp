@@ -34,25 +34,40 @@ std::string with_bounds(double value, double low, const std::optional<double>& h
   return format_significant_digits(value, 4);
 }
 
-/// Bounds of the axes and every class they allow.
+/// Formats lower and upper L, I and S, such as "0.5 to 0.6; 0.4 to 0.5; 0.2 to 0.4".
+std::string format_axes_range(const Vec3& low, const Vec3& high) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    text += (axis == 0 ? "" : "; ") + format_significant_digits(low[axis], 3) + " to " +
+            format_significant_digits(high[axis], 3);
+  }
+  return text;
+}
+
+/// Formats the bounds and 90 % intervals of the axes, and the possible classes.
 std::string range_facts(const Block& block, const std::string& unit) {
   const BlockBracket range = derive_block_bracket(block);
   const std::string not_known = "not known: too much of the block was not scanned";
   if (!range.axes) return format_fact("bounds of L, I, S; possible shapes", not_known);
   const auto& [low, high] = *range.axes;
-  const auto between = [](double from, double to) {
-    return format_significant_digits(from, 3) + " to " + format_significant_digits(to, 3);
-  };
   std::string shapes;
   for (const char* scheme : {"sneed-folk", "zingg", "garcia"}) {
     for (const std::string& name : range.classes.at(scheme)) {
       shapes += (shapes.empty() ? "" : ", ") + name;
     }
   }
-  return format_fact("bounds of L; I; S, " + unit, between(low.L, high.L) + "; " +
-                                                       between(low.I, high.I) + "; " +
-                                                       between(low.S, high.S)) +
-         format_fact("possible shapes", shapes);
+  std::string html =
+      format_fact("bounds of L; I; S, " + unit,
+                  format_axes_range({low.L, low.I, low.S}, {high.L, high.I, high.S}));
+  if (const std::optional<SizeIntervals>& probable = block.volume_bracket->intervals) {
+    html += format_fact("90 % intervals of L; I; S, " + unit,
+                        format_axes_range(probable->sides.lower, probable->sides.upper)) +
+            format_fact(is_unscaled(block) ? "90 % interval of the volume, cubic units"
+                                           : "90 % interval of the volume, m3",
+                        format_significant_digits(probable->lower_volume, 3) + " to " +
+                            format_significant_digits(probable->upper_volume, 3));
+  }
+  return html + format_fact("possible shapes", shapes);
 }
 
 std::string facts(const Block& block, const std::string& scale) {

@@ -187,6 +187,16 @@ TEST_F(Batches, EditsAreThoseOfOneScan) {
                        "`edits` are for a single scan, but 2 scans are given"));
 }
 
+TEST_F(Batches, StationsAreThoseOfOneScan) {
+  const fs::path path = scan("scene.obj", two_rocks_on_ground());
+  options.scan.split = true;
+  options.scan.stations = {Vec3::Zero()};
+  EXPECT_TRUE(contains(refusal([&] {
+                         run({{path, "a", {}}, {path, "b", {}}});
+                       }),
+                       "`stations` are those of a single scan, but 2 scans are given"));
+}
+
 TEST_F(Batches, AMassIsThatOfOneBlock) {
   const fs::path path = scan("a.obj", cuboid(1, 0.9, 0.8));
   options.scan.block.mass = 1500.0;

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <cmath>
 
+#include "core/files/text_file.hpp"
 #include "core/number_text.hpp"
+#include "pipeline/stations_file.hpp"
 #include "tests/library/block_samples.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rock_mesh.hpp"
@@ -64,6 +65,24 @@ TEST_F(ScanToBlock, BlocksOnAGroundAreSplitAndNumbered) {
   EXPECT_EQ(made, (std::vector<std::string>{"scene_1", "scene_2"}));
   ASSERT_FALSE(steps.empty());
   EXPECT_EQ(steps.front(), "reading scene");
+}
+
+TEST_F(ScanToBlock, StationsAreRecordedAndThoseOfAnotherSystemAreRefused) {
+  options.split = true;
+  options.vertices = 60;
+  write_obj(folder / "scene.obj", two_rocks_on_ground());
+  write_text_file(folder / "stations.csv", "name,x_m,y_m,z_m\nA,6,1,2\nB,-6,-1,2\n");
+  options.stations = read_stations(folder / "stations.csv");
+  EXPECT_EQ(options.stations, (std::vector<Vec3>{{6, 1, 2}, {-6, -1, 2}}));
+  const std::vector<Block> blocks = reconstruct_blocks(folder / "scene.obj", "scene", options);
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_TRUE(contains(blocks[0].source.options, " stations="));
+  options.stations[1] = {652013.0, 5203000.0, 1824.0};
+  EXPECT_TRUE(
+      contains(refusal([&] { reconstruct_blocks(folder / "scene.obj", "scene", options); }),
+               "position 2 of `stations`"));
+  options.split = false;
+  EXPECT_TRUE(contains(refusal([&] { options.check(); }), "`stations` needs `split`"));
 }
 
 /// Highest vertex of the surface of a block.

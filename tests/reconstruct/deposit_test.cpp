@@ -306,5 +306,15 @@ TEST(StarBody, OfAWholeSphereHasItsVolume) {
   EXPECT_LT(half.visible_fraction, 0.7);
 }
 
+TEST(StarBody, TheUnobservedSideLeavesFreeSpace) {
+  const std::vector<SurfaceSample> upper = sphere_samples(1.0, 0.0);
+  const auto below = [](const Vec3& position) { return position.z() < -0.5; };
+  const StarBody body = fit_star_body(upper, Ellipsoid{}, 0.12, below);
+  double lowest = 0.0;
+  for (const Vec3& v : body.mesh.vertices) lowest = std::min(lowest, v.z());
+  EXPECT_GE(lowest, -0.5);
+  EXPECT_LT(lowest, -0.47);  // not farther than needed
+}
+
 }  // namespace
 }  // namespace clast

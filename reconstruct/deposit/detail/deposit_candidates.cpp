@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "reconstruct/deposit/detail/region_merging.hpp"
 #include "reconstruct/deposit/detail/size_uncertainty.hpp"
 #include "reconstruct/deposit/detail/star_body.hpp"
+#include "reconstruct/deposit/detail/station_views.hpp"
 #include "shapes/oriented_box.hpp"
 
 namespace clast::reconstruct_detail {
@@ -86,7 +88,8 @@ std::vector<std::vector<std::uint32_t>> find_contact_points(const OrientedPoints
 
 /// Estimates the body of a block from its points and those around it.
 void estimate_body(DepositBlock& block, std::span<const SurfaceSample> points, const Vec3& origin,
-                   const SampledPatch& seen, std::span<const SurfaceSample> others) {
+                   const SampledPatch& seen, std::span<const SurfaceSample> others,
+                   const StationViews& views) {
   std::vector<SurfaceSample> around;
   for (const SurfaceSample& s : others) {
     if ((s.position - seen.centre).norm() < kAroundReach * seen.reach) around.push_back(s);
@@ -94,7 +97,11 @@ void estimate_body(DepositBlock& block, std::span<const SurfaceSample> points, c
   const Ellipsoid ellipsoid =
       fit_prior_ellipsoid(choose_evenly<SurfaceSample>(seen.samples, kFitSamples),
                           choose_evenly<SurfaceSample>(around, kAroundSamples));
-  StarBody body = fit_star_body(points, ellipsoid, seen.spacing);
+  std::function<bool(const Vec3&)> is_free;
+  if (!views.is_empty()) {
+    is_free = [&](const Vec3& position) { return views.is_free(position, seen.spacing); };
+  }
+  StarBody body = fit_star_body(points, ellipsoid, seen.spacing, is_free);
   for (Vec3& v : body.mesh.vertices) {
     v += origin;
     block.centre += v / static_cast<double>(body.mesh.vertices.size());
@@ -136,6 +143,9 @@ DepositCandidates find_candidates(std::span<const Vec3> points, const PlanBox& c
   const std::vector<std::vector<std::uint32_t>> contact_points =
       find_contact_points(cloud, parts.patch_of_point, parts.count);
   begin_step("estimating bodies");
+  std::vector<Vec3> stations;
+  for (const Vec3& station : options.stations) stations.push_back(station - cloud.origin);
+  const StationViews views(cloud, stations);
   std::vector<std::vector<std::uint32_t>> members(parts.count);
   for (std::uint32_t i = 0; i < cloud.size(); ++i) members[parts.patch_of_point[i]].push_back(i);
 
@@ -180,7 +190,7 @@ DepositCandidates find_candidates(std::span<const Vec3> points, const PlanBox& c
       }
       others.insert(others.end(), patch.samples.begin(), patch.samples.end());
     }
-    estimate_body(candidate.block, own, cloud.origin, sampled[label], others);
+    estimate_body(candidate.block, own, cloud.origin, sampled[label], others, views);
     candidate.left_out = find_reason(candidate.block, options);
   });
   found.misfits = std::move(edited.misfits);

@@ -25,6 +25,8 @@ constexpr double kEdgeSpacings = 2.0;  ///< wanted length of an edge, in spacing
 /// above one, and tolerance over the mean radius.
 constexpr std::size_t kTriedPlanes = 300;
 constexpr double kMaxAbove = 0.02, kAboveTolerance = 0.03;
+/// Factor by which the radius of a vertex in free space is reduced repeatedly, and its least value.
+constexpr double kCarvingStep = 0.95, kLeastRadius = 0.3;
 constexpr int kCoarsest = 6, kFinest = 12;  ///< divisions of an icosahedron's edge
 
 /// Radius in the direction `u` by local linear regression over the nearest points.
@@ -69,7 +71,7 @@ std::vector<Plane> supporting_planes(std::span<const Vec3> positions,
 }  // namespace
 
 StarBody fit_star_body(std::span<const SurfaceSample> points, const Ellipsoid& ellipsoid,
-                       double spacing) {
+                       double spacing, const std::function<bool(const Vec3&)>& is_free) {
   std::vector<Vec3> positions, directions, normals;
   std::vector<double> radii;
   for (const SurfaceSample& p : points) {
@@ -118,6 +120,10 @@ StarBody fit_star_body(std::span<const SurfaceSample> points, const Ellipsoid& e
       for (const Plane& plane : planes) {
         const double cosine = plane.normal.dot(u);
         if (cosine > 0.0) radius = std::min(radius, plane.distance / cosine);
+      }
+      const double least = kLeastRadius * radius;
+      while (is_free && radius > least && is_free(ellipsoid.from_unit_sphere(radius * u))) {
+        radius *= kCarvingStep;
       }
     }
     body.mesh.vertices[v] = ellipsoid.from_unit_sphere(radius * u);
