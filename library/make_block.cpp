@@ -132,11 +132,12 @@ void check_volume_gap(double gap, double radius, const TriangleMesh& surface,
   }
 }
 
-CoreFit fitted_body(const TriangleMesh& surface, const ScanSurface& scan, double volume,
-                    double radius, const BlockOptions& options) {
+/// @param length  L of `surface`, m
+CoreFit fitted_body(const TriangleMesh& surface, double length, const ScanSurface& scan,
+                    double volume, double radius, const BlockOptions& options) {
   CoreFit fit{first_core(surface, radius, options.suggest_radius)};
   SpheroPolyhedron& body = fit.body;
-  double L = std::min(smallest_box(surface.vertices).lengths[0], smallest_box(body).lengths[0]);
+  double L = std::min(length, smallest_box(body).lengths[0]);
   // The fit knows one skin: walls of cavities stay where the inset put them.
   const std::vector<std::uint32_t> shell_of = triangle_components(surface);
   if (*std::max_element(shell_of.begin(), shell_of.end()) == 0) {
@@ -278,11 +279,6 @@ Block block_of_body(Block block, const SpheroPolyhedron& body, BlockSource sourc
   return finished(std::move(block), std::move(measured), std::move(source), options);
 }
 
-double suitable_radius(const TriangleMesh& surface, const BlockOptions& options) {
-  return options.radius ? *options.radius
-                        : options.radius_fraction * smallest_box(surface.vertices).lengths[2];
-}
-
 Block block_of_fit(Block block, const FittedBody& fitted, const ScanSurface& scan,
                    BlockSource source, const BlockOptions& options) {
   block.surface = fitted.surface;
@@ -355,8 +351,9 @@ FittedBody fit_body(const TriangleMesh& surface, const ScanSurface& scan,
                     const BlockOptions& options) {
   options.check();
   const MassProperties target = solid_mass_properties(scan.mesh(), 1.0);
-  const double radius = suitable_radius(surface, options);
-  CoreFit fit = fitted_body(surface, scan, target.volume, radius, options);
+  const Vec3 sides = smallest_box(surface.vertices).lengths;
+  const double radius = options.radius.value_or(options.radius_fraction * sides[2]);
+  CoreFit fit = fitted_body(surface, sides[0], scan, target.volume, radius, options);
   const MassProperties unit = sphero_mass_properties(fit.body, 1.0, kScaledVolume);
   const double L = smallest_box(fit.body).lengths[0];
   const double tolerated = options.tolerance * L;

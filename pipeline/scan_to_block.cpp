@@ -30,7 +30,7 @@ namespace {
 
 /// Precision of the number of vertices of a block of a complete scan, and of one of which a side is
 /// estimated.
-constexpr double kScanRefinement = 1.1, kDepositRefinement = 1.4;
+constexpr double kScanRefinement = 1.1, kDepositRefinement = 1.5;
 
 /// The hull in place of the scan, and what that adds to the rock.
 TriangleMesh hull_instead(const TriangleMesh& scan, std::vector<std::string>& notes) {
@@ -65,7 +65,7 @@ std::string wide_tolerance_note(const BlockOptions& options, const Block& block)
 double resolved_tolerance(const FieldBlock& found) {
   constexpr double kSpacings = 0.5;
   if (!found.in_deposit) return 0.0;
-  return kSpacings * found.in_deposit->spacing / smallest_box(found.scan.mesh.vertices).lengths[0];
+  return kSpacings * found.in_deposit->spacing / found.in_deposit->sides[0];
 }
 
 /// Simplifies and measures one block of a scan.

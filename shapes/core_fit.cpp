@@ -29,6 +29,8 @@ using Vec9 = Eigen::Matrix<double, 9, 1>;
 
 /// Number of points on either surface for each core vertex, and its limits.
 constexpr std::size_t kPointsPerVertex = 12, kMinFitPoints = 2000, kMaxFitPoints = 12000;
+/// Points on a scan that is coarser than these: one per triangle, but at least this many.
+constexpr std::size_t kMinTrianglePoints = 500;
 /// Searches for points that the samples missed, and rounds that follow each at least.
 constexpr int kMaxSearches = 20, kRoundsAfterSearch = 8;
 constexpr std::size_t kPointChunk = 64;  ///< points that one thread takes at a time
@@ -83,6 +85,11 @@ struct Core {
   std::vector<BodyPoint> points;
 };
 
+std::size_t count_fit_points(std::size_t core_vertices, std::size_t scan_triangles) {
+  return std::min(std::clamp(kPointsPerVertex * core_vertices, kMinFitPoints, kMaxFitPoints),
+                  std::max(kMinTrianglePoints, scan_triangles));
+}
+
 class Fit {
  public:
   Fit(const ScanSurface& scan, const SpheroPolyhedron& start, const CoreFitOptions& options)
@@ -90,7 +97,7 @@ class Fit {
         radius_(start.radius),
         size_(bounds(scan.mesh()).diagonal()),
         options_(options),
-        count_(std::clamp(kPointsPerVertex * start.vertices.size(), kMinFitPoints, kMaxFitPoints)),
+        count_(count_fit_points(start.vertices.size(), scan.mesh().triangles.size())),
         scan_points_(sample_surface(scan.mesh(), count_)),
         core_{core_mesh(start), {}},
         threads_(options.threads) {

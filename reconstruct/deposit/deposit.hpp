@@ -50,6 +50,7 @@ struct DepositBlock {
   std::vector<std::uint32_t> points;  ///< ascending indices of its points
   Vec3 centre = Vec3::Zero();         ///< mean of the vertices of the body, m
   TriangleMesh body;                  ///< closed, outward, m
+  Vec3 sides = Vec3::Zero();          ///< L, I, S of the smallest box of the body, m
   std::vector<bool> is_observed;      ///< false on the estimated side; one per vertex of `body`
   double spacing = 0.0;               ///< point spacing, m
   double visible_fraction = 0.0;      ///< observed area over the area of the body

@@ -110,15 +110,14 @@ void estimate_body(DepositBlock& block, std::span<const SurfaceSample> points, c
   block.is_observed = std::move(body.is_vertex_observed);
   block.spacing = seen.spacing;
   block.visible_fraction = body.visible_fraction;
-  block.bounds = estimate_size_uncertainty(
-      signed_volume(block.body), smallest_box(block.body.vertices).lengths, block.visible_fraction);
+  block.sides = smallest_box(block.body.vertices).lengths;
+  block.bounds =
+      estimate_size_uncertainty(signed_volume(block.body), block.sides, block.visible_fraction);
 }
 
 /// Reason to leave out a block with enough points, whose body has been estimated.
 std::optional<LeftOutReason> find_reason(const DepositBlock& block, const DepositOptions& options) {
-  if (smallest_box(block.body.vertices).lengths[1] < options.smallest_axis) {
-    return LeftOutReason::kTooSmall;
-  }
+  if (block.sides[1] < options.smallest_axis) return LeftOutReason::kTooSmall;
   if (block.visible_fraction < kMinVisibleFraction) return LeftOutReason::kMostlyHidden;
   return {};
 }
