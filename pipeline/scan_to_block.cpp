@@ -189,8 +189,9 @@ std::vector<std::string> describe_left_out(std::vector<LeftOutPart> parts) {
   std::stable_sort(parts.begin(), parts.end(),
                    [](const LeftOutPart& a, const LeftOutPart& b) { return a.points > b.points; });
   std::vector<std::string> notes;
-  for (const LeftOutReason reason : {LeftOutReason::kTooFewPoints, LeftOutReason::kTooSmall,
-                                     LeftOutReason::kMostlyHidden, LeftOutReason::kCutByBorder}) {
+  for (const LeftOutReason reason :
+       {LeftOutReason::kTooFewPoints, LeftOutReason::kTooSmall, LeftOutReason::kMostlyHidden,
+        LeftOutReason::kCutByBorder, LeftOutReason::kUncertain}) {
     std::size_t count = 0;
     std::string places;
     for (const LeftOutPart& part : parts) {

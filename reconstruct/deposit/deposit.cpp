@@ -140,6 +140,8 @@ std::string name_of(LeftOutReason reason) {
       return "too little of the surface visible";
     case LeftOutReason::kCutByBorder:
       return "cut by the border of the scan";
+    case LeftOutReason::kUncertain:
+      return "uncertain outline";
   }
   return "";
 }

@@ -33,6 +33,7 @@ enum class LeftOutReason {
   kTooSmall,      ///< smaller than `DepositOptions::smallest_axis`
   kMostlyHidden,  ///< too little of its surface is visible
   kCutByBorder,   ///< a part of it lies outside the scan
+  kUncertain,     ///< its outline is probably not that of one block
 };
 
 /// Returns a reason in words, such as "cut by the border of the scan".

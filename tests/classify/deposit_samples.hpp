@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "classify/population.hpp"
+#include "classify/visibility_correction.hpp"
 #include "core/random.hpp"
 #include "core/types.hpp"
 
@@ -21,7 +22,7 @@ struct DepositSampling {
   double mean_area = 1.0;    ///< mean visible area over I^2 at I = 0.25 m
   double slope = 0.5;        ///< its change with ln I
   double deviation = 0.6;    ///< its standard deviation
-  double spacing = 0.0167;   ///< m
+  double spacing = 0.0264;   ///< m
   double axis_error = 0.12;  ///< half width of the 90 % intervals of ln L, ln I and ln S
 };
 
@@ -42,8 +43,8 @@ inline Axes draw_rock_axes(double size, Random& random) {
           size * random.uniform(kind->s_low, kind->s_high)};
 }
 
-/// Draws bodies with N(larger than I) ~ 1/I^2 from 0.25 m on. Those with at least 300 points and 12
-/// % of their surface are found.
+/// Draws bodies with N(larger than I) ~ 1/I^2 from 0.25 m on. Those with enough points and 12 % of
+/// their surface are found.
 inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
                                      const DepositSampling& sampling = {}) {
   constexpr double kSurface = 3.3;  // over I^2
@@ -58,7 +59,7 @@ inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
     const double area = sampling.mean_area + sampling.slope * std::log(size / kSmallest) +
                         sampling.deviation * random.normal();
     const double points = area * size * size / (sampling.spacing * sampling.spacing);
-    if (points < 300.0 || area < 0.12 * kSurface) continue;
+    if (points < VisibilityCorrection::kLeastPoints || area < 0.12 * kSurface) continue;
     const auto measured = [&](double side) {
       return side * std::exp(sampling.axis_error / 1.645 * random.normal());
     };

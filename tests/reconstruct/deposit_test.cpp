@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/random.hpp"
 #include "mesh/geodesic_sphere.hpp"
 #include "reconstruct/deposit/detail/prior_ellipsoid.hpp"
 #include "reconstruct/deposit/detail/region_classes.hpp"
@@ -201,6 +202,23 @@ TEST(Deposit, BlocksBelowTheSmallestAxisAreListed) {
   ASSERT_EQ(deposit.left_out.size(), 1u);
   EXPECT_EQ(deposit.left_out[0].reason, LeftOutReason::kTooSmall);
   EXPECT_NEAR(deposit.left_out[0].centre.y(), 0.62, 0.1);
+}
+
+TEST(Deposit, BlocksWithUncertainOutlinesAreListed) {
+  Random random(1);
+  std::vector<FloorBall> balls;
+  for (int i = 0; i < 40; ++i) {
+    const double radius = random.uniform(0.15, 0.4);
+    const double x = random.uniform(-2.0, 2.0), y = random.uniform(-2.0, 2.0);
+    balls.push_back({{x, y, radius * random.uniform(-0.2, 0.9)}, radius});
+  }
+  const Deposit deposit = segment_deposit(balls_on_floor(balls, 2.6, 0.07, 1));
+  const auto uncertain = std::count_if(
+      deposit.left_out.begin(), deposit.left_out.end(),
+      [](const LeftOutPart& part) { return part.reason == LeftOutReason::kUncertain; });
+  EXPECT_GT(uncertain, 0);
+  for (const DepositBlock& block : deposit.blocks) EXPECT_GE(block.confidence, 0.25);
+  EXPECT_EQ(name_of(LeftOutReason::kUncertain), "uncertain outline");
 }
 
 TEST(Deposit, BlocksCutByTheBorderOfTheScanAreListed) {

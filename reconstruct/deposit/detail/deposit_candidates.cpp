@@ -20,7 +20,8 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr std::size_t kMinBlockPoints = 250;                    ///< points of a block
+constexpr std::size_t kMinBlockPoints = 100;                    ///< points of a block
+constexpr double kMinConfidence = 0.25;
 constexpr std::size_t kFitSamples = 250, kAroundSamples = 200;  ///< for the ellipsoid of a block
 constexpr double kAroundReach = 1.5;  ///< radius of the surroundings, in the block's largest radii
 constexpr double kMinVisibleFraction = 0.12;  ///< of the surface of a block
@@ -168,6 +169,10 @@ DepositCandidates find_candidates(std::span<const Vec3> points, const PlanBox& c
     const std::size_t label = label_of_candidate[c];
     if (candidate.block.points.size() < kMinBlockPoints) {
       candidate.left_out = LeftOutReason::kTooFewPoints;
+      return;
+    }
+    if (candidate.block.confidence < kMinConfidence) {
+      candidate.left_out = LeftOutReason::kUncertain;
       return;
     }
     std::vector<SurfaceSample> own;

@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr std::size_t kMinRegionPoints = 200;
+constexpr std::size_t kMinRegionPoints = 80;
 constexpr double kMinRelief = 3.0;  ///< in spacings
 /// Coefficients of the log odds of a block: self-convexity, ln of the border bend, outer defect, ln
 /// of the relief.
