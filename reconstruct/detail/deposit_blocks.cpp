@@ -21,7 +21,7 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// Smallest blocks that a scan resolves, in point spacings.
-constexpr double kResolvedSpacings = 12.0;
+constexpr double kResolvedSpacings = 8.0;
 
 /// Decay of the preference for blocks near the middle, at the corner of the scan.
 constexpr double kCentreDecay = 4.0;

@@ -78,9 +78,8 @@ TEST_F(ScanToBlock, StationsAreRecordedAndThoseOfAnotherSystemAreRefused) {
   ASSERT_EQ(blocks.size(), 2u);
   EXPECT_TRUE(contains(blocks[0].source.options, " stations="));
   options.stations[1] = {652013.0, 5203000.0, 1824.0};
-  EXPECT_TRUE(
-      contains(refusal([&] { reconstruct_blocks(folder / "scene.obj", "scene", options); }),
-               "position 2 of `stations`"));
+  EXPECT_TRUE(contains(refusal([&] { reconstruct_blocks(folder / "scene.obj", "scene", options); }),
+                       "position 2 of `stations`"));
   options.split = false;
   EXPECT_TRUE(contains(refusal([&] { options.check(); }), "`stations` needs `split`"));
 }

@@ -20,7 +20,7 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr std::size_t kMinBlockPoints = 100;                    ///< points of a block
+constexpr std::size_t kMinBlockPoints = 100;  ///< points of a block
 constexpr double kMinConfidence = 0.25;
 constexpr std::size_t kFitSamples = 250, kAroundSamples = 200;  ///< for the ellipsoid of a block
 constexpr double kAroundReach = 1.5;  ///< radius of the surroundings, in the block's largest radii
