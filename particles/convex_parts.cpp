@@ -188,8 +188,9 @@ std::vector<Vec3> exposed_part_points(const std::vector<TriangleMesh>& parts, do
   }
   const auto covered = [&](const Vec3& point) {
     return std::any_of(faces.begin(), faces.end(), [&](const std::vector<Plane>& planes) {
-      return std::all_of(planes.begin(), planes.end(),
-                         [&](const Plane& plane) { return plane.signed_distance(point) <= 0.0; });
+      return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+        return plane.signed_distance(point) <= 0.5 * offset;
+      });
     });
   };
   std::vector<Vec3> points;
