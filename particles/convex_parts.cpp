@@ -1,5 +1,6 @@
 #include "particles/convex_parts.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,6 +34,10 @@ constexpr double kSmallestSide = 1e-5;
 /// Distance from a part, relative to L, at which a point of its surface is tested for being covered
 /// by another part.
 constexpr double kExposureOffset = 1e-4;
+/// Height of a triangle over the size of its part below which rounding turns its normal.
+constexpr double kThinnest = 1e-8;
+/// Squared sine of the angles of faces at a vertex below which it is no corner: 1e-6 rad.
+constexpr double kFlatCornerSquare = 1e-12;
 
 /// One direction of each pair of opposite vertices of a geodesic sphere.
 std::vector<Vec3> axes_of_sphere(int frequency) {
@@ -74,10 +79,54 @@ struct Part {
   double added = 0.0;  ///< volume of the hull beyond the piece, m^3
 };
 
+/// Normals of the triangles of a hull; zero for those too thin to have one.
+std::vector<Vec3> reliable_normals(const TriangleMesh& hull) {
+  const double thinnest = kThinnest * bounds(hull).diagonal();
+  std::vector<Vec3> normals;
+  for (const TriangleMesh::Triangle& triangle : hull.triangles) {
+    const Vec3 area = doubled_area_vector(hull, triangle);
+    double longest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(
+          longest, (hull.vertices[triangle[k]] - hull.vertices[triangle[(k + 1) % 3]]).norm());
+    }
+    normals.push_back(area.norm() > thinnest * longest ? Vec3(area.normalized()) : Vec3::Zero());
+  }
+  return normals;
+}
+
+/// Hull without vertices that lie within a face or an edge to rounding, where planes cut the body.
+TriangleMesh hull_of_corners(const TriangleMesh& hull) {
+  const std::vector<Vec3> normals = reliable_normals(hull);
+  std::vector<Mat3> sums(hull.vertices.size(), Mat3::Zero());
+  for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
+    for (const std::uint32_t vertex : hull.triangles[t]) {
+      sums[vertex] += normals[t] * normals[t].transpose();
+    }
+  }
+  std::vector<Vec3> corners;
+  for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(sums[v], Eigen::EigenvaluesOnly);
+    if (solver.eigenvalues()[0] > kFlatCornerSquare) corners.push_back(hull.vertices[v]);
+  }
+  return convex_hull(corners);
+}
+
+/// Planes of the faces of a convex part.
+std::vector<Plane> face_planes(const TriangleMesh& part) {
+  const std::vector<Vec3> normals = reliable_normals(part);
+  std::vector<Plane> planes;
+  for (std::size_t t = 0; t < normals.size(); ++t) {
+    if (normals[t].isZero(0.0)) continue;
+    planes.push_back({normals[t], normals[t].dot(part.vertices[part.triangles[t][0]])});
+  }
+  return planes;
+}
+
 /// @throws GeometryError  if the piece is flat
 Part make_part(BodyPiece piece) {
   Part part{std::move(piece), {}, 0.0};
-  part.hull = convex_hull(points_of(part.piece));
+  part.hull = hull_of_corners(convex_hull(points_of(part.piece)));
   part.added = signed_volume(part.hull) - part.piece.volume;
   return part;
 }
@@ -125,11 +174,7 @@ class PartDivision {
  private:
   /// Vertex of the surface that is deepest below the hull.
   Vec3 deepest_point(const Part& part) const {
-    std::vector<Plane> faces;
-    for (const auto& triangle : part.hull.triangles) {
-      const Vec3 normal = unit_normal(part.hull, triangle);
-      faces.push_back({normal, normal.dot(part.hull.vertices[triangle[0]])});
-    }
+    const std::vector<Plane> faces = face_planes(part.hull);
     Vec3 deepest = part.piece.cell.centre();
     double most = 0.0;
     for (const auto& triangle : part.piece.surface) {
@@ -179,13 +224,7 @@ class PartDivision {
 std::vector<Vec3> exposed_part_points(const std::vector<TriangleMesh>& parts, double spacing,
                                       double offset) {
   std::vector<std::vector<Plane>> faces;
-  for (const TriangleMesh& part : parts) {
-    faces.emplace_back();
-    for (const auto& triangle : part.triangles) {
-      const Vec3 normal = unit_normal(part, triangle);
-      faces.back().push_back({normal, normal.dot(part.vertices[triangle[0]])});
-    }
-  }
+  for (const TriangleMesh& part : parts) faces.push_back(face_planes(part));
   const auto covered = [&](const Vec3& point) {
     return std::any_of(faces.begin(), faces.end(), [&](const std::vector<Plane>& planes) {
       return std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
@@ -194,13 +233,13 @@ std::vector<Vec3> exposed_part_points(const std::vector<TriangleMesh>& parts, do
     });
   };
   std::vector<Vec3> points;
-  for (const TriangleMesh& part : parts) {
-    const TriangleTree tree(part);
-    for (const Vec3& point : sample_body(part, spacing)) {
-      const TriangleTree::Closest found = tree.closest_point(point);
-      if (!covered(point + offset * tree.outward_normal(found.triangle, found.feature))) {
-        points.push_back(point);
-      }
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (const Vec3& point : sample_body(parts[p], spacing)) {
+      const bool exposed = std::any_of(faces[p].begin(), faces[p].end(), [&](const Plane& plane) {
+        return plane.signed_distance(point) > -0.1 * offset &&
+               !covered(point + offset * plane.normal);
+      });
+      if (exposed) points.push_back(point);
     }
   }
   return points;

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
@@ -17,6 +18,9 @@ const std::vector<std::pair<ParticleShape, std::string>>& shape_names() {
       {ParticleShape::kPolyhedron, "polyhedron"}};
   return kNames;
 }
+
+/// Smallest mass of a sphere over that in proportion to the cubes of the radii.
+constexpr double kLeastMass = 0.02;
 
 }  // namespace
 
@@ -42,35 +46,44 @@ std::string particle_name(const std::string& id) {
   return std::isdigit(static_cast<unsigned char>(name[0])) != 0 ? "b" + name : name;
 }
 
-SphereMasses sphere_masses(const Particle& particle) {
+std::vector<double> balanced_masses(const Particle& particle) {
+  using Row = Eigen::Matrix<double, 7, 1>;
   const std::vector<Ball>& balls = particle.balls;
-  std::vector<double> weights;
+  std::vector<Row> rows;
+  std::vector<double> masses;
   double sum = 0.0;
   for (const Ball& ball : balls) {
-    weights.push_back(ball.radius * ball.radius * ball.radius);
-    sum += weights.back();
+    const Vec3 x = ball.centre / particle.lengths[0];
+    rows.emplace_back();
+    rows.back() << 1.0, x, x.y() * x.z(), x.z() * x.x(), x.x() * x.y();
+    masses.push_back(std::pow(ball.radius, 3.0));
+    sum += masses.back();
   }
-  // Masses m_i = w_i (1 + k . (1, x_i)) with the least relative change that keep mass and centre.
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d wrong = Eigen::Vector4d(particle.mass, 0.0, 0.0, 0.0);
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    weights[i] *= particle.mass / sum;
-    Eigen::Vector4d row;
-    row << 1.0, balls[i].centre / particle.lengths[0];
-    matrix += weights[i] * row * row.transpose();
-    wrong -= weights[i] * row;
+  for (double& mass : masses) mass *= particle.mass / sum;
+  const std::vector<double> first = masses;
+  // Masses m_i (1 + k . row_i) have the least relative change that keeps all sums. Those that
+  // would fall too low are held at their limit.
+  std::vector<bool> held(balls.size(), false);
+  for (std::size_t pass = 0; pass < balls.size(); ++pass) {
+    Eigen::Matrix<double, 7, 7> matrix = Eigen::Matrix<double, 7, 7>::Zero();
+    Row wrong = particle.mass * Row::Unit(0);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      masses[i] = held[i] ? kLeastMass * first[i] : first[i];
+      wrong -= masses[i] * rows[i];
+      if (!held[i]) matrix += masses[i] * rows[i] * rows[i].transpose();
+    }
+    const Row change = matrix.completeOrthogonalDecomposition().solve(wrong);
+    bool is_final = true;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      if (held[i]) continue;
+      masses[i] *= 1.0 + change.dot(rows[i]);
+      if (masses[i] >= kLeastMass * first[i]) continue;
+      held[i] = true;
+      is_final = false;
+    }
+    if (is_final) break;
   }
-  const Eigen::Vector4d change = matrix.completeOrthogonalDecomposition().solve(wrong);
-  SphereMasses result;
-  result.rest = particle.moments.asDiagonal();
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    const Vec3& x = balls[i].centre;
-    const double mass =
-        weights[i] * (1.0 + change[0] + change.tail<3>().dot(x) / particle.lengths[0]);
-    result.masses.push_back(mass);
-    result.rest -= mass * (x.squaredNorm() * Mat3::Identity() - x * x.transpose());
-  }
-  return result;
+  return masses;
 }
 
 }  // namespace clast

@@ -45,15 +45,10 @@ struct Particle {
   Pose source_from_body;                           ///< frame of the scan from principal frame
 };
 
-/// Masses of spheres whose sum, centre and, with `rest`, inertia tensor are those of a particle.
-/// Engines that add up spheres then get the true values.
-struct SphereMasses {
-  std::vector<double> masses;  ///< kg; may be negative
-  Mat3 rest = Mat3::Zero();    ///< inertia tensor to add to the first sphere, kg m^2
-};
-
-/// Computes the masses nearest to those in proportion to the cubes of the radii. Inertia tensors of
-/// the spheres themselves are taken as zero but for that of the first, `rest`.
-SphereMasses sphere_masses(const Particle& particle);
+/// Computes positive masses of the spheres of a particle whose sum is its mass, with centre of mass
+/// and principal axes of the particle, kg. Engines that add up spheres as if they did not overlap
+/// then find the right frame. The masses are those nearest to proportion with the cubes of the
+/// radii. Fewer than eight spheres may leave small differences.
+std::vector<double> balanced_masses(const Particle& particle);
 
 }  // namespace clast

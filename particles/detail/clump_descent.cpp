@@ -128,7 +128,7 @@ void ClumpDescent::add_sphere_terms(const DescentLoss& loss, const BallNeighbour
     const Ball& ball = balls_[b];
     const auto count = static_cast<std::size_t>(
         std::max(kMinSpherePoints, kSpherePoints * ball.radius * ball.radius / squares));
-    distances_.push_back({});
+    distances_.emplace_back();
     for (std::size_t k = 0; k < count; ++k) {
       const Vec3 normal = turn * spiral_direction(k, count);
       const Vec3 point = ball.centre + ball.radius * normal;
@@ -145,7 +145,7 @@ void ClumpDescent::add_circle_terms(const DescentLoss& loss, const BallNeighbour
   for (const SphereCircle& circle : find_sphere_circles(balls_, neighbours)) {
     const auto [i, j] = circle.balls;
     const int count = std::max(4, static_cast<int>(2.0 * kPi * circle.radius / kCircleSpacing));
-    distances_.push_back({});
+    distances_.emplace_back();
     for (int k = 0; k < count; ++k) {
       const Vec3 point = circle.point(start + 2.0 * kPi * k / count);
       if (!neighbours.is_exposed(balls_, i, point, j)) continue;
@@ -163,7 +163,7 @@ void ClumpDescent::add_circle_terms(const DescentLoss& loss, const BallNeighbour
 
 void ClumpDescent::add_corner_terms(const DescentLoss& loss, const BallNeighbours& neighbours) {
   for (const SphereCorner& corner : find_sphere_corners(balls_, neighbours)) {
-    distances_.push_back({});
+    distances_.emplace_back();
     const Vec3 slope = point_slope(loss, corner.point);
     Mat3 normals;
     for (int k = 0; k < 3; ++k) {
@@ -180,7 +180,7 @@ void ClumpDescent::add_corner_terms(const DescentLoss& loss, const BallNeighbour
 
 void ClumpDescent::step(const DescentLoss& loss, double rate) {
   for (Parameters& one : parameters_) one.slope = {};
-  distances_.assign(balls_.size(), {0.0, Vec3::Zero()});
+  distances_.assign(balls_.size(), Distance());
   const BallNeighbours neighbours(balls_);
   add_cover_terms(loss);
   add_sphere_terms(loss, neighbours);

@@ -51,8 +51,8 @@ class ClumpDescent {
     Gradient slope, mean, square;
   };
   struct Distance {
-    double value;
-    Vec3 place;
+    double value = 0.0;
+    Vec3 place = Vec3::Zero();
   };
 
   void step(const DescentLoss& loss, double rate);
