@@ -26,6 +26,7 @@ constexpr int kGuesses = 3;
 /// The descent aims at a surface error smaller than asked for by this factor.
 constexpr double kHingeMargin = 0.93;
 constexpr double kStep = 0.04;  ///< part of the balls removed or added at once
+constexpr double kRestart = 0.25;
 constexpr int kFinalCorrections = 5;
 
 /// Moments of a body in units of L about its centre of mass.
@@ -130,10 +131,19 @@ class ClumpFit {
     polish(descent, kHingeMargin * limits.surface);
   }
 
+  /// Adds balls until the limits are kept; starts anew after each `kRestart` part of them.
   Clump grown(ClumpDescent& descent, Clump clump, const ShapeErrors& limits) {
+    std::size_t started = descent.balls().size();
     while (!clump.errors.is_within(limits) && descent.balls().size() < options_.max_balls) {
       const std::size_t count = descent.balls().size();
-      descent.add_balls(std::min(step_of(count), options_.max_balls - count));
+      const std::size_t next = std::min(count + step_of(count), options_.max_balls);
+      if (static_cast<double>(next) > (1.0 + kRestart) * static_cast<double>(started)) {
+        descent = start(next);
+        finish(descent);
+        started = next;
+      } else {
+        descent.add_balls(next - count);
+      }
       refit(descent, limits);
       clump = judged(descent, limits);
     }

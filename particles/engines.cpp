@@ -108,15 +108,16 @@ const ParticleEngine& find_particle_engine(const std::string& name) {
 }
 
 std::string particle_engine_table() {
-  std::string text =
-      "| `--to` | engine | shapes | files | carries | how to load |\n|---|---|---|---|---|---|\n";
+  std::string table = "| `--to` | engine | shapes | files |\n|---|---|---|---|\n", list = "\n";
   for (const ParticleEngine& engine : particle_engines()) {
     std::vector<std::string> shapes;
     for (const ParticleShape shape : engine.shapes) shapes.push_back(particle_shape_name(shape));
-    text += "| `" + engine.name + "` | " + engine.program + " | " + comma_separated(shapes) +
-            " | " + engine.files + " | " + engine.mass + " | " + engine.loading + " |\n";
+    table += "| `" + engine.name + "` | " + engine.program + " | " + comma_separated(shapes) +
+             " | " + engine.files + " |\n";
+    list += "- `" + engine.name + "` carries " + engine.mass + ".\n  To load: " + engine.loading +
+            "\n";
   }
-  return text;
+  return table + list;
 }
 
 }  // namespace clast

@@ -33,7 +33,8 @@ std::vector<std::string> particle_engine_names();
 /// @throws InputError  if there is none; the message lists all names
 const ParticleEngine& find_particle_engine(const std::string& name);
 
-/// Formats the table of engines in Markdown, as the documentation has it.
+/// Formats a table of the engines and a list of what their files carry in Markdown, as the
+/// documentation has them.
 std::string particle_engine_table();
 
 }  // namespace clast

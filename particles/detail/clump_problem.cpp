@@ -84,7 +84,7 @@ class Cover {
   }
 
   /// Takes the ball that covers most open samples until all are covered or `count` are taken.
-  /// @return indices of the balls; empty if more than `count` are needed
+  /// @return indices of the balls
   std::vector<std::size_t> take(std::size_t count) {
     std::vector<std::size_t> gains(bits_.size() / words_, std::numeric_limits<std::size_t>::max());
     std::vector<std::size_t> taken;
@@ -99,7 +99,11 @@ class Cover {
       taken.push_back(best);
       for (std::size_t w = 0; w < words_; ++w) open_[w] &= ~bits_[best * words_ + w];
     }
-    return gain_left() == 0 ? taken : std::vector<std::size_t>{};
+    return taken;
+  }
+
+  bool is_complete() const {
+    return std::all_of(open_.begin(), open_.end(), [](std::uint64_t word) { return word == 0; });
   }
 
  private:
@@ -108,11 +112,6 @@ class Cover {
     for (std::size_t w = 0; w < words_; ++w) {
       sum += static_cast<std::size_t>(std::popcount(open_[w] & bits_[b * words_ + w]));
     }
-    return sum;
-  }
-  std::size_t gain_left() const {
-    std::size_t sum = 0;
-    for (const std::uint64_t word : open_) sum += static_cast<std::size_t>(std::popcount(word));
     return sum;
   }
 
@@ -161,18 +160,18 @@ Ball shrink_tangent_ball(const TriangleTree& tree, const Vec3& contact, const Ve
 
 std::vector<Ball> cover_greedily(const ClumpProblem& problem, std::size_t count) {
   double low = 0.0, high = kWidestGrowth;
-  std::vector<std::size_t> best;
+  std::vector<std::size_t> best = Cover(problem, high).take(count);
   for (int halving = 0; halving < kGrowthHalvings; ++halving) {
     const double growth = 0.5 * (low + high);
-    std::vector<std::size_t> taken = Cover(problem, growth).take(count);
-    if (taken.empty()) {
-      low = growth;
-    } else {
+    Cover cover(problem, growth);
+    std::vector<std::size_t> taken = cover.take(count);
+    if (cover.is_complete()) {
       high = growth;
       best = std::move(taken);
+    } else {
+      low = growth;
     }
   }
-  if (best.empty()) best = Cover(problem, high).take(count);
   std::vector<Ball> balls;
   for (const std::size_t b : best) {
     const Ball& ball = problem.balls[b].ball;
