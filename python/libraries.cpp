@@ -11,6 +11,7 @@
 #include "library/block_export.hpp"
 #include "library/block_ranges.hpp"
 #include "library/library_update.hpp"
+#include "particles/particle_export.hpp"
 #include "python/bindings.hpp"
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
@@ -110,6 +111,48 @@ void take_choice(Keywords& given, const char* name, const std::map<std::string, 
   field = found->second;
 }
 
+ShapeErrors take_errors(Keywords& given) {
+  ShapeErrors errors = ClumpOptions().error;
+  std::map<std::string, double> limits;
+  given.read("error", limits);
+  for (const auto& [name, limit] : limits) {
+    double* const field = name == "volume"    ? &errors.volume
+                          : name == "inertia" ? &errors.inertia
+                          : name == "surface" ? &errors.surface
+                                              : nullptr;
+    if (field == nullptr) {
+      throw InputError("error: \"" + name + "\" must be one of volume, inertia, surface");
+    }
+    *field = limit;
+  }
+  return errors;
+}
+
+/// (number of blocks written, number kept, messages on blocks that were left out)
+py::tuple export_as_particles(const Blocks& blocks, const fs::path& folder,
+                              const py::dict& keywords, const py::object& progress) {
+  Keywords given(keywords);
+  ParticleExportOptions options;
+  given.read("to", options.engine);
+  options.clump.error = take_errors(given);
+  std::optional<std::string> shape;
+  given.read("shape", shape);
+  if (shape) options.shape = find_particle_shape(*shape);
+  given.read("max_spheres", options.clump.max_balls);
+  given.read("equal_spheres", options.clump.balls);
+  given.read("levels", options.levels);
+  given.read("smallest_sphere", options.clump.smallest_sphere);
+  given.read("parts", options.max_parts);
+  given.read("hull", options.hull);
+  given.read("replace", options.replace);
+  given.read("threads", options.threads);
+  given.check_all_used();
+  const ParticleExport result = run_with_progress(progress, [&](const ProgressCallback& step) {
+    return export_particles(pointers(blocks), folder, options, step);
+  });
+  return py::make_tuple(result.written, result.kept, result.failures);
+}
+
 py::tuple export_to(const Blocks& blocks, const fs::path& folder, const py::dict& keywords) {
   Keywords given(keywords);
   BlockExportOptions options;
@@ -158,6 +201,7 @@ void bind_libraries(py::module_& module) {
   module.def("library_remove", &remove);
   module.def("library_set", &set_notes);
   module.def("blocks_export", &export_to);
+  module.def("blocks_export_particles", &export_as_particles);
   module.def("blocks_report", &write_pages);
   module.def("renamed", [](const Block& block, const std::string& id) {
     check_block_id(id);

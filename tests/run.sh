@@ -3,7 +3,7 @@
 #
 #   tests/run.sh         unit, physics, cli and validation-quick: about four minutes after the build
 #   tests/run.sh --ci    long and validation too: about 30 minutes
-#   tests/run.sh --all   slow tests too
+#   tests/run.sh --all   slow tests too, and those of other engines that are installed
 #
 # The validation tests read real data from the folder that CLAST_DATA names (default
 # ../shared/data). Without that folder they are left out, except with --ci or CI=true, where they
@@ -17,7 +17,7 @@ slow=false
 for option in "$@"; do
   case "$option" in
     --ci) labels+=" long validation"; ci=true ;;
-    --all) labels+=" long validation slow"; slow=true ;;
+    --all) labels+=" long validation slow engines"; slow=true ;;
     *) sed -n '2,/^set/s/^# \{0,1\}//p' tests/run.sh >&2; exit 2 ;;
   esac
 done

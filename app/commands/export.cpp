@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/particle_export.hpp"
 #include "app/commands/scene_export.hpp"
 #include "app/companion.hpp"
 #include "app/option_flags.hpp"
@@ -17,6 +19,7 @@
 #include "core/printable.hpp"
 #include "library/block_export.hpp"
 #include "library/block_library.hpp"
+#include "study/engines/engine_scene.hpp"
 
 namespace clast {
 
@@ -31,7 +34,9 @@ struct ExportArgs {
   std::string frame = "source";
   int segments = 4;
   BlockExportOptions options;
+  std::string engine;  ///< if empty, mesh and shape files are written
   SceneExportArgs scene;
+  ParticleExportArgs particles;
 };
 
 const std::map<std::string, ExportedSurface> kSurfaces = {{"skin", ExportedSurface::kSkin},
@@ -41,12 +46,35 @@ const std::map<std::string, ExportedSurface> kSurfaces = {{"skin", ExportedSurfa
 const std::map<std::string, ExportFrame> kFrames = {{"source", ExportFrame::kSource},
                                                     {"principal", ExportFrame::kPrincipal}};
 
-/// Scenes have a format of their own.
-void check_scene_usage(const CLI::App& command) {
-  for (const char* option : {"ids", "--format", "--what", "--segments", "--frame", "--up"}) {
-    if (command.count(option) == 0) continue;
-    throw CLI::ValidationError(option, "applies to blocks of a library, not to scenes (--to)");
+bool is_scene_engine(const std::string& engine) {
+  const std::vector<std::string>& engines = exportable_engines();
+  return std::find(engines.begin(), engines.end(), engine) != engines.end();
+}
+
+/// Scenes, particles, and mesh files have options of their own.
+void check_usage_of_engine(const CLI::App& command, const std::string& engine) {
+  const auto refuse = [&](const std::vector<std::string>& options, const std::string& reason) {
+    for (const std::string& option : options) {
+      if (command.count(option) > 0) throw CLI::ValidationError(option, reason);
+    }
+  };
+  if (engine.empty() || is_scene_engine(engine)) {
+    refuse(particle_option_names(), "applies to particles of an engine; add for example --to yade");
   }
+  if (engine.empty() || !is_scene_engine(engine)) {
+    refuse({"--runs"}, "applies to scenes of a campaign (--to rockable, --to exadem)");
+  }
+  if (engine.empty()) return;
+  refuse({"--format", "--what", "--segments", "--frame", "--up"},
+         "applies to mesh and shape files of blocks, not with --to");
+  if (is_scene_engine(engine))
+    refuse({"ids"}, "applies to blocks of a library, not to scenes (--to)");
+}
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names = exportable_engines();
+  for (const std::string& name : particle_engine_names()) names.push_back(name);
+  return names;
 }
 
 void run_export(const ExportArgs& args) {
@@ -109,7 +137,9 @@ void add_format_options(CLI::App& command, ExportArgs& args) {
 void add_export_command(CLI::App& app) {
   const auto args = std::make_shared<ExportArgs>();
   CLI::App* command = &add_companion_command(app, "export");
-  command->add_option("library", args->library, "Block library; with --to, a campaign file")
+  command
+      ->add_option("library", args->library,
+                   "Block library; with --to rockable or exadem, a campaign file")
       ->required()
       ->type_name("LIB");
   command->add_option("ids", args->ids, "Blocks to export; default: all")->type_name("ID");
@@ -121,22 +151,36 @@ void add_export_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--replace", args->options.replace, "Replace existing files");
   add_format_options(*command, *args);
+  command
+      ->add_option("--to", args->engine,
+                   "Write files for another engine: scenes of a campaign for rockable or exadem, "
+                   "blocks of a library as particles for the others")
+      ->check(CLI::IsMember(engine_names()))
+      ->type_name("ENGINE");
   add_scene_options(*command, args->scene);
+  add_particle_options(*command, args->particles);
   command->footer(
       "Mesh files are in metres. shp files contain the core and the radius in metres, in the "
       "principal frame.\nThe origin of this frame is the centre of mass, and the file states its "
       "pose in the scan.\nScenes (--to) contain blocks, terrain, starts and contact parameters of "
       "each run for Rockable or ExaDEM.\nFeatures that these formats can't express are listed.\n"
+      "Particles (--to yade, lammps, ...) replace each block by spheres, convex parts or its hull "
+      "to a stated\nerror, with the mass and inertia of the block. A repeated command continues an "
+      "interrupted export.\n"
       "Examples:\n  clast export blocks.h5 SP1A SP3A -o shapes --format shp,stl\n"
-      "  clast export campaign.toml --to rockable --runs 0-15 -o scenes");
+      "  clast export campaign.toml --to rockable --runs 0-15 -o scenes\n"
+      "  clast export blocks.h5 --to yade --error surface=0.03 -o clumps");
   command->callback([args, command] {
-    if (!args->scene.engine.empty()) {
-      if (args->folder.empty()) throw CLI::ValidationError("--output", "names no folder");
-      check_scene_usage(*command);
+    check_usage_of_engine(*command, args->engine);
+    if (args->folder.empty()) throw CLI::ValidationError("--output", "names no folder");
+    if (is_scene_engine(args->engine)) {
+      args->scene.engine = args->engine;
       return export_scenes(args->library, args->folder, args->options.replace, args->scene);
     }
-    if (!args->scene.runs.empty()) {
-      throw CLI::ValidationError("--runs", "applies to scenes of a campaign (--to)");
+    if (!args->engine.empty()) {
+      args->particles.options.engine = args->engine;
+      args->particles.options.replace = args->options.replace;
+      return run_particle_export(args->library, args->ids, args->folder, args->particles);
     }
     args->options.formats = split_comma_separated(args->formats);
     args->options.surface = kSurfaces.at(args->what);

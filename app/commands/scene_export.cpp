@@ -48,12 +48,6 @@ std::vector<std::uint32_t> run_numbers(const std::string& text) {
 
 void add_scene_options(CLI::App& command, SceneExportArgs& args) {
   command
-      .add_option("--to", args.engine,
-                  "Write the scenes of a campaign for another engine, rockable or exadem; the "
-                  "input file is the campaign")
-      ->check(CLI::IsMember(exportable_engines()))
-      ->type_name("ENGINE");
-  command
       .add_option(
           "--runs", args.runs,
           "Runs of the campaign, or realisations of its rock mass, to export, for example 0-15,20; "

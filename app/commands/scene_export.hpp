@@ -7,7 +7,7 @@
 namespace clast {
 
 struct SceneExportArgs {
-  std::string engine;  ///< name of the engine; if empty, blocks are exported
+  std::string engine;  ///< name of the engine
   std::string runs;    ///< indices of the runs, such as "0-15,20"; empty for all
 };
 

@@ -452,6 +452,62 @@ class Library:
         )
         return _core.blocks_export(self.chosen(ids), folder, options)[0]
 
+    def export_particles(
+        self,
+        folder: PathLike,
+        ids: str | Sequence[str] | None = None,
+        *,
+        to: str,
+        error: dict[str, float] | None = None,
+        shape: str | None = None,
+        max_spheres: int = 400,
+        equal_spheres: int | None = None,
+        levels: Sequence[float] | None = None,
+        smallest_sphere: float = 0.02,
+        parts: int | None = None,
+        hull: bool = False,
+        replace: bool = False,
+        threads: int = 0,
+        progress: Progress | None = None,
+    ) -> list[str]:
+        """Writes blocks as particles for another engine, with particles.csv and particles.json.
+
+        A repeated call keeps the files of blocks that are finished and have not changed.
+
+        Args:
+            ids: blocks to export; default: all.
+            to: engine: "yade", "lammps", "liggghts", "pfc", "edem", "kratos", "chrono",
+                "dem-engine", "mjcf", "urdf", "ramms".
+            error: largest errors of "volume", "inertia" and "surface"; default: 0.01, 0.02, 0.02.
+            shape: "spheres", "parts" (convex) or "polyhedron" (hull); default: by engine.
+            max_spheres: largest number of spheres for the error.
+            equal_spheres: the same number of spheres for all blocks.
+            levels: surface errors; each block is written at each.
+            smallest_sphere: smallest radius over L.
+            parts: largest number of convex parts; default: 32.
+            hull: write the hull of concave blocks, also beyond the error.
+            replace: replace an export with other options.
+            threads: number of threads, 0: one per core.
+            progress: called repeatedly with a dict: done, total, before, what.
+
+        Returns:
+            A message for each block that could not be written.
+        """
+        options = dict(
+            to=to,
+            error=error,
+            shape=shape,
+            max_spheres=max_spheres,
+            equal_spheres=equal_spheres,
+            levels=None if levels is None else list(levels),
+            smallest_sphere=smallest_sphere,
+            parts=parts,
+            hull=hull,
+            replace=replace,
+            threads=threads,
+        )
+        return _core.blocks_export_particles(self.chosen(ids), folder, options, progress)[2]
+
     def report(
         self,
         folder: PathLike,

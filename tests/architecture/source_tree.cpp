@@ -10,9 +10,9 @@ namespace {
 
 /// Folders of the project. Others, such as build/ or someone's own scans, are not read.
 const std::vector<std::string> kFolders = {
-    ".ci",    "app",     "benchmarks", "classify", "cmake",    "core",   "dem",
-    "docs",   "library", "massprops",  "mesh",     "pipeline", "python", "reconstruct",
-    "report", "samples", "shapes",     "study",    "terrain",  "tests"};
+    ".ci",         "app",     "benchmarks", "classify", "cmake",     "core",     "dem",
+    "docs",        "library", "massprops",  "mesh",     "particles", "pipeline", "python",
+    "reconstruct", "report",  "samples",    "shapes",   "study",     "terrain",  "tests"};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files/text_file.hpp"
+#include "particles/particle_export.hpp"
 #include "report/tables/comparison_tables.hpp"
 #include "report/tables/population_tables.hpp"
 #include "study/results/detail/results_layout.hpp"
@@ -133,6 +134,11 @@ std::vector<Table> csv_tables() {
   for (const PopulationTable& table : population_tables()) {
     tables.push_back({table.name + ".csv", lines_of(table.values(report))});
   }
+  std::vector<DocumentedColumn> particles;
+  for (const TableColumn<ParticleRecord>& column : particle_columns()) {
+    particles.push_back({column.name, describe({column.unit}, column.meaning)});
+  }
+  tables.push_back({"particles.csv", lines_of(particles)});
   return tables;
 }
 

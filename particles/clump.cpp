@@ -1,0 +1,245 @@
+#include "particles/clump.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "particles/ball_union.hpp"
+#include "particles/detail/clump_descent.hpp"
+#include "particles/detail/moment_correction.hpp"
+#include "particles/detail/surface_distance.hpp"
+
+namespace clast {
+
+using namespace particles_detail;
+
+namespace {
+
+constexpr std::size_t kMostBalls = 2000;
+/// The surface error of a usual stone is about 0.05 (20 / N)^0.65 for N balls.
+constexpr double kUsualError = 0.05, kUsualCount = 20.0, kErrorExponent = 0.65;
+/// Surface error after a whole fit over that after a short one.
+constexpr double kGainOfWholeFit = 0.88;
+constexpr int kGuesses = 3;
+/// The descent aims at a surface error smaller than asked for by this factor.
+constexpr double kHingeMargin = 0.93;
+constexpr double kStep = 0.04;  ///< part of the balls removed or added at once
+constexpr double kRestart = 0.25;
+constexpr int kFinalCorrections = 5;
+
+/// Moments of a body in units of L about its centre of mass.
+massprops_detail::SolidMoments unit_moments(const ParticleBody& body) {
+  massprops_detail::SolidMoments moments;
+  moments.volume = body.mass.volume / std::pow(body.length, 3.0);
+  const Mat3 inertia =
+      body.mass.inertia / body.mass.mass * moments.volume / (body.length * body.length);
+  moments.second = 0.5 * inertia.trace() * Mat3::Identity() - inertia;
+  return moments;
+}
+
+TriangleMesh unit_mesh(const ParticleBody& body) {
+  TriangleMesh mesh = body.mesh;
+  for (Vec3& vertex : mesh.vertices) vertex = (vertex - body.mass.centre) / body.length;
+  return mesh;
+}
+
+std::size_t predicted_count(double count, double error, double wanted) {
+  const double predicted = count * std::pow(error / wanted, 1.0 / kErrorExponent);
+  return static_cast<std::size_t>(
+      std::lround(std::clamp(predicted, 1.0, static_cast<double>(kMostBalls))));
+}
+
+std::size_t step_of(std::size_t count) {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(kStep * static_cast<double>(count)));
+}
+
+/// Fits of one body, in units of L about its centre of mass.
+class ClumpFit {
+ public:
+  ClumpFit(const ParticleBody& body, const ClumpOptions& options)
+      : options_(options),
+        problem_(unit_mesh(body), unit_moments(body)),
+        mass_(massprops_detail::to_mass_properties(problem_.moments, Vec3::Zero(), Mat3::Identity(),
+                                                   1.0)),
+        coarse_(sample_body(problem_.mesh, kCoarseSpacing)),
+        fine_(sample_body(problem_.mesh, kFineSpacing)) {}
+
+  Clump fit_count(std::size_t count) {
+    ClumpDescent descent = start(count);
+    finish(descent);
+    polish(descent, kHingeMargin * descent.worst_distance());
+    Clump clump = {corrected(descent.balls()), {}};
+    clump.errors = errors(clump.balls, fine_, kFineSpacing);
+    return clump;
+  }
+
+  /// Fits the fewest balls within `limits`. The last element is within them, unless more than
+  /// `max_balls` are needed.
+  Clump fit_error(const ShapeErrors& limits) {
+    std::size_t count = predicted_count(kUsualCount, kUsualError, limits.surface);
+    count = std::min(count, options_.max_balls);
+    ClumpDescent descent = start(count);
+    for (int guess = 1; guess < kGuesses; ++guess) {
+      const std::size_t next =
+          std::min(predicted_count(static_cast<double>(count),
+                                   kGainOfWholeFit * descent.worst_distance(), limits.surface),
+                   options_.max_balls);
+      if (std::max(next, count) - std::min(next, count) <= step_of(count)) break;
+      count = next;
+      descent = start(count);
+    }
+    finish(descent);
+    polish(descent, kHingeMargin * limits.surface);
+    Clump clump = judged(descent, limits);
+    if (!clump.errors.is_within(limits)) return grown(descent, std::move(clump), limits);
+    while (descent.balls().size() > 1) {
+      descent.remove_least_balls(step_of(descent.balls().size()));
+      refit(descent, limits);
+      Clump smaller = judged(descent, limits);
+      if (!smaller.errors.is_within(limits)) break;
+      clump = std::move(smaller);
+    }
+    return clump;
+  }
+
+ private:
+  ClumpDescent start(std::size_t count) {
+    ClumpDescent descent(problem_, cover_greedily(problem_, count), options_.smallest_sphere,
+                         options_.seed);
+    descent.run(50, {.doublings = 1}, 6e-3, 4e-3);
+    descent.move_hidden_balls();
+    descent.add_balls(count - descent.balls().size());
+    descent.run(50, {.doublings = 2}, 4e-3, 2e-3);
+    return descent;
+  }
+
+  static void finish(ClumpDescent& descent) {
+    descent.move_hidden_balls();
+    descent.run(120, {.doublings = 3}, 3e-3, 1e-3);
+    descent.move_hidden_balls();
+    descent.run(80, {.doublings = 3}, 1.5e-3, 5e-4);
+  }
+
+  static void polish(ClumpDescent& descent, double tolerance) {
+    descent.run(60, {.scale = tolerance, .hinge = true}, 8e-4, 1e-4);
+  }
+
+  static void refit(ClumpDescent& descent, const ShapeErrors& limits) {
+    descent.run(60, {.doublings = 3}, 2e-3, 5e-4);
+    polish(descent, kHingeMargin * limits.surface);
+  }
+
+  /// Adds balls until the limits are kept; starts anew after each `kRestart` part of them.
+  Clump grown(ClumpDescent& descent, Clump clump, const ShapeErrors& limits) {
+    std::size_t started = descent.balls().size();
+    while (!clump.errors.is_within(limits) && descent.balls().size() < options_.max_balls) {
+      const std::size_t count = descent.balls().size();
+      const std::size_t next = std::min(count + step_of(count), options_.max_balls);
+      if (static_cast<double>(next) > (1.0 + kRestart) * static_cast<double>(started)) {
+        descent = start(next);
+        finish(descent);
+        started = next;
+      } else {
+        descent.add_balls(next - count);
+      }
+      refit(descent, limits);
+      clump = judged(descent, limits);
+    }
+    return clump;
+  }
+
+  std::vector<Ball> corrected(std::vector<Ball> balls) const {
+    for (int i = 0; i < kFinalCorrections; ++i) {
+      correct_moments(balls, problem_.moments, options_.smallest_sphere);
+    }
+    return balls;
+  }
+
+  /// Corrected balls with their errors, by fine samples if they are within `limits` by coarse ones.
+  Clump judged(const ClumpDescent& descent, const ShapeErrors& limits) const {
+    Clump clump = {corrected(descent.balls()), {}};
+    clump.errors = errors(clump.balls, coarse_, kCoarseSpacing);
+    if (clump.errors.is_within(limits)) {
+      clump.errors = errors(clump.balls, fine_, kFineSpacing);
+    }
+    return clump;
+  }
+
+  ShapeErrors errors(const std::vector<Ball>& balls, const std::vector<Vec3>& samples,
+                     double spacing) const {
+    ShapeErrors result = compare_mass_properties(ball_union_mass_properties(balls, 1.0), mass_);
+    result.surface = measure_surface_distance(problem_.tree, samples, balls, spacing).largest;
+    return result;
+  }
+
+  const ClumpOptions& options_;
+  ClumpProblem problem_;
+  MassProperties mass_;
+  std::vector<Vec3> coarse_, fine_;
+};
+
+/// A clump in the frame of the body, largest ball first.
+Clump in_body_frame(Clump clump, const ParticleBody& body) {
+  for (Ball& ball : clump.balls) {
+    ball = {body.mass.centre + body.length * ball.centre, body.length * ball.radius};
+  }
+  std::stable_sort(clump.balls.begin(), clump.balls.end(),
+                   [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+  return clump;
+}
+
+void check_reached(const Clump& clump, const ShapeErrors& limits, const ClumpOptions& options) {
+  if (clump.errors.is_within(limits)) return;
+  throw GeometryError(
+      "the errors asked for (" + format_shape_errors(limits) + ") are not reached with " +
+      format_count(options.max_balls, "sphere") +
+      ", the most allowed by `max_spheres`; reached: " + format_shape_errors(clump.errors) +
+      ". Allow more spheres, smaller ones (`smallest_sphere`) or larger errors");
+}
+
+}  // namespace
+
+void ClumpOptions::check() const {
+  error.check();
+  const auto check_count = [](const char* name, std::size_t count) {
+    if (count >= 1 && count <= kMostBalls) return;
+    throw InputError(std::string("`") + name + "` = " + std::to_string(count) +
+                     ": must be from 1 to " + std::to_string(kMostBalls));
+  };
+  if (balls) check_count("equal_spheres", *balls);
+  check_count("max_spheres", max_balls);
+  if (!(smallest_sphere >= 0.001 && smallest_sphere <= 0.2)) {
+    throw InputError("`smallest_sphere` = " + format_significant(smallest_sphere, 6) +
+                     ": must be from 0.001 to 0.2 of the length L");
+  }
+}
+
+Clump fit_clump(const ParticleBody& body, const ClumpOptions& options) {
+  options.check();
+  ClumpFit fit(body, options);
+  if (options.balls) return in_body_frame(fit.fit_count(*options.balls), body);
+  Clump clump = fit.fit_error(options.error);
+  check_reached(clump, options.error, options);
+  return in_body_frame(std::move(clump), body);
+}
+
+std::vector<Clump> fit_clump_levels(const ParticleBody& body, const ClumpOptions& options,
+                                    const std::vector<double>& surface_errors) {
+  options.check();
+  ClumpFit fit(body, options);
+  std::vector<Clump> clumps;
+  for (const double surface : surface_errors) {
+    const double factor = surface / options.error.surface;
+    const ShapeErrors limits = {std::max(1.0, factor) * options.error.volume,
+                                std::max(1.0, factor) * options.error.inertia, surface};
+    limits.check();
+    Clump clump = fit.fit_error(limits);
+    check_reached(clump, limits, options);
+    clumps.push_back(in_body_frame(std::move(clump), body));
+  }
+  return clumps;
+}
+
+}  // namespace clast

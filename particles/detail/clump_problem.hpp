@@ -1,0 +1,43 @@
+#pragma once
+/// Body to which the balls of a clump are fitted, in units of its length.
+#include <vector>
+
+#include "massprops/moments.hpp"
+#include "mesh/triangle_tree.hpp"
+#include "particles/detail/distance_field.hpp"
+#include "shapes/inscribed_ball.hpp"
+
+namespace clast::particles_detail {
+
+/// Ball inside the body that touches its surface.
+struct TangentBall {
+  Ball ball;
+  Vec3 contact;
+};
+
+/// Body to fit, with samples and distances. The origin is its centre of mass and its length L is 1.
+struct ClumpProblem {
+  ClumpProblem(TriangleMesh unit_mesh, const massprops_detail::SolidMoments& unit_moments);
+  ClumpProblem(const ClumpProblem&) = delete;
+  ClumpProblem& operator=(const ClumpProblem&) = delete;
+
+  TriangleMesh mesh;
+  massprops_detail::SolidMoments moments;  ///< of the true body, about the origin
+  TriangleTree tree;
+  DistanceField field;
+  std::vector<Vec3> surface;       ///< samples of the surface
+  std::vector<Vec3> dense;         ///< more of them, and vertices
+  std::vector<Vec3> interior;      ///< points of a lattice inside the body
+  std::vector<TangentBall> balls;  ///< candidates
+};
+
+/// Returns the largest ball inside the body that touches the surface at `contact`.
+/// @param normal  outward unit normal there
+/// @cite ma2012
+Ball shrink_tangent_ball(const TriangleTree& tree, const Vec3& contact, const Vec3& normal,
+                         double largest);
+
+/// Covers the samples by `count` candidate balls that are grown by the smallest common distance.
+std::vector<Ball> cover_greedily(const ClumpProblem& problem, std::size_t count);
+
+}  // namespace clast::particles_detail

@@ -1,0 +1,36 @@
+#pragma once
+/// Signed distance to a closed surface, interpolated on a grid.
+#include <cstddef>
+#include <vector>
+
+#include "mesh/triangle_tree.hpp"
+
+namespace clast::particles_detail {
+
+/// Grid of signed distances. Nodes are computed when they are first needed, so that only those near
+/// the evaluated points cost time. Values do not depend on the order of evaluation.
+class DistanceField {
+ public:
+  /// @param tree  must outlive the field
+  /// @param box  evaluated region; points outside are moved to its surface
+  /// @param spacing  distance of the nodes, m
+  DistanceField(const TriangleTree& tree, const Bounds& box, double spacing);
+
+  struct Value {
+    double distance = 0.0;         ///< negative inside, m
+    Vec3 gradient = Vec3::Zero();  ///< of the interpolated distance; about a unit vector
+  };
+  Value at(const Vec3& point);
+
+ private:
+  double node(std::size_t x, std::size_t y, std::size_t z);
+
+  const TriangleTree& tree_;
+  Vec3 origin_;
+  double spacing_;
+  std::array<std::size_t, 3> size_;
+  std::vector<float> values_;  ///< NaN until computed
+  std::uint32_t hint_ = 0;
+};
+
+}  // namespace clast::particles_detail

@@ -1,0 +1,28 @@
+#include "particles/particle_body.hpp"
+
+#include <utility>
+
+#include "massprops/solid.hpp"
+#include "shapes/outer_surface.hpp"
+
+namespace clast {
+
+ParticleBody make_particle_body(TriangleMesh mesh) {
+  ParticleBody body;
+  body.mass = solid_mass_properties(mesh, 1.0);
+  body.length = smallest_box(mesh.vertices).lengths[0];
+  body.mesh = std::move(mesh);
+  return body;
+}
+
+ParticleBody make_particle_body(const Block& block) {
+  ParticleBody body;
+  body.mesh = transformed(outer_surface_mesh(block.body), block.source_from_body().inverse());
+  body.mass = block.mass;
+  body.mass.centre = Vec3::Zero();
+  body.mass.inertia = block.principal.moments.asDiagonal();
+  body.length = block.box.lengths[0];
+  return body;
+}
+
+}  // namespace clast

@@ -1,0 +1,61 @@
+#pragma once
+/// Export of blocks as particles of other engines.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/files/table.hpp"
+#include "core/progress.hpp"
+#include "particles/clump.hpp"
+#include "particles/convex_parts.hpp"
+#include "particles/engines.hpp"
+
+namespace clast {
+
+struct ParticleExportOptions {
+  std::string engine;                         ///< name of a `ParticleEngine`
+  std::optional<ParticleShape> shape = {};    ///< default: the first one of the engine
+  ClumpOptions clump = {};                    ///< errors and spheres; `error` holds for all shapes
+  std::vector<double> levels = {};            ///< surface errors; each block is written at each
+  std::optional<std::size_t> max_parts = {};  ///< default: 32 convex parts
+  bool hull = false;     ///< true: a concave block is written as its hull, beyond `error`
+  bool replace = false;  ///< if false, files of other exports in the folder are an error
+  unsigned threads = 0;  ///< number of threads, 0: one per core; does not affect the files
+
+  ParticleShape chosen_shape() const;
+  void check() const;  ///< throws InputError naming the field and its value
+};
+
+/// Makes the particles of a block: one, or one for each level.
+/// @throws InputError  if the block is unscaled
+/// @throws GeometryError  if an error is not reached, or the block is concave and the shape is a
+///                        polyhedron without `hull`; the message states what was reached
+std::vector<Particle> make_particles(const Block& block, const ParticleExportOptions& options);
+
+/// Row of the manifest.
+struct ParticleRecord {
+  Particle particle;
+  std::vector<std::string> files;
+};
+
+/// Returns the columns of the manifest, which is written as particles.csv and particles.json.
+const TableColumns<ParticleRecord>& particle_columns();
+
+struct ParticleExport {
+  std::size_t written = 0;  ///< blocks written
+  std::size_t kept = 0;     ///< blocks whose files an earlier export with the same options wrote
+  std::vector<std::string> failures;  ///< one message for each block that is left out
+};
+
+/// Writes the files of all blocks and the manifest to a folder. Blocks are computed on several
+/// threads. An interrupted export keeps the finished blocks in the manifest, and the same call
+/// computes the others only.
+/// @throws InputError  if an option is invalid, there is no block, or the folder holds an export
+///                     with other options and `replace` is false
+ParticleExport export_particles(const std::vector<const Block*>& blocks,
+                                const std::filesystem::path& folder,
+                                const ParticleExportOptions& options,
+                                const ProgressCallback& progress = {});
+
+}  // namespace clast

@@ -1,0 +1,185 @@
+#include "particles/particle_export.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/files/text_file.hpp"
+#include "library/make_block.hpp"
+#include "samples/rock_shapes.hpp"
+#include "tests/support/refusal.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace clast {
+namespace {
+
+Block rock_block(const std::string& id, std::uint64_t seed) {
+  const TriangleMesh mesh =
+      rock({.name = id, .facets = 14, .roughness = 0.0, .frequency = 4, .seed = seed});
+  BlockOptions options;
+  options.tolerance = 0.05;
+  return make_block(id, mesh, ScanSurface(mesh), {}, options);
+}
+
+class ParticleExportTest : public testing::Test {
+ protected:
+  ParticleExport exported(const std::string& engine) {
+    options_.engine = engine;
+    options_.clump.error = {0.05, 0.1, 0.3};
+    std::vector<const Block*> blocks;
+    for (const Block& block : blocks_) blocks.push_back(&block);
+    return export_particles(blocks, folder_.path(), options_);
+  }
+  std::string text(const std::string& name) { return read_text_file(folder_ / name); }
+  nlohmann::json manifest() { return nlohmann::json::parse(text("particles.json")); }
+
+  ScratchFolder folder_;
+  std::vector<Block> blocks_ = {rock_block("R1", 1), rock_block("R 2", 2)};
+  ParticleExportOptions options_;
+};
+
+TEST_F(ParticleExportTest, EveryEngineGetsItsFilesAndAManifest) {
+  for (const ParticleEngine& engine : particle_engines()) {
+    options_.replace = true;
+    if (engine.shapes.front() == ParticleShape::kParts)
+      options_.max_parts = 2;
+    else
+      options_.max_parts.reset();
+    options_.hull = engine.shapes.front() == ParticleShape::kPolyhedron;
+    EXPECT_EQ(exported(engine.name).written, 2u) << engine.name;
+    const nlohmann::json rows = manifest()["blocks"];
+    ASSERT_EQ(rows.size(), 2u);
+    for (const nlohmann::json& file : rows[0]["particles"][0]["file_list"]) {
+      EXPECT_TRUE(std::filesystem::exists(folder_ / file.get<std::string>())) << file;
+    }
+  }
+}
+
+TEST_F(ParticleExportTest, ManifestHasTheTrueMassAndTheErrors) {
+  exported("dem-engine");
+  const nlohmann::json row = manifest()["blocks"][1]["particles"][0];
+  const Block& block = blocks_[0];
+  EXPECT_EQ(row["block"], "R1");
+  EXPECT_DOUBLE_EQ(row["mass_kg"].get<double>(), block.mass.mass);
+  EXPECT_DOUBLE_EQ(row["J1_kg_m2"].get<double>(), block.principal.moments[0]);
+  EXPECT_DOUBLE_EQ(row["centre_x_m"].get<double>(), block.mass.centre.x());
+  EXPECT_DOUBLE_EQ(row["L_m"].get<double>(), block.box.lengths[0]);
+  EXPECT_LE(row["error_surface"].get<double>(), 0.3);
+  EXPECT_TRUE(text("particles.csv").starts_with("name,block,shape,spheres,parts,"));
+}
+
+TEST_F(ParticleExportTest, NamesHaveLettersDigitsAndUnderscores) {
+  exported("dem-engine");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "R_2.csv"));
+  EXPECT_EQ(particle_name("7-a"), "b7_a");
+  blocks_[0].id = "R_2";
+  options_.replace = true;
+  EXPECT_TRUE(contains(refusal<InputError>([&] { exported("yade"); }), "both be written as R_2"));
+}
+
+TEST_F(ParticleExportTest, ARepeatedExportKeepsWhatIsThere) {
+  exported("dem-engine");
+  const std::string before = text("particles.json");
+  std::filesystem::remove(folder_ / "R1.csv");
+  const ParticleExport again = exported("dem-engine");
+  EXPECT_EQ(again.kept, 1u);
+  EXPECT_EQ(again.written, 1u);
+  EXPECT_EQ(text("particles.json"), before);
+}
+
+TEST_F(ParticleExportTest, AChangedBlockIsWrittenAgain) {
+  exported("dem-engine");
+  blocks_[0] = rock_block("R1", 5);
+  EXPECT_EQ(exported("dem-engine").written, 1u);
+}
+
+TEST_F(ParticleExportTest, FilesDoNotDependOnTheNumberOfThreads) {
+  options_.threads = 1;
+  exported("dem-engine");
+  const std::string one = text("R1.csv") + text("R_2.csv") + text("particles.json");
+  options_.threads = 3;
+  std::filesystem::remove(folder_ / "particles.json");
+  options_.replace = true;
+  exported("dem-engine");
+  EXPECT_EQ(text("R1.csv") + text("R_2.csv") + text("particles.json"), one);
+}
+
+TEST_F(ParticleExportTest, OtherExportsAreNotReplacedUnasked) {
+  exported("dem-engine");
+  EXPECT_TRUE(contains(refusal<InputError>([&] { exported("yade"); }), "other options"));
+}
+
+TEST_F(ParticleExportTest, LevelsAreSeveralFiles) {
+  options_.levels = {0.4, 0.3};
+  exported("edem");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "R1_s0_4.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "R1_s0_3.csv"));
+}
+
+TEST_F(ParticleExportTest, UnscaledBlocksAreLeftOutWithTheReason) {
+  blocks_[1].source.unscaled = true;
+  const ParticleExport result = exported("edem");
+  EXPECT_EQ(result.written, 1u);
+  ASSERT_EQ(result.failures.size(), 1u);
+  EXPECT_TRUE(contains(result.failures[0], "R 2 is unscaled")) << result.failures[0];
+}
+
+TEST_F(ParticleExportTest, AConcaveBlockNeedsHullForAPolyhedron) {
+  const TriangleMesh mesh = rock({.name = "N", .notch = 0.6, .roughness = 0.0, .frequency = 6});
+  BlockOptions block_options;
+  block_options.tolerance = 0.1;
+  blocks_ = {make_block("N", mesh, ScanSurface(mesh), {}, block_options)};
+  options_.clump.error = {0.01, 0.02, 0.02};
+  options_.engine = "ramms";
+  const std::vector<const Block*> blocks = {&blocks_[0]};
+  const ParticleExport refused = export_particles(blocks, folder_.path(), options_);
+  ASSERT_EQ(refused.failures.size(), 1u);
+  EXPECT_TRUE(contains(refused.failures[0], "is concave")) << refused.failures[0];
+  options_.hull = true;
+  options_.replace = true;
+  EXPECT_EQ(export_particles(blocks, folder_.path(), options_).written, 1u);
+}
+
+TEST_F(ParticleExportTest, OptionsThatDoNotFitAreRefused) {
+  const auto refused = [&](const std::string& engine) {
+    return refusal<InputError>([&] { exported(engine); });
+  };
+  EXPECT_TRUE(contains(refused("abaqus"), "\"abaqus\" is not known"));
+  options_.shape = ParticleShape::kParts;
+  EXPECT_TRUE(contains(refused("yade"), "not taken by YADE"));
+  options_.shape.reset();
+  options_.max_parts = 3;
+  EXPECT_TRUE(contains(refused("yade"), "`parts` applies to the shape parts"));
+}
+
+TEST(Particle, BalancedMassesHaveTheCentreAndAxesOfTheParticle) {
+  Particle particle;
+  particle.mass = 5.0;
+  particle.lengths = {2.0, 2.0, 2.0};
+  for (int i = 0; i < 12; ++i) {
+    particle.balls.push_back({Vec3(std::sin(i), std::cos(2.0 * i), std::sin(3.0 * i)), 0.3});
+  }
+  const std::vector<double> masses = balanced_masses(particle);
+  double sum = 0.0;
+  Vec3 first = Vec3::Zero(), products = Vec3::Zero();
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    const Vec3& x = particle.balls[i].centre;
+    EXPECT_GT(masses[i], 0.0);
+    sum += masses[i];
+    first += masses[i] * x;
+    products += masses[i] * Vec3(x.y() * x.z(), x.z() * x.x(), x.x() * x.y());
+  }
+  EXPECT_NEAR(sum, 5.0, 1e-12);
+  EXPECT_LT(first.norm(), 1e-12);
+  EXPECT_LT(products.norm(), 1e-12);
+}
+
+TEST(ParticleEngines, DocumentationHasTheTable) {
+  const std::string page =
+      read_text_file(std::string(CLAST_SOURCE_DIR) + "/docs/howto/other-engines.md");
+  EXPECT_TRUE(contains(page, particle_engine_table())) << particle_engine_table();
+}
+
+}  // namespace
+}  // namespace clast
