@@ -222,6 +222,7 @@ class Follower : public ScanBatchObserver {
                             .scale = "one unit of the file is " +
                                      format_significant(options_.scan.scan.unit, 6) + " m",
                             .density_given = options_.scan.block.density_given,
+                            .joined = origin.joined,
                             .photos = origin.photos});
   }
   void on_deposit_made(const ScanFile& scan, const std::vector<Block>& blocks,

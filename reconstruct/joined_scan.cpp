@@ -7,6 +7,7 @@
 
 #include "core/error_context.hpp"
 #include "core/number_text.hpp"
+#include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/detail/block_points.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/registration/joined_surface.hpp"
@@ -31,6 +32,30 @@ std::string describe_fit(const Registration& fit, const std::vector<ScanToJoin>&
   return text;
 }
 
+/// Distances of the scans at the vertices of the block.
+std::vector<double> distances_at(const std::vector<Vec3>& vertices,
+                                 const std::vector<JoinedPoints>& scans) {
+  constexpr int kNear = 8;
+  std::vector<Vec3> points;
+  std::vector<double> distances;
+  for (const JoinedPoints& scan : scans) {
+    points.insert(points.end(), scan.points.begin(), scan.points.end());
+    distances.insert(distances.end(), scan.distances.begin(), scan.distances.end());
+  }
+  const PointTree tree(points);
+  std::vector<double> means;
+  for (const Vec3& vertex : vertices) {
+    double sum = 0.0, count = 0.0;
+    for (const auto& near : tree.nearest_neighbours(vertex, kNear)) {
+      if (!std::isfinite(distances[near.point])) continue;
+      sum += std::abs(distances[near.point]);
+      count += 1.0;
+    }
+    means.push_back(2.0 * count >= kNear ? sum / count : std::numeric_limits<double>::quiet_NaN());
+  }
+  return means;
+}
+
 }  // namespace
 
 JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& name,
@@ -42,7 +67,7 @@ JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& n
     own.scan = scan.scan;
     BlockPoints block = extract_block_points(scan.raw, scan.name, own);
     for (const std::string& note : block.notes) notes.push_back(scan.name + ": " + note);
-    to_register.push_back({scan.name, std::move(block.points), block.ground, scan.free_scale});
+    to_register.push_back({scan.name, std::move(block.points), block.ground});
   }
   JoinedScan joined;
   joined.registration =
@@ -61,6 +86,7 @@ JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& n
                               .notes = std::move(notes)},
                              name, closing);
   joined.scans = std::move(surface.scans);
+  joined.distances = distances_at(joined.block.scan.mesh.vertices, joined.scans);
   return joined;
 }
 

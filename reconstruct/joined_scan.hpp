@@ -10,10 +10,9 @@ namespace clast {
 
 /// One of several scans of a block.
 struct ScanToJoin {
-  std::string name;         ///< for messages
-  TriangleMesh raw;         ///< as read; without triangles for a cloud
-  ScanOptions scan;         ///< unit and up axis
-  bool free_scale = false;  ///< true: the scale is estimated from the other scans
+  std::string name;  ///< for messages
+  TriangleMesh raw;  ///< as read; without triangles for a cloud
+  ScanOptions scan;  ///< unit and up axis
 };
 
 /// A block and the scans that were joined.
@@ -21,6 +20,9 @@ struct JoinedScan {
   FieldBlock block;           ///< in the frame of the first scan, m, z up
   Registration registration;  ///< in metres, z up
   std::vector<JoinedPoints> scans;
+  /// Mean distance of the surfaces of the scans at each vertex of the block, m; NaN where one scan
+  /// alone observed it.
+  std::vector<double> distances;
 };
 
 /// Separates the block of each scan from its ground, registers the scans, and reconstructs one

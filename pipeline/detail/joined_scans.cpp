@@ -10,20 +10,18 @@ namespace clast::pipeline_detail {
 
 namespace {
 
-/// Photographs as points in metres. Without a scale of their own, that of the other scans is taken.
+/// Photographs as points in metres.
 ScanToJoin read_photographs(const std::filesystem::path& folder, const ScanToBlockOptions& options,
-                            bool is_first, std::vector<std::string>& notes,
-                            const ScanCallbacks& callbacks) {
+                            std::vector<std::string>& notes, const ScanCallbacks& callbacks) {
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || options.scan.unit != 1.0) photos.metres_per_unit = options.scan.unit;
-  photos.allow_unscaled = photos.allow_unscaled || !is_first;
+  photos.allow_unscaled = false;  // scans of different scales do not fit
   PhotoScan scan = reconstruct_from_photos(
       folder, photos, [&](const std::string& what) { callbacks.begin_step(what, true); });
   for (const std::string& note : scan.notes) notes.push_back(folder.string() + ": " + note);
   ScanToJoin joining;
   joining.raw.vertices = std::move(scan.cloud.points);
   joining.scan.up = "z";
-  joining.free_scale = !scan.metric;
   return joining;
 }
 
@@ -87,11 +85,11 @@ JoinedScan read_joined_scans(const std::vector<std::filesystem::path>& paths, co
   for (const std::filesystem::path& path : paths) {
     callbacks.begin_step("reading " + to_utf8(path.string()));
     if (std::filesystem::is_directory(path)) {
-      scans.push_back(read_photographs(path, options, scans.empty(), notes, callbacks));
+      scans.push_back(read_photographs(path, options, notes, callbacks));
     } else {
       RawScan read = read_raw_scan(path, options.scan);
       for (const std::string& note : read.notes) notes.push_back(path.string() + ": " + note);
-      scans.push_back({{}, std::move(read.mesh), std::move(read.scan), false});
+      scans.push_back({{}, std::move(read.mesh), std::move(read.scan)});
     }
     scans.back().name = name_of_scan(path);
   }

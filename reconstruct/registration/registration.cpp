@@ -32,6 +32,7 @@ constexpr int kFinalSteps = 30;
 constexpr std::size_t kNamedPoses = 3;
 /// A difference of scales counts if it is larger than this and than so many standard errors.
 constexpr double kScaleDifference = 0.005, kScaleErrors = 5.0;
+constexpr std::size_t kScaledPoses = 5;  ///< poses at which other scales are tried
 /// Fraction of the overlap that may disagree.
 constexpr double kMaxDisagreeing = 0.15;
 
@@ -93,7 +94,7 @@ class Registrar {
       Bounds box;
       for (const Vec3& p : scan.points) box.include(p);
       middles_.push_back(0.5 * (box.low + box.high));
-      if (!scan.free_scale) cell = std::max(cell, registration_cell(scan.points));
+      cell = std::max(cell, registration_cell(scan.points));
     }
     for (std::size_t s = 0; s < scans_.size(); ++s) {
       std::vector<Vec3> points;
@@ -249,14 +250,16 @@ class Registrar {
                           format_percent_of(kLeastOverlap) + " of a surface" + remedy);
     }
     const PoseCandidate& best = poses[0];
-    refuse_disagreement(scan, best, who);
+    refuse_disagreement(scan, poses, who);
     refuse_other_bodies(scan, poses, who);
     refuse_sliding(scan, best, who);
     poses_[scan] = best.fixed_from_moving;
     joined_.push_back(scan);
   }
 
-  void refuse_disagreement(std::size_t scan, const PoseCandidate& best, const std::string& who) {
+  void refuse_disagreement(std::size_t scan, const std::vector<PoseCandidate>& poses,
+                           const std::string& who) const {
+    const PoseCandidate& best = poses[0];
     if (best.agreement.consistency() >= kLeastConsistency) return;
     const Disagreement found =
         measure_disagreement(group(), {surfaces_[scan].get(), best.fixed_from_moving});
@@ -264,17 +267,23 @@ class Registrar {
                         format_significant(found.distance, 2) + " m over " +
                         format_percent_of(found.fraction) +
                         " of their overlap: scale, movement, a mirrored scan or another block?" +
-                        describe_scale(scan, best));
+                        describe_scale(scan, poses));
   }
 
-  /// States the scale at which a scan fits better; empty if there is none.
-  std::string describe_scale(std::size_t scan, const PoseCandidate& best) const {
-    const ScaleEstimate estimate =
-        estimate_scale(group(), {surfaces_[scan].get(), best.fixed_from_moving});
-    if (estimate.agreement.consistency() < kLeastConsistency || !is_different(estimate)) return "";
-    return " They fit if lengths of " + scans_[scan].name + " are multiplied by " +
-           format_significant(estimate.scale, 5) + " +- " +
-           format_significant(estimate.standard_error, 1);
+  /// States the scale at which a scan fits; empty if there is none.
+  std::string describe_scale(std::size_t scan, const std::vector<PoseCandidate>& poses) const {
+    for (std::size_t i = 0; i < std::min(kScaledPoses, poses.size()); ++i) {
+      const ScaleEstimate estimate =
+          estimate_scale(group(), {surfaces_[scan].get(), poses[i].fixed_from_moving});
+      if (estimate.agreement.consistency() < kLeastConsistency ||
+          estimate.agreement.matched < kLeastOverlap || !is_different(estimate)) {
+        continue;
+      }
+      return " They fit if lengths of " + scans_[scan].name + " are multiplied by " +
+             format_significant(estimate.scale, 5) + " +- " +
+             format_significant(estimate.standard_error, 1);
+    }
+    return "";
   }
 
   static bool is_different(const ScaleEstimate& estimate) {
@@ -366,7 +375,6 @@ class Registrar {
     result.covariance = refined.covariance;
     result.deviation = refined.deviation;
     result.centre = middles_[0];
-    result.scale_errors.assign(scans_.size(), 0.0);
     result.overlap = 1.0;
     for (std::size_t s = 0; s < scans_.size(); ++s) {
       Similarity pose = poses_[s];

@@ -18,7 +18,6 @@ struct ScanToRegister {
   std::string name;                  ///< for messages
   std::vector<Vec3> points;          ///< m
   std::optional<Plane> ground = {};  ///< ground on which the block lay; its normal points up
-  bool free_scale = false;           ///< true: the scale is estimated; not for the first scan
 };
 
 /// The same place of the block in two scans, m.
@@ -42,9 +41,7 @@ struct RegistrationOptions {
 
 /// Scans in the frame of the first.
 struct Registration {
-  /// Pose and scale of each scan; the identity for the first.
-  std::vector<Similarity> first_from_scan;
-  std::vector<double> scale_errors;  ///< standard errors of the scales; 0 for known scales
+  std::vector<Similarity> first_from_scan;  ///< the identity for the first; scales are 1
   /// Covariance of rotation (rad), translation (m) and logarithm of the scale of the scans but the
   /// first, seven rows each, about `centre`.
   Eigen::MatrixXd covariance;

@@ -17,7 +17,7 @@ constexpr double kNoises = 2.0, kRoughness = 0.004;
 constexpr double kSearched = 0.04;
 constexpr int kScaleSteps = 25;
 /// Systematic error of an estimated scale, from the smoothing of both surfaces.
-constexpr double kSystematic = 2e-4;
+constexpr double kSystematic = 5e-4;
 
 }  // namespace
 
