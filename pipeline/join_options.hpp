@@ -1,5 +1,5 @@
 #pragma once
-/// What a user states about scans that are joined to one block.
+/// Options for scans that are joined to one block.
 #include <string>
 #include <vector>
 

@@ -209,12 +209,17 @@ ScanFile joined_entry(const std::vector<fs::path>& paths, const std::string& id)
                      (paths.size() == 1 ? " scan is" : " scans are") +
                      " given to be joined; two to eight can be");
   }
-  ScanFile joined{paths[0], id, {}, {}};
+  ScanFile joined{paths[0], id, {}, {paths.begin() + 1, paths.end()}};
+  std::set<fs::path> seen;
   for (const fs::path& path : paths) {
     if (ScanFile{path, "", {}, {}}.is_shp()) {
       throw InputError(path.string() + ": is a shape and no scan, and cannot be joined");
     }
-    if (path != paths[0]) joined.others.push_back(path);
+    std::error_code code;
+    const fs::path canonical = fs::weakly_canonical(path, code);
+    if (!seen.insert(code ? path : canonical).second) {
+      throw InputError(path.string() + ": is given twice; each scan is joined once");
+    }
   }
   return joined;
 }
@@ -243,7 +248,7 @@ std::vector<ScanFile> list_joined_folders(const std::vector<std::string>& folder
       throw InputError(folder.string() + " and " + other->second.string() +
                        " would both be block " + id + "; rename one of them");
     }
-    joined.push_back(joined_entry(paths, id));
+    joined.push_back(paths.size() == 1 ? ScanFile{paths[0], id, {}, {}} : joined_entry(paths, id));
   }
   return joined;
 }

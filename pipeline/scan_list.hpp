@@ -32,11 +32,13 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
 
 /// Makes one entry of several scans of a block, in the given order.
 /// @param inputs  files and folders of photographs
-/// @throws InputError  if there are fewer than two or more than eight scans, or one is a shape
+/// @throws InputError  if there are fewer than two or more than eight scans, or one is a shape or
+///                     given twice
 ScanFile list_joined_scans(const std::vector<std::string>& inputs, const std::string& id);
 
-/// Makes one entry of the scans of each folder, with the name of the folder as its id.
-/// @throws InputError  as `list_scans` and `list_joined_scans`
+/// Makes one entry of the scans of each folder, with the name of the folder as its id. A folder
+/// with a single scan is a block of that scan.
+/// @throws InputError  if `list_scans` or `list_joined_scans` would throw
 std::vector<ScanFile> list_joined_folders(const std::vector<std::string>& folders);
 
 }  // namespace clast

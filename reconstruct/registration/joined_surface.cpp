@@ -16,12 +16,12 @@ namespace {
 using namespace reconstruct_detail;
 
 /// Standard deviations of the position by which each end of a side may be off.
-constexpr double kExtremes = 2.0;
+constexpr double kPoseErrors = 2.0;
 /// Standard deviations of the volume by which it may be off.
 constexpr double kVolumeErrors = 3.0;
 /// Registration errors that the noise does not explain, as a fraction of the deviation of the
 /// surfaces in the overlap.
-constexpr double kSystematic = 0.25;
+constexpr double kUnexplained = 0.25;
 
 /// Oriented surfaces of all scans in the frame of the first.
 class PlacedScans {
@@ -75,7 +75,7 @@ class PlacedScans {
 
   /// Adds the effect of pose errors on volume and sides.
   void add_uncertainty(SurfaceUncertainty& uncertainty) const {
-    const double systematic = kSystematic * fit_.deviation;
+    const double systematic = kUnexplained * fit_.deviation;
     double variance = 0.0, farthest = 0.0, area = 0.0;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(fit_.covariance.rows());
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
@@ -99,7 +99,7 @@ class PlacedScans {
     const double volume = kVolumeErrors * std::sqrt(std::max(0.0, variance)) + systematic * area;
     uncertainty.volume_below += volume;
     uncertainty.volume_above += volume;
-    uncertainty.extent_error += kExtremes * std::sqrt(farthest) + systematic;
+    uncertainty.extent_error += kPoseErrors * std::sqrt(farthest) + systematic;
   }
 
  private:

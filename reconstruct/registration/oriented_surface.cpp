@@ -35,8 +35,8 @@ Bounds bounds_of(std::span<const Vec3> points) {
 }
 
 /// Plane through points near a point: centre and unit normal of either sign.
-std::pair<Vec3, Vec3> plane_through(std::span<const Vec3> points,
-                                    const std::vector<PointTree::Neighbour>& near) {
+std::pair<Vec3, Vec3> plane_of_neighbours(std::span<const Vec3> points,
+                                          const std::vector<PointTree::Neighbour>& near) {
   Vec3 centre = Vec3::Zero();
   for (const auto& n : near) centre += points[n.point];
   centre /= static_cast<double>(near.size());
@@ -62,7 +62,7 @@ void fit_planes(OrientedSurface& surface, std::span<const Vec3> points,
   for (const Vec3& p : chosen) {
     std::vector<PointTree::Neighbour> near = tree.nearest_neighbours(p, most);
     while (near.size() > kFewestPlanePoints && near.back().distance > radius) near.pop_back();
-    const auto [centre, normal] = plane_through(points, near);
+    const auto [centre, normal] = plane_of_neighbours(points, near);
     surface.normals.push_back(normal);
     surface.points.push_back(p + normal.dot(centre - p) * normal);
   }

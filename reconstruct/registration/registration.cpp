@@ -24,7 +24,7 @@ using namespace reconstruct_detail;
 
 constexpr std::size_t kMostScans = 8;
 /// Least overlap, and least fraction of the comparable surface that matches.
-constexpr double kLeastOverlap = 0.1, kLeastConsistency = 0.88;
+constexpr double kLeastMatched = 0.1, kLeastConsistency = 0.88;
 /// A rival of the best pose has at least this consistency and this fraction of its score.
 constexpr double kRivalConsistency = 0.82, kRivalScore = 0.4;
 constexpr double kHintAngle = 30.0 / kDegreesPerRadian;
@@ -245,9 +245,9 @@ class Registrar {
     const std::string who = scans_[scan].name + " and " + names_of_joined();
     const std::string remedy =
         "; are they scans of one block? If so, `pose` or `picked` give the pose";
-    if (poses.empty() || poses[0].agreement.matched < kLeastOverlap) {
+    if (poses.empty() || poses[0].agreement.matched < kLeastMatched) {
       throw GeometryError(who + ": no pose was found at which they share at least " +
-                          format_percent_of(kLeastOverlap) + " of a surface" + remedy);
+                          format_percent_of(kLeastMatched) + " of a surface" + remedy);
     }
     const PoseCandidate& best = poses[0];
     refuse_disagreement(scan, poses, who);
@@ -276,7 +276,7 @@ class Registrar {
       const ScaleEstimate estimate =
           estimate_scale(group(), {surfaces_[scan].get(), poses[i].fixed_from_moving});
       if (estimate.agreement.consistency() < kLeastConsistency ||
-          estimate.agreement.matched < kLeastOverlap || !is_different(estimate)) {
+          estimate.agreement.matched < kLeastMatched || !is_different(estimate)) {
         continue;
       }
       return " They fit if lengths of " + scans_[scan].name + " are multiplied by " +

@@ -24,15 +24,15 @@ struct RockScans {
   Pose first_from_second;
 };
 
-RockScans scan_rock(std::uint64_t seed, const TriangleMesh& rock) {
+RockScans scan_rock(std::uint64_t seed, const TriangleMesh& body) {
   Random random(seed);
-  const PartialScanner scanner(rock);
+  const PartialScanner scanner(body);
   const ScanPair pair = make_scan_pair(scanner, bare_recipe(), bare_recipe(), 0.4, 0.8, random);
   return {{{"top", pair.first.points}, {"bottom", pair.second.points}},
           pair.first.scan_from_block * pair.second.scan_from_block.inverse()};
 }
 
-TriangleMesh rock() { return rock_mesh(12, {0.5, 0.4, 0.3}, 3); }
+TriangleMesh joined_rock() { return rock_mesh(12, {0.5, 0.4, 0.3}, 3); }
 
 double largest_error(const Similarity& found, const Pose& truth, const std::vector<Vec3>& points) {
   double most = 0.0;
@@ -41,7 +41,7 @@ double largest_error(const Similarity& found, const Pose& truth, const std::vect
 }
 
 TEST(Registration, FindsThePoseOfATurnedBlockOnAnyNumberOfThreads) {
-  const RockScans rocks = scan_rock(11, rock());
+  const RockScans rocks = scan_rock(11, joined_rock());
   const Registration one = register_scans(rocks.scans, {.threads = 1});
   EXPECT_LT(largest_error(one.first_from_scan[1], rocks.first_from_second, rocks.scans[1].points),
             0.004);
@@ -54,7 +54,7 @@ TEST(Registration, FindsThePoseOfATurnedBlockOnAnyNumberOfThreads) {
 }
 
 TEST(Registration, PickedPlacesGiveThePose) {
-  RockScans rocks = scan_rock(12, rock());
+  RockScans rocks = scan_rock(12, joined_rock());
   RegistrationOptions options;
   const Pose back = rocks.first_from_second.inverse();
   for (const Vec3& place : {Vec3(0.3, 0.0, 0.1), Vec3(-0.2, 0.2, 0.2), Vec3(0.0, -0.3, 0.3)}) {
@@ -69,19 +69,19 @@ TEST(Registration, PickedPlacesGiveThePose) {
 }
 
 TEST(Registration, AMirroredScanIsRefused) {
-  RockScans rocks = scan_rock(13, rock());
+  RockScans rocks = scan_rock(13, joined_rock());
   for (Vec3& p : rocks.scans[1].points) p.x() = -p.x();
   EXPECT_THROW(register_scans(rocks.scans), GeometryError);
 }
 
 TEST(Registration, AnotherBlockIsRefused) {
-  RockScans rocks = scan_rock(14, rock());
+  RockScans rocks = scan_rock(14, joined_rock());
   rocks.scans[1] = scan_rock(15, rock_mesh(12, {0.5, 0.4, 0.3}, 9)).scans[1];
   EXPECT_THROW(register_scans(rocks.scans), GeometryError);
 }
 
 TEST(Registration, AnotherScaleIsRefusedWithItsFactor) {
-  RockScans rocks = scan_rock(16, rock());
+  RockScans rocks = scan_rock(16, joined_rock());
   for (Vec3& p : rocks.scans[1].points) p *= 1.02;
   try {
     register_scans(rocks.scans);
@@ -106,7 +106,7 @@ TEST(Registration, ABallFitsInManyPosesThatGiveTheSameBody) {
 }
 
 TEST(Registration, InputThatDoesNotFitTogetherIsRefused) {
-  const RockScans rocks = scan_rock(18, rock());
+  const RockScans rocks = scan_rock(18, joined_rock());
   EXPECT_TRUE(contains(refusal([&] { register_scans({rocks.scans[0]}); }), "two to eight"));
   RegistrationOptions first_turned;
   first_turned.hints.push_back({0, Quat::Identity()});

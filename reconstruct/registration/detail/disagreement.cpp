@@ -11,13 +11,13 @@ namespace {
 
 /// Distance that noise and roughness explain: standard deviations of the noise of both scans, and a
 /// fraction of the diagonal.
-constexpr double kNoises = 2.0, kRoughness = 0.004;
+constexpr double kAgreeingNoises = 2.0, kRoughness = 0.006;
 /// Distance beyond which a point is compared with another part of the surface, relative to the
 /// diagonal.
-constexpr double kSearched = 0.04;
+constexpr double kComparedHeight = 0.04;
 constexpr int kScaleSteps = 25;
 /// Systematic error of an estimated scale, from the smoothing of both surfaces.
-constexpr double kSystematic = 5e-4;
+constexpr double kScaleBias = 5e-4;
 
 }  // namespace
 
@@ -30,13 +30,13 @@ Disagreement measure_disagreement(const ScanGroup& group, const PlacedSurface& p
     for (const PlacedSurface& member : group) {
       const IndexedSurface& other = *member.indexed;
       const Similarity to = member.first_from.inverse() * placed.first_from;
-      const double searched = kSearched * std::min(own.diagonal, other.diagonal);
+      const double searched = kComparedHeight * std::min(own.diagonal, other.diagonal);
       const PointComparison found = compare_point(
           other, to * own.surface.points[i], to.pose.rotation * own.surface.normals[i], searched);
       if (found.relation != PointRelation::kMatched) continue;
       if (std::abs(found.height) >= std::abs(nearest)) continue;
       nearest = found.height * member.first_from.scale;
-      limit = std::max(kNoises * std::hypot(own.surface.noise, other.surface.noise),
+      limit = std::max(kAgreeingNoises * std::hypot(own.surface.noise, other.surface.noise),
                        kRoughness * std::min(own.diagonal, other.diagonal));
     }
     if (nearest == 1e300) continue;
@@ -84,7 +84,7 @@ ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& placed
   estimate.scale = refined.first_from.back().scale;
   const Eigen::Index last = refined.covariance.rows() - 1;
   estimate.standard_error =
-      estimate.scale * std::hypot(std::sqrt(refined.covariance(last, last)), kSystematic);
+      estimate.scale * std::hypot(std::sqrt(refined.covariance(last, last)), kScaleBias);
   ScanGroup moved;
   for (std::size_t i = 0; i + 1 < surfaces.size(); ++i) {
     moved.push_back({surfaces[i], refined.first_from[i]});

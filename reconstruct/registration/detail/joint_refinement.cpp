@@ -9,14 +9,14 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr double kSimilarNormal = 0.6;  ///< cosine
-constexpr double kBeyondBorder = 1.5;   ///< spacings
-constexpr int kParameters = 7;          ///< rotation, translation, logarithm of the scale
+constexpr double kUsedNormal = 0.6;    ///< cosine
+constexpr double kUsedDistance = 1.5;  ///< spacings
+constexpr int kPoseParameters = 7;     ///< rotation, translation, logarithm of the scale
 /// Smallest eigenvalue of the normal equations, per point and with lengths relative to the
 /// diagonal, at which a movement counts as constrained.
 constexpr double kLeastInformation = 2e-5;
 
-using Jacobian = Eigen::Matrix<double, kParameters, 1>;
+using Jacobian = Eigen::Matrix<double, kPoseParameters, 1>;
 
 /// Normal equations of the heights of all matched points.
 class HeightEquations {
@@ -24,7 +24,7 @@ class HeightEquations {
   HeightEquations(std::span<const IndexedSurface* const> surfaces,
                   const std::vector<Similarity>& first_from, const RefinementOptions& options)
       : surfaces_(surfaces), first_from_(first_from), options_(options) {
-    const auto size = static_cast<Eigen::Index>(kParameters * (surfaces.size() - 1));
+    const auto size = static_cast<Eigen::Index>(kPoseParameters * (surfaces.size() - 1));
     matrix_ = Eigen::MatrixXd::Zero(size, size);
     information_ = Eigen::MatrixXd::Zero(size, size);
     vector_ = Eigen::VectorXd::Zero(size);
@@ -63,7 +63,7 @@ class HeightEquations {
     const double length = surfaces_[0]->diagonal;
     Eigen::MatrixXd relative = matrix_ / weight_;
     for (Eigen::Index k = 0; k < relative.rows(); ++k) {
-      const double unit = k % kParameters >= 3 && k % kParameters < 6 ? 1.0 : 1.0 / length;
+      const double unit = k % kPoseParameters >= 3 && k % kPoseParameters < 6 ? 1.0 : 1.0 / length;
       relative.row(k) *= unit;
       relative.col(k) *= unit;
       if (is_fixed(k)) relative(k, k) = 1.0;
@@ -74,8 +74,8 @@ class HeightEquations {
 
  private:
   bool is_fixed(Eigen::Index parameter) const {
-    if (parameter % kParameters != 6) return false;
-    const auto surface = static_cast<std::size_t>(parameter / kParameters) + 1;
+    if (parameter % kPoseParameters != 6) return false;
+    const auto surface = static_cast<std::size_t>(parameter / kPoseParameters) + 1;
     return options_.free_scale.empty() || !options_.free_scale[surface];
   }
 
@@ -97,11 +97,11 @@ class HeightEquations {
       const std::uint32_t near = to.grid.nearest_point(position);
       const Vec3& facing = to.surface.normals[near];
       const Vec3 normal = to_from.pose.rotation * from.surface.normals[k];
-      if (facing.dot(normal) < kSimilarNormal) continue;
+      if (facing.dot(normal) < kUsedNormal) continue;
       const Vec3 offset = position - to.surface.points[near];
       const double rise = facing.dot(offset);
       const double beside = std::sqrt(std::max(0.0, offset.squaredNorm() - rise * rise));
-      if (to.surface.is_border[near] || beside > kBeyondBorder * to.surface.spacing) continue;
+      if (to.surface.is_border[near] || beside > kUsedDistance * to.surface.spacing) continue;
       const Vec3 along = (facing + normal).normalized();
       const double height = along.dot(offset) * first_from_[j].scale;
       const double relative = height / options_.tolerance;
@@ -120,10 +120,10 @@ class HeightEquations {
   void add(std::size_t i, std::size_t j, const Jacobian& of_i, const Jacobian& of_j, double height,
            double weight, double information) {
     const auto at = [](std::size_t surface) {
-      return static_cast<Eigen::Index>(kParameters * (surface - 1));
+      return static_cast<Eigen::Index>(kPoseParameters * (surface - 1));
     };
     const auto block = [&](Eigen::MatrixXd& matrix, std::size_t a, std::size_t b) {
-      return matrix.block<kParameters, kParameters>(at(a), at(b));
+      return matrix.block<kPoseParameters, kPoseParameters>(at(a), at(b));
     };
     const auto add_to = [&](Eigen::MatrixXd& matrix, double factor) {
       if (i > 0) block(matrix, i, i) += factor * of_i * of_i.transpose();
@@ -135,8 +135,8 @@ class HeightEquations {
     };
     add_to(matrix_, weight);
     add_to(information_, information);
-    if (i > 0) vector_.segment<kParameters>(at(i)) += weight * height * of_i;
-    if (j > 0) vector_.segment<kParameters>(at(j)) += weight * height * of_j;
+    if (i > 0) vector_.segment<kPoseParameters>(at(i)) += weight * height * of_i;
+    if (j > 0) vector_.segment<kPoseParameters>(at(j)) += weight * height * of_j;
     weight_ += weight;
     squares_ += weight * height * height;
   }
@@ -151,7 +151,8 @@ class HeightEquations {
 
 /// Applies a small rotation about the origin, a translation and a scaling about the place of the
 /// surface's own origin.
-Similarity moved(const Similarity& before, const Eigen::Matrix<double, kParameters, 1>& step) {
+Similarity moved_by_step(const Similarity& before,
+                         const Eigen::Matrix<double, kPoseParameters, 1>& step) {
   const Vec3 turn = step.head<3>();
   const double angle = turn.norm();
   const Quat rotation =
@@ -175,8 +176,8 @@ Refinement refine_jointly(std::span<const IndexedSurface* const> surfaces,
     if (!step.allFinite()) break;
     double largest = 0.0;
     for (std::size_t s = 1; s < surfaces.size(); ++s) {
-      const Jacobian own = step.segment<kParameters>(static_cast<Eigen::Index>(7 * (s - 1)));
-      first_from[s] = moved(first_from[s], own);
+      const Jacobian own = step.segment<kPoseParameters>(static_cast<Eigen::Index>(7 * (s - 1)));
+      first_from[s] = moved_by_step(first_from[s], own);
       const double length = surfaces[s]->diagonal;
       largest = std::max({largest, own.head<3>().norm(), own.segment<3>(3).norm() / length});
     }

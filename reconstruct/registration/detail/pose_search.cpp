@@ -20,9 +20,9 @@ constexpr std::size_t kScored = 2000;    ///< poses that are refined roughly wit
 constexpr std::size_t kPromising = 400;  ///< poses that are refined well with even subsets
 constexpr std::size_t kRefined = 40;     ///< distinct poses that are refined with all points
 /// Distances below which poses count as one, relative to the smaller diagonal.
-constexpr double kSearched = 0.1, kDistinct = 0.06;
+constexpr double kSearchDistance = 0.1, kDistinct = 0.06;
 constexpr int kFirstSteps = 4, kSparseSteps = 8, kFullSteps = 12;
-constexpr double kNoises = 2.5, kLeastTolerance = 0.006;
+constexpr double kToleratedNoises = 2.5, kLeastTolerance = 0.006;
 
 void keep_best(std::vector<PoseCandidate>& candidates, std::size_t count) {
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -84,7 +84,7 @@ void score(std::vector<PoseCandidate>& candidates, const IndexedSurface& fixed,
 }  // namespace
 
 double fine_tolerance(const OrientedSurface& a, const OrientedSurface& b, double diagonal) {
-  return std::max(kNoises * std::hypot(a.noise, b.noise), kLeastTolerance * diagonal);
+  return std::max(kToleratedNoises * std::hypot(a.noise, b.noise), kLeastTolerance * diagonal);
 }
 
 bool are_near(const Similarity& a, const Similarity& b, const Vec3& centre, double radius,
@@ -103,10 +103,11 @@ std::vector<PoseCandidate> search_poses(const IndexedSurface& fixed, const Index
   score(candidates, fixed, moving, kCoarse * size, PointDensity::kFew, threads);
   keep_best(candidates, kGlanced);
   score(candidates, fixed, moving, kCoarse * size, PointDensity::kSparse, threads);
-  candidates = distinct_poses(std::move(candidates), moving, kSearched * size, kScored);
+  candidates = distinct_poses(std::move(candidates), moving, kSearchDistance * size, kScored);
   refine_sparse(candidates, fixed, moving, kCoarse * size, kFirstSteps, threads);
   score(candidates, fixed, moving, kMedium * size, PointDensity::kSparse, threads);
-  candidates = distinct_poses(std::move(candidates), moving, 0.5 * kSearched * size, kPromising);
+  candidates =
+      distinct_poses(std::move(candidates), moving, 0.5 * kSearchDistance * size, kPromising);
   refine_sparse(candidates, fixed, moving, kMedium * size, kSparseSteps, threads);
   score(candidates, fixed, moving, kClose * size, PointDensity::kSparse, threads);
   candidates = distinct_poses(std::move(candidates), moving, kDistinct * size, kRefined);

@@ -131,7 +131,7 @@ double farthest(const IndexedSurface& indexed, const Vec3& from) {
   return most;
 }
 
-Vec3 middle_of(const IndexedSurface& indexed) {
+Vec3 middle_of_box(const IndexedSurface& indexed) {
   Bounds box;
   for (const Vec3& p : indexed.surface.points) box.include(p);
   return 0.5 * (box.low + box.high);
@@ -141,7 +141,7 @@ Vec3 middle_of(const IndexedSurface& indexed) {
 
 std::vector<Pose> search_rotations(const IndexedSurface& fixed, const IndexedSurface& moving,
                                    unsigned threads) {
-  const Vec3 fixed_middle = middle_of(fixed), moving_middle = middle_of(moving);
+  const Vec3 fixed_middle = middle_of_box(fixed), moving_middle = middle_of_box(moving);
   const double reach = farthest(fixed, fixed_middle) + farthest(moving, moving_middle);
   const double cell = kCell * std::min(fixed.diagonal, moving.diagonal);
   const PointsByNormal by_normal(fixed);

@@ -10,7 +10,7 @@ namespace clast::reconstruct_detail {
 
 namespace {
 
-constexpr int kSteps = 15;
+constexpr int kGroupSteps = 15;
 /// Fractions of a surface that may differ between two poses of the same body.
 constexpr double kMaxContradicted = 0.02, kMaxUncovered = 0.06;
 
@@ -48,7 +48,7 @@ PoseCandidate refine_in_group(const ScanGroup& group, const PlacedSurface& added
   surfaces.push_back(added.indexed);
   poses.push_back(added.first_from);
   const Refinement refined =
-      refine_jointly(surfaces, poses, {.tolerance = tolerance, .iterations = kSteps});
+      refine_jointly(surfaces, poses, {.tolerance = tolerance, .iterations = kGroupSteps});
   PoseCandidate candidate;
   candidate.fixed_from_moving = refined.first_from.back();
   candidate.is_constrained = refined.is_constrained;

@@ -4,7 +4,7 @@
 
 namespace clast::reconstruct_detail {
 
-/// What the position of a point relative to another observed surface says about a pose.
+/// Relation of a point to another observed surface at a pose.
 enum class PointRelation {
   kMatched,       ///< on the other surface, with a similar normal
   kContradicted,  ///< where the other scan saw free space, or rock with another surface
