@@ -3,6 +3,8 @@
 
 #include <fstream>
 
+#include "core/files/text_file.hpp"
+#include "library/block_library.hpp"
 #include "pipeline/picked_pairs_file.hpp"
 #include "pipeline/scan_batch.hpp"
 #include "tests/library/block_samples.hpp"
