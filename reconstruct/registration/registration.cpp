@@ -25,8 +25,9 @@ using namespace reconstruct_detail;
 constexpr std::size_t kMostScans = 8;
 /// Least overlap, and least fraction of the comparable surface that matches.
 constexpr double kLeastMatched = 0.1, kLeastConsistency = 0.88;
-/// A rival of the best pose has at least this consistency and this fraction of its score.
-constexpr double kRivalConsistency = 0.82, kRivalScore = 0.4;
+/// A rival of the best pose has at least this consistency and this fraction of its score, and at
+/// most this ratio of the mean square misfits.
+constexpr double kRivalConsistency = 0.82, kRivalScore = 0.4, kRivalMisfit = 2.0;
 constexpr double kHintAngle = 30.0 / kDegreesPerRadian;
 constexpr int kFinalSteps = 30;
 constexpr std::size_t kNamedPoses = 3;
@@ -299,7 +300,9 @@ class Registrar {
     for (std::size_t i = 1; i < poses.size(); ++i) {
       const PoseCandidate& rival = poses[i];
       if (rival.agreement.score < kRivalScore * poses[0].agreement.score ||
-          rival.agreement.consistency() < kRivalConsistency || is_known(scan, poses, i)) {
+          rival.agreement.consistency() < kRivalConsistency ||
+          rival.agreement.misfit > kRivalMisfit * poses[0].agreement.misfit ||
+          is_known(scan, poses, i)) {
         continue;
       }
       if (is_same_body(group(), *surfaces_[scan], poses[0].fixed_from_moving,

@@ -31,8 +31,10 @@ SurfaceAgreement compare_with_group(const ScanGroup& group, const PlacedSurface&
     sum.contradicted += one.contradicted;
     sum.score += one.score;
     squares += one.matched * one.deviation * one.deviation;
+    sum.misfit += (one.matched + one.contradicted) * one.misfit;
   }
   if (sum.matched > 0.0) sum.deviation = std::sqrt(squares / sum.matched);
+  if (sum.matched + sum.contradicted > 0.0) sum.misfit /= sum.matched + sum.contradicted;
   return sum;
 }
 

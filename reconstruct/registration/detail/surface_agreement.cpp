@@ -95,7 +95,12 @@ SurfaceAgreement compare_surfaces(const IndexedSurface& fixed, const IndexedSurf
   agreement.contradicted = f * forth.contradicted + b * back.contradicted;
   agreement.score = f * forth.score + b * back.score;
   const double count = forth.matched + back.matched;
-  if (count > 0.0) agreement.deviation = std::sqrt((forth.squares + back.squares) / count);
+  const double contradicted = forth.contradicted + back.contradicted;
+  const double squares = forth.squares + back.squares;
+  if (count > 0.0) agreement.deviation = std::sqrt(squares / count);
+  if (count + contradicted > 0.0) {
+    agreement.misfit = (squares + contradicted * tolerance * tolerance) / (count + contradicted);
+  }
   return agreement;
 }
 

@@ -29,6 +29,8 @@ struct SurfaceAgreement {
   double matched = 0.0;       ///< fraction that lies on the other surface
   double contradicted = 0.0;  ///< fraction at impossible places
   double deviation = 0.0;     ///< root mean square height of matched points, m
+  /// Mean square height of matched and contradicted points, those counted with the tolerance, m^2.
+  double misfit = 0.0;
   /// Sum of 1 - (h / tolerance)^2 over matched points less three times the number of contradicted
   /// ones, as a fraction.
   double score = 0.0;
