@@ -35,6 +35,10 @@ std::string request_of(const ScanToBlockOptions& options) {
   return "request=" + sha256(format_field(options)).substr(0, 16);
 }
 
+std::string digest_of(const ScanFile& scan) {
+  return scan.others.empty() ? compute_scan_digest(scan.path) : compute_joined_digest(scan.paths());
+}
+
 /// A batch of scans on its way into a library.
 class Batch {
  public:
@@ -97,7 +101,7 @@ class Batch {
     if (!library_.contains(first)) return false;
     const Block& block = library_.find_block(first);
     const bool same_request = options_.resume && block.source.options.ends_with(request_);
-    if (same_request && block.source.sha256 == compute_scan_digest(scan.path)) {
+    if (same_request && block.source.sha256 == digest_of(scan)) {
       return !block.deposit || has_all(scan.id, block.deposit->blocks, block.source.sha256);
     }
     if (options_.replace) return false;
@@ -160,6 +164,9 @@ class Batch {
             },
         .on_block_lost = [&](const std::string&,
                              const std::string& reason) { outcome.failures.push_back(reason); }};
+    if (!scan.others.empty()) {
+      return {reconstruct_joined_block(scan.paths(), scan.id, scan_options_, callbacks)};
+    }
     if (!scan.is_shp()) {
       return reconstruct_blocks(scan.path, scan.id, scan_options_, callbacks);
     }

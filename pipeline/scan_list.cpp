@@ -131,11 +131,13 @@ std::vector<ScanFile> scans_of(const fs::path& path) {
   // A folder of photographs may have dots in its name.
   std::error_code code;
   const bool photos = fs::is_directory(path, code);
-  ScanFile file{path, photos ? naming_folder(path).filename().string() : path.stem().string(), {}};
+  ScanFile file{
+      path, photos ? naming_folder(path).filename().string() : path.stem().string(), {}, {}};
   if (!file.is_shp()) return {file};
   try {
     std::vector<ScanFile> scans;
-    for (ShpShape& shape : read_shp(path)) scans.push_back({path, id_from_name(shape.name), shape});
+    for (ShpShape& shape : read_shp(path))
+      scans.push_back({path, id_from_name(shape.name), shape, {}});
     if (scans.size() == 1) scans[0].id = file.id;
     return scans;
   } catch (const InputError&) {
@@ -146,6 +148,12 @@ std::vector<ScanFile> scans_of(const fs::path& path) {
 }  // namespace
 
 bool ScanFile::is_shp() const { return lower_case_extension(path) == ".shp"; }
+
+std::vector<fs::path> ScanFile::paths() const {
+  std::vector<fs::path> all = {path};
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
 
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
   std::vector<ScanFile> scans;
@@ -189,6 +197,60 @@ std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs) {
     }
   }
   return scans;
+}
+
+namespace {
+
+/// Joins scans to one entry.
+ScanFile joined_entry(const std::vector<fs::path>& paths, const std::string& id) {
+  constexpr std::size_t kMost = 8;
+  if (paths.size() < 2 || paths.size() > kMost) {
+    throw InputError(id + ": " + std::to_string(paths.size()) +
+                     (paths.size() == 1 ? " scan is" : " scans are") +
+                     " given to be joined; two to eight can be");
+  }
+  ScanFile joined{paths[0], id, {}, {paths.begin() + 1, paths.end()}};
+  std::set<fs::path> seen;
+  for (const fs::path& path : paths) {
+    if (ScanFile{path, "", {}, {}}.is_shp()) {
+      throw InputError(path.string() + ": is a shape and no scan, and cannot be joined");
+    }
+    std::error_code code;
+    const fs::path canonical = fs::weakly_canonical(path, code);
+    if (!seen.insert(code ? path : canonical).second) {
+      throw InputError(path.string() + ": is given twice; each scan is joined once");
+    }
+  }
+  return joined;
+}
+
+}  // namespace
+
+ScanFile list_joined_scans(const std::vector<std::string>& inputs, const std::string& id) {
+  std::vector<fs::path> paths;
+  for (const std::string& input : inputs) {  // in the given order: the first gives the frame
+    for (const ScanFile& scan : list_scans({input})) paths.push_back(scan.path);
+  }
+  return joined_entry(paths, id);
+}
+
+std::vector<ScanFile> list_joined_folders(const std::vector<std::string>& folders) {
+  std::map<fs::path, std::vector<fs::path>> by_folder;
+  for (const ScanFile& scan : list_scans(folders)) {
+    by_folder[fs::absolute(scan.path).lexically_normal().parent_path()].push_back(scan.path);
+  }
+  std::vector<ScanFile> joined;
+  std::map<std::string, fs::path> ids;
+  for (const auto& [folder, paths] : by_folder) {
+    const std::string id = to_utf8(folder.filename().string());
+    const auto [other, is_new] = ids.emplace(id, folder);
+    if (!is_new) {
+      throw InputError(folder.string() + " and " + other->second.string() +
+                       " would both be block " + id + "; rename one of them");
+    }
+    joined.push_back(paths.size() == 1 ? ScanFile{paths[0], id, {}, {}} : joined_entry(paths, id));
+  }
+  return joined;
 }
 
 }  // namespace clast

@@ -14,8 +14,11 @@ struct ScanFile {
   std::filesystem::path path;
   std::string id;
   std::optional<ShpShape> shape;
+  std::vector<std::filesystem::path> others = {};  ///< further scans that are joined to it
 
   bool is_shp() const;
+  /// Returns the paths of all scans of the block.
+  std::vector<std::filesystem::path> paths() const;
 };
 
 /// Lists the scans of files and folders, sorted by path and without duplicates. Folders are
@@ -26,5 +29,16 @@ struct ScanFile {
 /// are equal, the name of the parent folder is added, and then the extension.
 /// @throws InputError  if a folder has no scan or cannot be searched, or if ids are still equal
 std::vector<ScanFile> list_scans(const std::vector<std::string>& inputs);
+
+/// Makes one entry of several scans of a block, in the given order.
+/// @param inputs  files and folders of photographs
+/// @throws InputError  if there are fewer than two or more than eight scans, or one is a shape or
+///                     given twice
+ScanFile list_joined_scans(const std::vector<std::string>& inputs, const std::string& id);
+
+/// Makes one entry of the scans of each folder, with the name of the folder as its id. A folder
+/// with a single scan is a block of that scan.
+/// @throws InputError  if `list_scans` or `list_joined_scans` would throw
+std::vector<ScanFile> list_joined_folders(const std::vector<std::string>& folders);
 
 }  // namespace clast

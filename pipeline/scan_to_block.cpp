@@ -15,6 +15,7 @@
 #include "mesh/labelled_cloud.hpp"
 #include "mesh/mesh_io.hpp"
 #include "pipeline/detail/crossing_warning.hpp"
+#include "pipeline/detail/joined_scans.hpp"
 #include "pipeline/detail/photographed_blocks.hpp"
 #include "pipeline/detail/scan_scale.hpp"
 #include "pipeline/fewest_vertices.hpp"
@@ -116,6 +117,7 @@ Block make_scan_block(FieldBlock& found, const std::string& id, BlockSource sour
 struct ReadScan {
   FieldScan found;
   std::optional<PhotoScan> photos;
+  std::optional<JoinedScan> joined = {};
 };
 
 FieldScanOptions reading_options(const ScanToBlockOptions& options,
@@ -251,7 +253,8 @@ std::vector<Block> make_blocks(ReadScan& read, const std::string& id, BlockSourc
         callbacks.on_block_made(*made[i], {.raw = &found.raw,
                                            .field_block = &found.blocks[i],
                                            .photos = read.photos ? &*read.photos : nullptr,
-                                           .up = up});
+                                           .up = up,
+                                           .joined = read.joined ? &*read.joined : nullptr});
       }
     } catch (const Error& error) {  // of several blocks a bad one never costs the others
       if (count == 1 || !callbacks.on_block_lost) throw;
@@ -299,6 +302,36 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
                      format_scale_record(options) + " up=" + up, ""};
   ReadScan read = read_any_scan(path, options, source, callbacks);
   return make_blocks(read, id, std::move(source), up, options, callbacks);
+}
+
+std::string compute_joined_digest(const std::vector<std::filesystem::path>& paths) {
+  Sha256 digest;
+  for (const std::filesystem::path& path : paths) digest.add(compute_scan_digest(path));
+  return digest.finish();
+}
+
+Block reconstruct_joined_block(const std::vector<std::filesystem::path>& paths,
+                               const std::string& id, const ScanToBlockOptions& options,
+                               const ScanCallbacks& callbacks) {
+  if (options.split || options.block.core) {
+    throw InputError(std::string("joined scans are of one block; leave ") +
+                     (options.split ? "`split`" : "`core`") + " out");
+  }
+  std::string names;
+  for (const std::filesystem::path& path : paths) {
+    names += (names.empty() ? "" : " + ") + to_utf8(path.string());
+  }
+  BlockSource source{names, compute_joined_digest(paths),
+                     format_scale_record(options) + " joined=" + std::to_string(paths.size()), ""};
+  ReadScan read;
+  read.joined =
+      read_joined_scans(paths, id, options, reading_options(options, callbacks), callbacks);
+  read.found.blocks.push_back(std::move(read.joined->block));
+  for (const JoinedPoints& scan : read.joined->scans) {
+    read.found.raw.vertices.insert(read.found.raw.vertices.end(), scan.points.begin(),
+                                   scan.points.end());
+  }
+  return make_blocks(read, id, std::move(source), "z", options, callbacks).front();
 }
 
 std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::string& id,

@@ -10,7 +10,9 @@
 #include "core/fields.hpp"
 #include "core/progress.hpp"
 #include "library/make_block.hpp"
+#include "pipeline/join_options.hpp"
 #include "reconstruct/field_scan.hpp"
+#include "reconstruct/joined_scan.hpp"
 #include "reconstruct/photos/photo_scan.hpp"
 #include "reconstruct/simplify.hpp"
 
@@ -42,6 +44,7 @@ struct ScanToBlockOptions {
   /// (`write_labelled_cloud`); empty: none is written.
   std::filesystem::path labelled = {};
   PhotoScanOptions photos;  ///< options for folders of photographs
+  JoinOptions join = {};    ///< for scans that are joined to one block
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -49,8 +52,8 @@ struct ScanToBlockOptions {
 template <class Visit>
 void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   const auto& [scan, units, scale_points, scale_factor, vertices, block, radius_given, any_size,
-               up_given, find_ground, split, smallest_axis, edits, stations, labelled, photos] =
-      options;
+               up_given, find_ground, split, smallest_axis, edits, stations, labelled, photos,
+               join] = options;
   visit("scan", scan);
   visit("units", units);
   visit("scale_points", scale_points);
@@ -67,6 +70,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("stations", stations);
   visit("labelled", ExcludedField{labelled});
   visit("photos", photos);
+  visit("join", join);
 }
 
 /// Scan data from which a block was made.
@@ -78,6 +82,8 @@ struct BlockOrigin {
   const PhotoScan* photos =
       nullptr;           ///< photo scan; null if the source is not a folder of photographs
   std::string up = "z";  ///< up axis of the file
+  const JoinedScan* joined =
+      nullptr;  ///< joined scans, of which `raw` has the points; null for one
 };
 
 /// Points of a split scan and the blocks that were made of them.
@@ -120,6 +126,17 @@ std::string compute_scan_digest(const std::filesystem::path& path);
 std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const std::string& id,
                                       const ScanToBlockOptions& options = {},
                                       const ScanCallbacks& callbacks = {});
+
+/// Returns the SHA-256 of the digests of several scans.
+std::string compute_joined_digest(const std::vector<std::filesystem::path>& paths);
+
+/// Makes one block of several scans of it: meshes, clouds and folders of photographs, in any poses.
+/// The block is in the frame of the first scan, in metres, z up.
+/// @throws InputError, GeometryError  if a step fails, if the scans do not fit, or if they fit in
+///                                    several ways
+Block reconstruct_joined_block(const std::vector<std::filesystem::path>& paths,
+                               const std::string& id, const ScanToBlockOptions& options = {},
+                               const ScanCallbacks& callbacks = {});
 
 /// Makes the blocks of a mesh in memory, or of a cloud if it has no triangles. The source of the
 /// blocks is `id` with the digest of the coordinates.

@@ -3,14 +3,17 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
 #include "pipeline/board_file.hpp"
 #include "pipeline/deposit_edits_file.hpp"
+#include "pipeline/picked_pairs_file.hpp"
 #include "pipeline/scan_batch.hpp"
 #include "pipeline/shape_to_block.hpp"
 #include "pipeline/stations_file.hpp"
@@ -127,8 +130,21 @@ void take_photos(Keywords& given, PhotoScanOptions& photos) {
   photos.check();
 }
 
+/// Rotations in degrees and picked places of joined scans.
+void take_join(Keywords& given, JoinOptions& join) {
+  std::map<std::string, std::array<double, 3>> poses;
+  given.read("pose", poses);
+  for (const auto& [scan, degrees] : poses) {
+    join.poses.push_back({scan, Vec3(degrees[0], degrees[1], degrees[2]) / kDegreesPerRadian});
+  }
+  std::optional<fs::path> picked;
+  given.read("picked", picked);
+  if (picked) join.pairs = read_picked_pairs(*picked);
+}
+
 ScanToBlockOptions options_from(Keywords& given) {
   ScanToBlockOptions options;
+  take_join(given, options.join);
   take_scale(given, options);
   take_scan(given, options);
   take_block(given, options);
@@ -161,6 +177,18 @@ py::list of_scan(const std::string& scan, const std::optional<std::string>& id,
     if (!one.is_shp()) return reconstruct_blocks(one.path, name, options, callbacks);
     const ShpShape shape = one.shape ? *one.shape : read_shp(one.path).front();
     return std::vector<Block>{make_shape_block(shape, one.path, name, options, callbacks)};
+  }));
+}
+
+/// The block that several scans show.
+std::shared_ptr<Block> of_joined(const py::object& scans, const std::string& id,
+                                 const py::dict& keywords, const py::object& progress) {
+  const std::vector<std::string> inputs = parse_texts(scans, "scan");
+  Keywords given(keywords);
+  const ScanToBlockOptions options = options_from(given);
+  return std::make_shared<Block>(run_with_progress(progress, [&](const ProgressCallback& step) {
+    return reconstruct_joined_block(list_joined_scans(inputs, id).paths(), id, options,
+                                    {.progress = step});
   }));
 }
 
@@ -197,6 +225,7 @@ class Follower : public ScanBatchObserver {
                             .scale = "one unit of the file is " +
                                      format_significant(options_.scan.scan.unit, 6) + " m",
                             .density_given = options_.scan.block.density_given,
+                            .joined = origin.joined,
                             .photos = origin.photos});
   }
   void on_deposit_made(const ScanFile& scan, const std::vector<Block>& blocks,
@@ -258,11 +287,18 @@ py::dict batch(const py::object& scans, const fs::path& output, const py::dict& 
   given.read("replace", options.replace);
   given.read("resume", options.resume);
   given.read("report", pages);
+  std::string join;
+  bool join_folders = false;
+  given.read("join", join);
+  given.read("join_folders", join_folders);
   given.check_all_used();
   options.scan = options_from(of_scans);
   std::optional<Follower> follower;
   const ScanBatchResult result = run_with_progress(progress, [&](const ProgressCallback& step) {
-    const std::vector<ScanFile> files = list_scans(inputs);
+    const std::vector<ScanFile> files = !join.empty()
+                                            ? std::vector<ScanFile>{list_joined_scans(inputs, join)}
+                                        : join_folders ? list_joined_folders(inputs)
+                                                       : list_scans(inputs);
     options.check(files.size());
     follower.emplace(files.size(), options, pages);
     const ScanBatchResult made = reconstruct_scan_batch(files, options, *follower, step);
@@ -282,6 +318,7 @@ PYBIND11_MODULE(_reconstruct, module) {
   using namespace clast::python_detail;
   pybind11::module_::import("clast._core");  // has the types of what is returned
   module.def("of_scan", &of_scan);
+  module.def("of_joined", &of_joined);
   module.def("of_mesh", &of_mesh);
   module.def("batch", &batch);
 }

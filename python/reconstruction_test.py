@@ -83,6 +83,11 @@ def test_bad_scans_cost_a_batch_nothing(tmp_path):
         ((np.zeros((3, 3)), [[0, 1, 2]]), {"id": "flat"}, clast.Error, ""),
         (np.zeros((2, 3)), {"id": "two"}, clast.Error, ""),
         (SAMPLES / "blocks", {}, clast.InputError, "7 scans"),
+        ([SCAN], {"join": "B"}, clast.InputError, "two to eight"),
+        ([SCAN, SCAN], {"join": "B"}, clast.InputError, "given twice"),
+        ([SCAN, SCAN], {"join": "B", "id": "C"}, clast.InputError, "join"),
+        ([SCAN, SCAN], {"join": "B", "split": True}, clast.InputError, ""),
+        (SCAN, {"pose": {"top": (180, 0, 0)}}, clast.InputError, "join"),
     ],
 )
 def test_what_gives_no_block_is_refused(scan, keywords, error, words):

@@ -79,30 +79,46 @@ FieldDeposit extract_deposit_blocks(const TriangleMesh& raw, const std::string& 
   return reconstruct_detail::extract_deposit(raw, name, options);
 }
 
-FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
-  as_given.check();
-  FieldScanOptions options = as_given;
-  options.scan = resolve_scan_options(path, as_given.scan);
-  FieldScan scan;
+RawScan read_raw_scan(const std::filesystem::path& path, const ScanOptions& as_given) {
+  RawScan read;
+  read.scan = resolve_scan_options(path, as_given);
   CloudSummary summary;
   if (is_cloud(path)) {
     summary = stream_cloud(
         path,
         [&](const PointBatch& batch) {
-          scan.raw.vertices.insert(scan.raw.vertices.end(), batch.points.begin(),
-                                   batch.points.end());
+          read.mesh.vertices.insert(read.mesh.vertices.end(), batch.points.begin(),
+                                    batch.points.end());
         },
-        options.scan.columns);
-  } else if (!options.scan.columns.empty()) {
+        read.scan.columns);
+  } else if (!read.scan.columns.empty()) {
     throw InputError(path.string() + ": `columns` applies only to clouds in text; leave it out");
   } else {
-    scan.raw = read_mesh_or_points(path);
+    read.mesh = read_mesh_or_points(path);
   }
-  scan.crs = summary.crs;
+  read.crs = summary.crs;
   const std::vector<std::string> system_notes =
-      check_cloud_system(path, summary, bounds(scan.raw), options.scan);
+      check_cloud_system(path, summary, bounds(read.mesh), read.scan);
   const std::string note =
-      reconstruct_detail::check_coordinate_digits(scan.raw, path, options.scan.unit);
+      reconstruct_detail::check_coordinate_digits(read.mesh, path, read.scan.unit);
+  if (!note.empty()) read.notes.push_back(note);
+  read.notes.insert(read.notes.end(), system_notes.begin(), system_notes.end());
+  const auto left_out = [&](std::size_t count, const char* why) {
+    if (count > 0) read.notes.push_back(std::to_string(count) + " points left out: " + why);
+  };
+  left_out(summary.non_finite_points, "a coordinate is not finite");
+  left_out(summary.withheld_points, "the file flags them as withheld or classes them as noise");
+  return read;
+}
+
+FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOptions& as_given) {
+  as_given.check();
+  RawScan read = read_raw_scan(path, as_given.scan);
+  FieldScanOptions options = as_given;
+  options.scan = read.scan;
+  FieldScan scan;
+  scan.raw = std::move(read.mesh);
+  scan.crs = read.crs;
   if (options.split) {
     static_cast<FieldDeposit&>(scan) =
         scan.raw.triangles.empty()
@@ -114,14 +130,7 @@ FieldScan read_field_scan(const std::filesystem::path& path, const FieldScanOpti
     scan.blocks = extract_field_blocks(scan.raw, path.string(), options);
   }
   for (FieldBlock& block : scan.blocks) {
-    std::vector<std::string>& notes = block.scan.notes;
-    if (!note.empty()) notes.push_back(note);
-    notes.insert(notes.end(), system_notes.begin(), system_notes.end());
-    const auto left_out = [&](std::size_t count, const char* why) {
-      if (count > 0) notes.push_back(std::to_string(count) + " points left out: " + why);
-    };
-    left_out(summary.non_finite_points, "a coordinate is not finite");
-    left_out(summary.withheld_points, "the file flags them as withheld or classes them as noise");
+    block.scan.notes.insert(block.scan.notes.end(), read.notes.begin(), read.notes.end());
   }
   return scan;
 }

@@ -64,6 +64,19 @@ struct FieldScan : FieldDeposit {
   std::string crs;   ///< reference system that the file states; empty if unknown
 };
 
+/// A mesh or cloud as read, without its blocks.
+struct RawScan {
+  TriangleMesh mesh;               ///< in the file's units and axes; without triangles for a cloud
+  ScanOptions scan;                ///< options with the up axis of the file
+  std::string crs;                 ///< reference system that the file states; empty if unknown
+  std::vector<std::string> notes;  ///< on coordinates and points left out
+};
+
+/// Reads a mesh or cloud, and checks that its coordinates are lengths in the stated unit.
+/// @throws InputError  if `read_mesh` or `stream_cloud` throws, or if the file stores too few
+///                     digits for the shape of the block
+RawScan read_raw_scan(const std::filesystem::path& path, const ScanOptions& options = {});
+
 /// Reads a mesh or cloud and extracts its blocks, at least one. Closed meshes are cleaned as by
 /// `read_scan`. In open meshes, the ground is removed and the underside is closed. For clouds, a
 /// surface is reconstructed first. With `split`, `extract_deposit_blocks` extracts all blocks.

@@ -65,6 +65,7 @@ void BatchPrinter::on_block_made(const Block& block, const BlockOrigin& origin) 
                            .up = origin.up,
                            .scale = describe_block_scale(options_.scan),
                            .density_given = options_.scan.block.density_given,
+                           .joined = origin.joined,
                            .photos = origin.photos,
                            .photo_summary = evidence ? &*evidence : nullptr});
 }

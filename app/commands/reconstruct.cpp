@@ -10,12 +10,14 @@
 #include "app/companion.hpp"
 #include "app/interruption.hpp"
 #include "app/option_values.hpp"
+#include "core/angle.hpp"
 #include "core/error.hpp"
 #include "core/files/csv_writer.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
 #include "library/block_ranges.hpp"
 #include "pipeline/deposit_edits_file.hpp"
+#include "pipeline/picked_pairs_file.hpp"
 #include "pipeline/stations_file.hpp"
 
 namespace clast {
@@ -33,6 +35,10 @@ struct ReconstructArgs {
   double scale_factor = 1.0;
   std::string ground = "auto";
   std::string columns;
+  std::string join;           ///< id of the block that all scans show; empty: each is one block
+  bool join_folders = false;  ///< true: the scans of each folder show one block
+  std::vector<std::string> poses;
+  std::string picked;  ///< file; empty: none
   PhotoArgs photos;
 };
 
@@ -75,6 +81,36 @@ MeasuredLength measured_length(const std::string& text) {
   return {{a, b}, unit};
 }
 
+/// Parses "NAME: x=180,y=0,z=20".
+/// @throws CLI::ValidationError  if the text is of another form
+NamedPose parse_pose(const std::string& text) {
+  const auto refuse = [&](const std::string& what) {
+    throw CLI::ValidationError("--pose", "\"" + text + "\" " + what +
+                                             "; expected the name of a scan and rotations in "
+                                             "degrees, such as \"top: x=180,z=20\"");
+  };
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) refuse("names no scan");
+  NamedPose pose{text.substr(0, colon), Vec3::Zero()};
+  std::string angles = text.substr(colon + 1);
+  std::erase(angles, ' ');
+  for (const std::string& item : split_comma_separated(angles)) {
+    const std::string axes = "xyz";
+    const std::size_t axis = item.size() > 2 && item[1] == '=' ? axes.find(item[0]) : 3;
+    const std::optional<double> degrees =
+        axis < 3 ? parse_number(item.substr(2)) : std::optional<double>();
+    if (!degrees || !(std::abs(*degrees) <= 360.0)) refuse("has no rotation \"" + item + "\"");
+    pose.angles[static_cast<Eigen::Index>(axis)] = *degrees / kDegreesPerRadian;
+  }
+  return pose;
+}
+
+/// The scans of the command line, joined as asked.
+std::vector<ScanFile> scans_of(const ReconstructArgs& args) {
+  if (!args.join.empty()) return {list_joined_scans(args.scans, args.join)};
+  return args.join_folders ? list_joined_folders(args.scans) : list_scans(args.scans);
+}
+
 void reconstruct(const ReconstructArgs& args) {
   ScanBatchOptions batch = args.batch;
   ScanToBlockOptions& options = batch.scan;
@@ -92,7 +128,9 @@ void reconstruct(const ReconstructArgs& args) {
   if (!args.edits.empty()) options.edits = read_deposit_edits(args.edits);
   if (!args.stations.empty()) options.stations = read_stations(args.stations);
   options.scan.columns = split_comma_separated(args.columns);
-  const std::vector<ScanFile> scans = list_scans(args.scans);
+  for (const std::string& pose : args.poses) options.join.poses.push_back(parse_pose(pose));
+  if (!args.picked.empty()) options.join.pairs = read_picked_pairs(args.picked);
+  const std::vector<ScanFile> scans = scans_of(args);
   check_usage([&] { batch.check(scans.size()); });
   const InterruptionWatch watch(
       "\nclast: interrupted; waiting for the current step of each scan in progress (minutes for "
@@ -177,6 +215,35 @@ void add_scan_options(CLI::App& command, ReconstructArgs& args) {
       ->needs("--split");
   command.add_flag("--any-size", args.batch.scan.allow_any_size,
                    "Also accept blocks over 20 m, over 10,000 t or under 1 mm");
+}
+
+/// Several scans of one block.
+void add_join_options(CLI::App& command, ReconstructArgs& args) {
+  CLI::Option* join =
+      command
+          .add_option(
+              "--join", args.join,
+              "Make one block, with this id, of all scans: of both sides of a turned block, "
+              "in any poses. Two to eight scans; the first gives the frame")
+          ->excludes("--split")
+          ->type_name("ID");
+  command
+      .add_flag("--join-folders", args.join_folders,
+                "Make one block of the scans in each folder, with the folder's name as its id")
+      ->excludes("--split")
+      ->excludes(join);
+  command
+      .add_option("--pose", args.poses,
+                  "With --join or --join-folders: rotation, right within 30 degrees, that turns a "
+                  "scan to the first one, about x, then y, then z, such as \"top: x=180\"; for "
+                  "blocks that fit in several poses; repeatable")
+      ->type_name("SCAN:ANGLES")
+      ->allow_extra_args(false);
+  command
+      .add_option("--picked", args.picked,
+                  "With --join or --join-folders: table of three or more places that two scans "
+                  "show, with the columns scan_a,x,y,z,scan_b,x,y,z")
+      ->type_name("FILE");
 }
 
 void add_block_options(CLI::App& command, ScanToBlockOptions& options) {
@@ -279,6 +346,7 @@ void add_reconstruct_command(CLI::App& app) {
       ->type_name("SCAN");
   add_batch_options(*command, *args);
   add_scan_options(*command, *args);
+  add_join_options(*command, *args);
   add_block_options(*command, args->batch.scan);
   add_photo_options(*command, args->photos);
   command->footer(
@@ -290,11 +358,21 @@ void add_reconstruct_command(CLI::App& app) {
       "  clast reconstruct slope.las -o blocks.h5 --split --report pages\n"
       "  clast reconstruct slope.las -o blocks.h5 --split --report pages --edits edits.json "
       "--replace\n"
+      "  clast reconstruct B017_top.ply B017_bottom.ply -o blocks.h5 --join B017\n"
       "  clast reconstruct photos/B017 -o blocks.h5 --scale-bar 0,3,1.254 --marker-size 0.2\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
   command->callback([args, command] {
     const auto is_given = [&](const char* option) { return command->count(option) > 0; };
     ScanToBlockOptions& options = args->batch.scan;
+    const bool joins = is_given("--join") || is_given("--join-folders");
+    for (const char* needing : {"--pose", "--picked"}) {
+      if (is_given(needing) && !joins) {
+        throw CLI::RequiresError(needing, "--join or --join-folders");
+      }
+    }
+    if (is_given("--join") && args->join.empty()) {
+      throw CLI::ValidationError("--join", "the id of the block is empty");
+    }
     options.up_given = is_given("--up");
     options.find_ground = args->ground == "auto";
     options.radius_given = is_given("--radius") || is_given("--radius-share");

@@ -26,6 +26,9 @@ def reconstruct(
     scan: Any,
     id: str | None = None,  # noqa: A002
     *,
+    join: str | None = None,
+    pose: dict[str, Sequence[float]] | None = None,
+    picked: PathLike | None = None,
     units: str | None = None,
     scale_length: tuple[Sequence[float], Sequence[float], float] | None = None,
     scale_factor: float | None = None,
@@ -65,6 +68,11 @@ def reconstruct(
         scan: a mesh, a cloud, a .shp file, or a folder of photographs; or arrays in memory,
             (vertices (n, 3), triangles (m, 3)), or points (n, 3), which are not copied in Python.
         id: id of the block; default: the name of the file. Required for arrays.
+        join: id of the block that several scans show, in any poses; `scan` is then a list of two to
+            eight files or folders of photographs, of which the first gives the frame.
+        pose: with `join`: rotations about x, y and z in degrees, right within 30 degrees, that turn
+            a scan to the first one, by its name; for blocks that fit in several poses.
+        picked: with `join`: table of three or more places that two scans show.
         units: length unit: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
         scale_length: in place of units: two points of the scan and their distance in metres.
         scale_factor: factor on all lengths, applied after units or scale_length.
@@ -96,7 +104,7 @@ def reconstruct(
         InputError, GeometryError: the message names the file or id, the value and the remedy.
     """
     options = dict(
-        units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
+        pose=pose, picked=picked, units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
         columns=columns, ground=ground, split=split, smallest=smallest, edits=edits,
         labelled=labelled, any_size=any_size,
         vertices=vertices, radius=radius,
@@ -108,6 +116,12 @@ def reconstruct(
     )  # fmt: skip
     from clast import _reconstruct  # PCL and OpenCV: only now
 
+    if join is not None:
+        if id is not None:
+            raise InputError("id: `join` names the block; leave it out")
+        return _reconstruct.of_joined(_several(scan), join, options, progress)
+    if pose is not None or picked is not None:
+        raise InputError("pose and picked are for joined scans; give `join`")
     if isinstance(scan, (str, os.PathLike)):
         blocks = _reconstruct.of_scan(os.fspath(scan), id, options, progress)
     else:
@@ -136,6 +150,8 @@ def reconstruct_batch(
     replace: bool = False,
     resume: bool = False,
     report: PathLike | None = None,
+    join: str | None = None,
+    join_folders: bool = False,
     progress: Progress | None = None,
     **options: Any,
 ) -> Reconstruction:
@@ -150,6 +166,8 @@ def reconstruct_batch(
         replace: replace blocks whose id is in the library already.
         resume: skip scans whose block is in the library, made from the same file with the same options.
         report: folder for a page about each block.
+        join: id of the one block that all scans show.
+        join_folders: the scans of each folder show one block, with the name of the folder as its id.
         options: arguments of `reconstruct`.
     """
     from clast import _reconstruct
@@ -157,7 +175,8 @@ def reconstruct_batch(
     done = _reconstruct.batch(
         _several(scans),
         output,
-        dict(jobs=jobs, replace=replace, resume=resume, report=report),
+        dict(jobs=jobs, replace=replace, resume=resume, report=report, join=join,
+             join_folders=join_folders or None),
         options,
         progress,
     )

@@ -12,6 +12,9 @@ Progress = Callable[[dict[str, Any]], Any] | None
 def of_scan(
     scan: str, id: str | None, options: dict[str, Any], progress: Progress
 ) -> list[Block]: ...
+def of_joined(
+    scans: Sequence[str], id: str, options: dict[str, Any], progress: Progress
+) -> Block: ...
 def of_mesh(
     vertices: Any, triangles: Any, id: str, options: dict[str, Any], progress: Progress
 ) -> list[Block]: ...

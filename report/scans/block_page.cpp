@@ -1,5 +1,6 @@
 #include "report/scans/block_page.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/version.hpp"
@@ -189,6 +190,25 @@ std::string provenance(const Block& block) {
   return format_section("Source", table.html());
 }
 
+/// How well joined scans fit.
+std::string format_join_section(const JoinedScan& joined, const FieldBlock& block) {
+  const Registration& fit = joined.registration;
+  const auto metres = [](double value) { return format_significant_digits(value, 2) + " m"; };
+  const double reach =
+      std::max({4.0 * fit.deviation, 4.0 * fit.noise, 1.5 * fit.disagreement, 1e-9});
+  std::string html = draw_join_map(block.scan.mesh, joined.distances, reach);
+  html += "<dl class=\"facts\">";
+  html += format_fact("scans", std::to_string(fit.first_from_scan.size()));
+  html += format_fact("least overlap of a scan with the others", format_percent(fit.overlap));
+  html += format_fact("distance of the surfaces, root mean square", metres(fit.deviation));
+  html += format_fact("standard deviation of the points", metres(fit.noise));
+  html += format_fact("part of the overlap that disagrees",
+                      fit.disagreeing_fraction > 0.0 ? format_percent(fit.disagreeing_fraction) +
+                                                           ", by " + metres(fit.disagreement)
+                                                     : "none");
+  return format_section("The joined scans", html + "</dl>\n");
+}
+
 /// The surface as it was read beside what it became, what was repaired, and the photographs.
 std::string scan_sections(const Block& block, const BlockPageContents& scan) {
   if (scan.field_block == nullptr) return {};
@@ -196,6 +216,7 @@ std::string scan_sections(const Block& block, const BlockPageContents& scan) {
   const RepairReport& report = scan.field_block->scan.report;
   ScanOptions options = scan.options;
   options.up = scan.up;
+  if (scan.joined != nullptr) options.unit = 1.0;  // joined points are in metres
   std::string html = draw_before_and_after(*scan.raw, options, *scan.field_block,
                                            find_repair_marks(report), !is_unscaled(block));
   if (!scan.field_block->in_deposit) {  // the body of a block of a deposit needs no repair
@@ -204,6 +225,7 @@ std::string scan_sections(const Block& block, const BlockPageContents& scan) {
   }
   if (scan.field_block->underside)
     html += format_underside_section(*scan.field_block->underside, unit);
+  if (scan.joined != nullptr) html += format_join_section(*scan.joined, *scan.field_block);
   if (scan.photos != nullptr) {
     html += format_photo_section(*scan.photos,
                                  scan.photo_summary

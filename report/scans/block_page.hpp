@@ -3,7 +3,7 @@
 #include <string>
 
 #include "library/block.hpp"
-#include "reconstruct/field_scan.hpp"
+#include "reconstruct/joined_scan.hpp"
 #include "reconstruct/photos/photo_summary.hpp"
 
 namespace clast {
@@ -17,6 +17,7 @@ struct BlockPageContents {
   std::string up = "z";        ///< up axis of the file
   std::string scale = {};      ///< description of the origin of the scale
   bool density_given = false;  ///< true if the density was given; false if a weighed mass was given
+  const JoinedScan* joined = nullptr;           ///< joined scans; null for a block of one scan
   const PhotoScan* photos = nullptr;            ///< photo scan; null for other blocks
   const PhotoSummary* photo_summary = nullptr;  ///< summary of the photos; if null, it is computed
 };

@@ -268,6 +268,20 @@ std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& sca
          colour_bar(reach, metric);
 }
 
+std::string draw_join_map(const TriangleMesh& block, const std::vector<double>& distances,
+                          double reach) {
+  return draw_coloured_views(
+             block,
+             [&](std::uint32_t t) {
+               double sum = 0.0;
+               for (const std::uint32_t v : block.triangles[t]) sum += distances[v] / 3.0;
+               return std::isfinite(sum) ? deviation_colour(sum / reach) : kInside;
+             },
+             "The block, coloured by the distance between the surfaces of the joined scans (red: "
+             "far apart). Blue-grey: shown by one scan alone.") +
+         colour_bar(reach, true);
+}
+
 std::string draw_coloured_views(const TriangleMesh& mesh,
                                 const std::function<Rgb(std::uint32_t)>& colour,
                                 const std::string& caption, bool metric) {

@@ -31,6 +31,12 @@ std::string draw_before_and_after(const TriangleMesh& raw, const ScanOptions& op
 std::string draw_deviation_map(const TriangleMesh& skin, const TriangleMesh& scan, double reach,
                                bool metric = true);
 
+/// Draws a block of joined scans coloured by the distance of their surfaces, with a colour bar.
+/// @param distances  m, one per vertex; NaN where one scan alone observed the block
+/// @param reach  distance of the extreme colour, m
+std::string draw_join_map(const TriangleMesh& block, const std::vector<double>& distances,
+                          double reach);
+
 /// Draws a surface with coloured triangles from three directions.
 /// @param colour  function that returns the colour of a triangle
 std::string draw_coloured_views(const TriangleMesh& mesh,

@@ -81,6 +81,12 @@ TEST_F(Misuse, OfReconstruct) {
   refuse({"--split", "--mass", "5"}, "--mass is the mass of a single block, but --split");
   refuse({"b.obj", "--mass", "5"}, "--mass is the mass of a single block, but 2 scans are given");
   refuse({"--edits", "edits.json"}, "--split");
+  refuse({"--pose", "top: x=180"}, "--join");
+  refuse({"--picked", "picked.csv"}, "--join");
+  refuse({"b.obj", "--join", "B017", "--split"}, "--split");
+  refuse({"b.obj", "--join", "B017", "--join-folders"}, "--join");
+  refuse({"b.obj", "--join", "B017", "--pose", "top"}, "names no scan");
+  refuse({"b.obj", "--join", "B017", "--pose", "top: w=3"}, "has no rotation");
   refuse({"--core"}, "--radius");
   refuse({"--radius", "-0.1"}, "-0.1");
   refuse({"--radius", "0.1", "--radius-share", "0.1"}, "--radius-share");

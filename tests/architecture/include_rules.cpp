@@ -54,6 +54,7 @@ const std::map<std::string, Folders> kRooms = {
     {"reconstruct/underside", {"reconstruct/repair", "reconstruct/cloud"}},
     {"reconstruct/ground", {"reconstruct/cloud", "reconstruct/underside"}},
     {"reconstruct/deposit", {"reconstruct/cloud"}},
+    {"reconstruct/registration", {"reconstruct/cloud"}},
     {"terrain/gdal", {}},
     {"terrain/zones", {"terrain/gdal"}},
     {"terrain/repair", {"terrain/gdal", "terrain/zones"}},

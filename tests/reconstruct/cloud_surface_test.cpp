@@ -15,7 +15,7 @@
 #include "mesh/mesh_topology.hpp"
 #include "mesh/triangle_tree.hpp"
 #include "reconstruct/cloud/cloud.hpp"
-#include "reconstruct/cloud/detail/cloud_normals.hpp"
+#include "reconstruct/cloud/cloud_normals.hpp"
 #include "reconstruct/cloud/detail/poisson.hpp"
 #include "reconstruct/cloud/outliers.hpp"
 #include "tests/support/field_scene.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reconstruct/cloud/cloud.hpp"
-#include "reconstruct/cloud/detail/local_surface.hpp"
+#include "reconstruct/cloud/local_surface.hpp"
 
 namespace clast::reconstruct_detail {
 

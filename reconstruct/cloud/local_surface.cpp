@@ -1,4 +1,4 @@
-#include "reconstruct/cloud/detail/local_surface.hpp"
+#include "reconstruct/cloud/local_surface.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

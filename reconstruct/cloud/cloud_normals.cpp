@@ -1,4 +1,4 @@
-#include "reconstruct/cloud/detail/cloud_normals.hpp"
+#include "reconstruct/cloud/cloud_normals.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,27 @@
+#pragma once
+/// Points of the block in a scan, separated from its surroundings.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reconstruct/field_scan.hpp"
+
+namespace clast::reconstruct_detail {
+
+/// Points of one block, in metres, z up.
+struct BlockPoints {
+  std::vector<Vec3> points;
+  std::optional<Plane> ground = {};  ///< ground below the block; empty if it was scanned alone
+  std::vector<std::string> notes = {};
+};
+
+/// Removes duplicates, outliers, far points and, if present, the ground. Points close to the ground
+/// are removed too, because they may be of either. A mesh is sampled evenly.
+/// @param raw  mesh, or cloud if it has no triangles, in units and axes of the file
+/// @param name  name of the scan, for messages
+/// @throws InputError  if a point is out of range, or there are too few points
+/// @throws GeometryError  if there are separate clusters but no ground, or only ground
+BlockPoints extract_block_points(const TriangleMesh& raw, const std::string& name,
+                                 const FieldScanOptions& options);
+
+}  // namespace clast::reconstruct_detail

@@ -1,0 +1,30 @@
+#pragma once
+/// Search for all poses at which two observed surfaces may fit.
+#include <vector>
+
+#include "reconstruct/registration/detail/surface_agreement.hpp"
+
+namespace clast::reconstruct_detail {
+
+/// A refined pose and the agreement of the surfaces at it.
+struct PoseCandidate {
+  Similarity fixed_from_moving;
+  SurfaceAgreement agreement;
+  bool is_constrained = false;  ///< false if the surfaces can slide along each other
+};
+
+/// Largest height (m) of a point of one surface above the other that their noise explains.
+double fine_tolerance(const OrientedSurface& a, const OrientedSurface& b, double diagonal);
+
+/// True if two poses move no part of a surface apart by more than `distance` (m).
+/// @param radius  of the surface about the middle `centre`, m
+bool are_near(const Similarity& a, const Similarity& b, const Vec3& centre, double radius,
+              double distance);
+
+/// Searches all poses (`search_rotations`), refines the best and returns them with the highest
+/// score first.
+/// @param threads  number of threads; does not affect the result
+std::vector<PoseCandidate> search_poses(const IndexedSurface& fixed, const IndexedSurface& moving,
+                                        unsigned threads);
+
+}  // namespace clast::reconstruct_detail
