@@ -52,8 +52,8 @@ TriangleMesh make_body(std::size_t number) {
   return scaled(mesh, 1.0 / bounds(mesh).diagonal());
 }
 
-/// Kinds of cases: pairs of scans with usual and with little overlap, and pairs that do not fit.
-const std::vector<std::string> kKinds = {"same", "low", "other", "mirrored", "scaled"};
+/// Kinds of cases: pairs of scans of one stone, and pairs that do not fit.
+const std::vector<std::string> kKinds = {"same", "other", "mirrored", "scaled"};
 
 struct JoinRow {
   std::string outcome;  ///< right, bracketed, near, refused or wrong
@@ -111,8 +111,7 @@ JoinRow run_case(const std::string& kind, std::size_t number, std::uint64_t base
     recipe->ground_points = 0.3;
     recipe->sunk = random.uniform(0.0, 0.02);
   }
-  const bool low = kind == "low";
-  ScanPair pair = make_scan_pair(scanner, a, b, low ? 0.12 : 0.3, low ? 0.18 : 0.6, random);
+  ScanPair pair = make_scan_pair(scanner, a, b, 0.3, 0.6, random);
   if (kind == "mirrored") {
     for (Vec3& p : pair.second.points) p.x() = -p.x();
   } else if (kind == "scaled") {
@@ -127,7 +126,7 @@ JoinRow run_case(const std::string& kind, std::size_t number, std::uint64_t base
     const JoinedScan joined =
         join_scans({{"top", {pair.first.points, {}}, {}}, {"bottom", {pair.second.points, {}}, {}}},
                    "B", {}, {.threads = 0});
-    JoinRow row = judge(joined, body, kind == "same" || low);
+    JoinRow row = judge(joined, body, kind == "same");
     row.text = start.str() + row.outcome + ',' + row.text;
     return row;
   } catch (const Error& error) {
