@@ -25,7 +25,7 @@ class ParticleExportTest : public testing::Test {
  protected:
   ParticleExport exported(const std::string& engine) {
     options_.engine = engine;
-    options_.clump.error = {0.05, 0.1, 0.3};
+    options_.clump.error = {0.5, 0.5, 0.3};
     const bool fixed = options_.levels.empty() && options_.max_parts.value_or(0) == 0 &&
                        find_particle_engine(engine).shapes.front() == ParticleShape::kSpheres;
     options_.clump.balls.reset();
