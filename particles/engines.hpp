@@ -18,10 +18,10 @@ struct ParticleEngine {
   std::string name;                   ///< as in an option: "yade"
   std::string program;                ///< as its authors write it
   std::vector<ParticleShape> shapes;  ///< the first is the default
-  std::string files;                  ///< names of the files of a body, in Markdown
-  /// Which of mass, centre and inertia tensor the file carries; what the engine computes itself.
+  std::string files;                  ///< names of the files of a body; code is between tildes
+  /// Quantities that the files carry (mass, centre, inertia tensor), and what the engine computes.
   std::string mass;
-  std::string loading;  ///< how the file is loaded, in Markdown
+  std::string loading;  ///< call or command that loads the files; code is between tildes
   std::vector<ParticleFile> (*write)(const Particle& particle);
 };
 

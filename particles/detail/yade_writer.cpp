@@ -27,7 +27,7 @@ std::string clump_script(const Particle& particle) {
          "are\nSPHERES = [\n" +
          rows +
          "]\n\n\ndef add(material, position=(0, 0, 0), orientation=Quaternion((1, 0, 0), 0)):\n"
-         "    \"\"\"Adds the clump, with its centre of mass at `position`; returns its id.\"\"\"\n"
+         "    \"\"\"Adds the clump, with its centre of mass at position; returns its id.\"\"\"\n"
          "    spheres = []\n    for x, y, z, radius, density in SPHERES:\n"
          "        body = utils.sphere(Vector3(position) + orientation * Vector3(x, y, z), radius, "
          "material=material)\n        body.mat = type(material)(density=density)\n"
@@ -54,7 +54,7 @@ std::string polyhedron_script(const Particle& particle) {
          number_text(particle.mass) + "  # kg\nMOMENTS = " + tuple_text(particle.moments) +
          "  # kg m^2\nVERTICES = [\n" + rows +
          "]\n\n\ndef add(material, position=(0, 0, 0), orientation=Quaternion((1, 0, 0), 0)):\n"
-         "    \"\"\"Adds the polyhedron, with the centre of mass of the rock at `position`; "
+         "    \"\"\"Adds the polyhedron, with the centre of mass of the rock at position; "
          "returns "
          "its id.\"\"\"\n    points = [Vector3(position) + orientation * Vector3(v) for v in "
          "VERTICES]\n    body = polyhedra_utils.polyhedra(material, v=points)\n"
