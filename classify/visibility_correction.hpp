@@ -30,7 +30,7 @@ struct VisibilityCorrection {
   static constexpr double kMostFound = 0.95;
   /// Number of points with which half of the blocks are found (docs/theory/deposits.md), and the
   /// least visible fraction of a block that is found, as in reconstruct/deposit.
-  static constexpr std::size_t kLeastPoints = 120;
+  static constexpr std::size_t kLeastPoints = 150;
   static constexpr double kLeastVisibleFraction = 0.12;
   /// Least probability: no block stands for more than ten of its size.
   static constexpr double kLeastProbability = 0.1;

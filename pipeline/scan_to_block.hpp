@@ -37,7 +37,7 @@ struct ScanToBlockOptions {
   bool split = false;                   ///< true: makes all blocks of a deposit
   double smallest_axis = 0.0;           ///< with `split`: least intermediate axis I of a block, m
   std::vector<DepositEdit> edits = {};  ///< with `split`: corrections of the segmentation
-  /// With `split`: positions of the scanner or the cameras, in units and axes of the scan. Empty if
+  /// Positions of the scanner or the cameras, in units and axes of the scan, for `split`. Empty if
   /// they are unknown; for photographs, those of the cameras are used.
   std::vector<Vec3> stations = {};
   /// PLY file to which the points of a split scan are written with the block of each

@@ -25,7 +25,7 @@ struct FieldScanOptions {
   bool split = false;  ///< true: extracts all blocks of a deposit; false: the one near the centre
   double smallest_axis = 0.0;           ///< with `split`: least intermediate axis I of a block, m
   std::vector<DepositEdit> edits = {};  ///< with `split`: corrections of the segmentation
-  /// With `split`: positions of the scanner or the cameras, in units and axes of the scan. Empty if
+  /// Positions of the scanner or the cameras, in units and axes of the scan, for `split`. Empty if
   /// they are unknown.
   std::vector<Vec3> stations = {};
   CloudSurfaceOptions surface = {};  ///< surface reconstruction from points

@@ -22,7 +22,7 @@ struct DepositSampling {
   double mean_area = 1.0;    ///< mean visible area over I^2 at I = 0.25 m
   double slope = 0.5;        ///< its change with ln I
   double deviation = 0.6;    ///< its standard deviation
-  double spacing = 0.0264;   ///< m
+  double spacing = 0.0236;   ///< m
   double axis_error = 0.12;  ///< half width of the 90 % intervals of ln L, ln I and ln S
 };
 

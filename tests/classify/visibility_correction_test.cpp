@@ -40,7 +40,7 @@ TEST(VisibilityCorrection, RemovesTheBiasOfTheMedianOfManyDeposits) {
 
 TEST(VisibilityCorrection, IsSmallWhereAllBlocksAreSeen) {
   const SampledDeposit deposit =
-      sample_deposit(200, 5, {.mean_area = 2.0, .slope = 0.1, .deviation = 0.3, .spacing = 0.0198});
+      sample_deposit(200, 5, {.mean_area = 2.0, .slope = 0.1, .deviation = 0.3, .spacing = 0.0177});
   const VisibilityCorrection correction = fit_visibility_correction(deposit.found.blocks, 1);
   for (const double size : {0.25, 0.5, 1.0}) {
     EXPECT_GT(correction.inclusion_probability(size), 0.9 * VisibilityCorrection::kMostFound);
@@ -50,7 +50,7 @@ TEST(VisibilityCorrection, IsSmallWhereAllBlocksAreSeen) {
 
 TEST(VisibilityCorrection, FewerSmallBlocksAreFoundWithFewerPoints) {
   const SampledDeposit dense = sample_deposit(300, 6);
-  const SampledDeposit sparse = sample_deposit(300, 6, {.spacing = 0.0364});
+  const SampledDeposit sparse = sample_deposit(300, 6, {.spacing = 0.0325});
   const auto probability = [](const SampledDeposit& deposit, double size) {
     return fit_visibility_correction(deposit.found.blocks, 1).inclusion_probability(size);
   };

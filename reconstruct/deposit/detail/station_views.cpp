@@ -14,8 +14,8 @@ constexpr double kSightRadius = 1.3;  ///< of points around a line of sight, in 
 constexpr std::size_t kMinSightPoints = 4;
 constexpr double kSightMargin = 2.0;   ///< least distance of free space from points, in spacings
 constexpr double kSearchRadius = 2.0;  ///< around a line of sight, in spacings at the position
-constexpr double kCellSpacings = 2.0;  ///< side of a cell, in median angles between points
-constexpr double kLeastCell = 1e-4;    ///< in the octahedral map
+constexpr double kSightCellSpacings = 2.0;  ///< side of a cell, in median angles between points
+constexpr double kLeastCell = 1e-4;         ///< in the octahedral map
 constexpr std::size_t kMaxStations = 12;
 
 /// Maps a direction to a square with the sides 2, centred on the direction downwards. Only
@@ -57,7 +57,7 @@ StationViews::StationViews(const OrientedPoints& cloud, std::span<const Vec3> st
     }
     if (angles.empty()) continue;
     View view{
-        station, std::max(kLeastCell, kCellSpacings * upper_median(std::move(angles))), 0, {}};
+        station, std::max(kLeastCell, kSightCellSpacings * upper_median(std::move(angles))), 0, {}};
     view.columns = index_along(1.0, view.cell_side) + 1;
     for (std::uint32_t i = 0; i < cloud.size(); ++i) {
       const Vec3 ray = cloud.positions[i] - station;
