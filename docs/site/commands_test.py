@@ -12,6 +12,7 @@ The folder `inputs` holds what readers bring: scans in millimetres, a raster, a 
 import os
 import re
 import shutil
+import struct
 import subprocess
 from pathlib import Path
 
@@ -74,6 +75,24 @@ def write_box(path, x, y, z):
     path.write_text("\n".join(lines) + "\n")
 
 
+def write_sides(scan, top, bottom):
+    """Open meshes of the upper and the lower three quarters of a scan, the lower one turned over."""
+    head, body = scan.read_bytes().split(b"end_header\n", 1)
+    vertices, triangles = (int(line.split()[-1]) for line in head.decode().splitlines()
+                           if line.startswith("element"))  # fmt: skip
+    points = [struct.unpack_from("<3f", body, 12 * i) for i in range(vertices)]
+    faces = [struct.unpack_from("<3I", body, 12 * vertices + 13 * i + 1) for i in range(triangles)]
+    low, high = min(p[2] for p in points), max(p[2] for p in points)
+    for path, turn, limit in ((top, 1, 0.75 * low + 0.25 * high), (bottom, -1, -0.25 * low - 0.75 * high)):
+        kept = [face for face in faces if all(turn * points[v][2] > limit for v in face)]
+        lines = ["ply", "format ascii 1.0", f"element vertex {vertices}", "property double x",
+                 "property double y", "property double z", f"element face {len(kept)}",
+                 "property list uchar int vertex_indices", "end_header",
+                 *(f"{x:.9g} {turn * y:.9g} {turn * z:.9g}" for x, y, z in points),
+                 *(f"3 {a} {b} {c}" for a, b, c in kept)]  # fmt: skip
+        path.write_text("\n".join(lines) + "\n")
+
+
 def write_slope(path, nose=0.0):
     """A slope of 40 degrees above a flat, with a rounded nose of this height, as an ESRI grid with
     cells of 1 m."""
@@ -102,6 +121,7 @@ def inputs(environment, tmp_path_factory):
         ]  # fmt: skip
         (folder / "scans" / mesh.name).write_text("\n".join(lines) + "\n")
     write_box(folder / "scar.ply", 6, 4, 5)
+    write_sides(SOURCE / "samples/blocks/B04_elongated.ply", folder / "B017_top.ply", folder / "B017_bottom.ply")
     write_slope(folder / "quarry.asc")
     write_slope(folder / "before.asc", 4.0)
     (folder / "stops.csv").write_text("x,y\n31,80\n38,83\n42,79\n55,84\n47,76\n")
