@@ -14,7 +14,7 @@ CALLS = {
     "cut": [clast.cut],
     "show": [clast.Library.report, clast.Library.chosen],
     "classify": [clast.classify, clast.Population.report],
-    "export": [clast.Library.export, clast.Campaign.export],
+    "export": [clast.Library.export, clast.Library.export_particles, clast.Campaign.export],
     "library-merge": [clast.Library.merge],
     "library-remove": [clast.Library.remove],
     "library-set": [clast.Library.set],

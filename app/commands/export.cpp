@@ -13,6 +13,7 @@
 #include "app/companion.hpp"
 #include "app/option_flags.hpp"
 #include "app/option_values.hpp"
+#include "core/comma_separated.hpp"
 #include "core/error.hpp"
 #include "core/files/csv_writer.hpp"
 #include "core/number_text.hpp"
@@ -153,9 +154,10 @@ void add_export_command(CLI::App& app) {
   add_format_options(*command, *args);
   command
       ->add_option("--to", args->engine,
-                   "Write files for another engine: scenes of a campaign for rockable or exadem, "
-                   "blocks of a library as particles for the others")
-      ->check(CLI::IsMember(engine_names()))
+                   "Write files for another engine: scenes of a campaign for rockable or exadem; "
+                   "blocks of a library as particles for " +
+                       comma_separated(particle_engine_names()))
+      ->check(CLI::IsMember(engine_names()).description(""))  // a list too long for its column
       ->type_name("ENGINE");
   add_scene_options(*command, args->scene);
   add_particle_options(*command, args->particles);

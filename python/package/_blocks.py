@@ -38,6 +38,7 @@ def reconstruct(
     split: bool = False,
     smallest: float | None = None,
     edits: PathLike | None = None,
+    stations: PathLike | None = None,
     labelled: PathLike | None = None,
     any_size: bool = False,
     vertices: int | None = None,
@@ -82,6 +83,7 @@ def reconstruct(
         split: make all blocks of a deposit, apart or touching, as ID_1, ID_2, ...
         smallest: with `split`: smallest intermediate axis I of a block, m.
         edits: with `split`: file of corrections of the segmentation, as the page of the deposit saves it.
+        stations: with `split`: table of the positions of the scanner or the cameras, in the coordinates of the scan.
         labelled: with `split`: PLY file to which the points are written with the block of each.
         any_size: also accept blocks over 20 m, over 10,000 t or under 1 mm.
         vertices: largest number of vertices; default: the smallest number within the tolerance.
@@ -106,7 +108,7 @@ def reconstruct(
     options = dict(
         pose=pose, picked=picked, units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
         columns=columns, ground=ground, split=split, smallest=smallest, edits=edits,
-        labelled=labelled, any_size=any_size,
+        stations=stations, labelled=labelled, any_size=any_size,
         vertices=vertices, radius=radius,
         radius_share=radius_share, core=core, convex=convex, density=density, mass=mass,
         accuracy=accuracy, tolerance=tolerance, keep_inner_shells=keep_inner_shells,
