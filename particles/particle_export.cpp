@@ -249,7 +249,7 @@ void check_names(const std::vector<const Block*>& blocks) {
   }
 }
 
-/// What a job makes of a block.
+/// Result of the job of one block.
 struct Made {
   std::vector<Particle> particles;
   std::string failure;

@@ -123,7 +123,8 @@ class Registrar {
     });
   }
 
-  /// Joins the two scans that agree best; the first scan of the input has the identity as its pose.
+  /// Joins the two scans that agree best. One of them is the first scan of the input if poses are
+  /// given, since these are relative to it.
   void join_first_pair() {
     std::size_t best_a = 0, best_b = 1;
     double best = -1e300;
@@ -131,6 +132,7 @@ class Registrar {
       for (std::size_t b = 1; b < scans_.size(); ++b) {
         for (std::size_t a = 0; a < b; ++a) {
           if (is_picked(b) && a == 0) return start_with(0, b);
+          if (a != 0 && !options_.hints.empty()) continue;
           const auto& poses = candidates(a, b);
           if (poses.empty() || poses[0].agreement.score <= best) continue;
           best = poses[0].agreement.score;
@@ -177,11 +179,8 @@ class Registrar {
     return all;
   }
 
-  /// True unless a hint excludes the pose. Hints are relative to the first scan, which may not have
-  /// been joined yet; then they are compared later, by the scan that is.
+  /// True unless a hint excludes the pose. With hints, the first scan is joined first.
   bool fits_hint(std::size_t scan, const Similarity& pose) const {
-    const bool first_joined = std::find(joined_.begin(), joined_.end(), 0u) != joined_.end();
-    if (!first_joined) return true;
     for (const PoseHint& hint : options_.hints) {
       if (hint.scan != scan) continue;
       const Quat relative = poses_[0].pose.rotation.conjugate() * pose.pose.rotation;

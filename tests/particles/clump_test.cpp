@@ -59,7 +59,7 @@ TEST(Clump, GrowsWithTheBody) {
 TEST(Clump, SurfaceErrorIsTheLargestDistanceByAnotherSample) {
   const ParticleBody body = make_particle_body(cuboid(3.0, 2.0, 1.0));
   const std::vector<Ball> balls = {{Vec3::Zero(), 0.5}};
-  // From a corner of the cuboid to the ball.
+  // The largest distance is that from a corner of the cuboid to the ball.
   EXPECT_NEAR(measure_clump_errors(body, balls).surface, (Vec3(1.5, 1.0, 0.5).norm() - 0.5) / 3.0,
               1e-9);
   // The ball around the cuboid: its poles above the large faces.

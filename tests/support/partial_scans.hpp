@@ -13,7 +13,7 @@
 
 namespace clast {
 
-/// What a partial scan is made of. Lengths are relative to the largest extent of the block.
+/// Properties of a partial scan. Lengths are relative to the largest extent of the block.
 struct PartialScanRecipe {
   std::size_t points = 6000;    ///< on the block
   double noise = 0.002;         ///< standard deviation along the line of sight
