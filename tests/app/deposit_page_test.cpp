@@ -149,8 +149,11 @@ TEST_F(DepositPage, SelectsCorrectsAndContinues) {
   EXPECT_LT(after[0]["deposit"]["points"], 0.8 * double(before[0]["deposit"]["points"]));
   EXPECT_EQ(after[2]["deposit"]["confidence"], 1.0);
   EXPECT_GT(after[1]["box_m"][0], 1.2);
-  EXPECT_EQ(after[2]["box_m"], before[3]["box_m"]);
-  EXPECT_EQ(after[2]["volume_m3"], before[3]["volume_m3"]);
+  // Its body depends on the estimated ground, which the drop of points changes a little.
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(after[2]["box_m"][axis], double(before[3]["box_m"][axis]), 1e-6);
+  }
+  EXPECT_NEAR(after[2]["volume_m3"], double(before[3]["volume_m3"]), 1e-6);
 
   // The page of the corrected deposit continues the corrections.
   const Json again = seen(R"(
