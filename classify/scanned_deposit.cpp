@@ -12,8 +12,11 @@ namespace clast {
 namespace {
 
 constexpr std::size_t kReplicates = 400;
+/// Variance of proportions over that of the replicates, since errors of the blocks of one deposit
+/// are alike (docs/theory/deposits.md).
+constexpr double kVarianceFactor = 3.0;
 
-/// Sizes of the blocks of a deposit, and their weights, in one replicate or as estimated.
+/// Sizes of the blocks of a deposit and their weights: medians, or those of one replicate.
 struct WeighedBlocks {
   std::vector<BlockSizes> sizes;
   std::array<std::vector<double>, kSizeWeightings.size()> weights;
@@ -37,12 +40,13 @@ double draw_factor(double variance, Random& random) {
 
 using DepositBlocks = std::vector<const MeasuredBlock*>;
 
-WeighedBlocks weigh_estimates(const DepositBlocks& blocks, const VisibilityCorrection& correction) {
+WeighedBlocks weigh_medians(const DepositBlocks& blocks, const VisibilityCorrection& correction) {
   WeighedBlocks all;
   for (const MeasuredBlock* block : blocks) {
     const DepositObservation& seen = *block->deposit;
-    all.sizes.push_back({block->axes, seen.volume});
-    const auto weights = weights_of(seen, correction.inclusion_probability(block->axes.I));
+    all.sizes.push_back(median_block_sizes(*block));
+    const double probability = correction.inclusion_probability(all.sizes.back().axes.I);
+    const auto weights = weights_of(seen, probability);
     for (std::size_t w = 0; w < weights.size(); ++w) {
       all.weights[w].push_back(seen.confidence * weights[w]);
     }
@@ -121,37 +125,21 @@ std::vector<double> entries_of(const std::vector<std::vector<double>>& lists, st
   return entries;
 }
 
-/// Estimates proportions that sum to one. Classes of the estimated axes are blurred by the errors
-/// of the axes, those of the replicates once more. To first order in the variance of the errors,
-/// the difference is the bias (simulation extrapolation), which is subtracted. The interval is
-/// Wilson's of as many independent blocks as have this variance: three times that of the
-/// replicates, and the square of the difference, since its extrapolation is uncertain.
-/// @param estimated  proportions of the estimated axes
+/// Estimates proportions that sum to one: the means of the replicates. The interval is Wilson's for
+/// the number of independent blocks with `kVarianceFactor` times the variance of the replicates.
 /// @param replicates  proportions in each replicate
 /// @param most_trials  number of blocks that the weights are worth
-/// @cite cook1994
-std::vector<EstimatedValue> estimate_proportions(const std::vector<double>& estimated,
-                                                 const std::vector<std::vector<double>>& replicates,
+std::vector<EstimatedValue> estimate_proportions(const std::vector<std::vector<double>>& replicates,
                                                  double most_trials) {
-  constexpr double kVarianceFactor = 3.0;  ///< of 2 x - y, if x and y have a correlation of a half
-  std::vector<EstimatedValue> proportions(estimated.size());
-  double sum = 0.0;
-  for (std::size_t k = 0; k < estimated.size(); ++k) {
-    proportions[k].value =
-        std::max(0.0, 2.0 * estimated[k] - arithmetic_mean(entries_of(replicates, k)));
-    sum += proportions[k].value;
-  }
-  for (std::size_t k = 0; k < estimated.size(); ++k) {
-    const double p = sum > 0.0 ? std::min(1.0, proportions[k].value / sum) : 0.0;
+  std::vector<EstimatedValue> proportions(replicates.front().size());
+  for (std::size_t k = 0; k < proportions.size(); ++k) {
     const std::vector<double> values = entries_of(replicates, k);
-    const double mean = arithmetic_mean(values);
+    const double p = arithmetic_mean(values);
     double variance = 0.0;
-    for (const double value : values) variance += (value - mean) * (value - mean);
-    const double step = mean - estimated[k];
-    variance = kVarianceFactor * variance / static_cast<double>(values.size()) + step * step;
+    for (const double value : values) variance += (value - p) * (value - p);
+    variance *= kVarianceFactor / static_cast<double>(values.size());
     double trials = most_trials;
-    const double spread = std::max(p, mean);
-    if (variance > 0.0) trials = std::min(trials, spread * (1.0 - spread) / variance);
+    if (variance > 0.0) trials = std::min(trials, p * (1.0 - p) / variance);
     proportions[k] = {p, wilson_interval_of_proportion(p, std::max(trials, 1.0))};
   }
   return proportions;
@@ -180,19 +168,19 @@ auto values_of(const Replicates& replicates, unsigned threads, const Compute& co
   return values;
 }
 
-std::array<WeightedSizes, kSizeWeightings.size()> estimate_sizes(const WeighedBlocks& estimated,
+std::array<WeightedSizes, kSizeWeightings.size()> estimate_sizes(const WeighedBlocks& medians,
                                                                  const Replicates& replicates,
                                                                  unsigned threads) {
-  const std::vector<double> values = percentiles_of(estimated);
+  const std::vector<double> values = percentiles_of(medians);
   const auto drawn = values_of(replicates, threads, percentiles_of);
   std::array<WeightedSizes, kSizeWeightings.size()> all;
+  std::size_t k = 0;
   for (std::size_t w = 0; w < kSizeWeightings.size(); ++w) {
     all[w].weighting = kSizeWeightings[w];
-    for (std::size_t q = 0; q < kWeightedQuantities.size(); ++q) {
-      for (std::size_t p = 0; p < kWeightedPercentiles.size(); ++p) {
-        const std::size_t k =
-            (w * kWeightedQuantities.size() + q) * kWeightedPercentiles.size() + p;
-        all[w].percentiles[q][p] = estimate_from(values[k], entries_of(drawn, k));
+    for (auto& percentiles : all[w].percentiles) {
+      for (EstimatedValue& percentile : percentiles) {
+        percentile = estimate_from(values[k], entries_of(drawn, k));
+        ++k;
       }
     }
   }
@@ -205,15 +193,13 @@ struct EffectiveTrials {
 };
 
 CorrectedSchemeFractions estimate_fractions(const std::string& scheme, const SchemeOptions& limits,
-                                            const WeighedBlocks& estimated,
                                             const Replicates& replicates, unsigned threads,
                                             const EffectiveTrials& trials) {
   const auto proportions_by = [&](std::size_t weighting, double most_trials) {
     const auto fractions = [&](const WeighedBlocks& one) {
       return fractions_of(one, weighting, scheme, limits);
     };
-    return estimate_proportions(fractions(estimated), values_of(replicates, threads, fractions),
-                                most_trials);
+    return estimate_proportions(values_of(replicates, threads, fractions), most_trials);
   };
   const std::vector<EstimatedValue> found = proportions_by(kFound, trials.found);
   const std::vector<EstimatedValue> corrected = proportions_by(kCorrected, trials.corrected);
@@ -258,7 +244,7 @@ std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population&
   if (!(summary.expected_blocks > 0.0)) return std::nullopt;
   summary.correction = fit_visibility_correction(observed, options.seed, kReplicates);
 
-  const WeighedBlocks estimated = weigh_estimates(blocks, summary.correction);
+  const WeighedBlocks medians = weigh_medians(blocks, summary.correction);
   Replicates replicates(kReplicates);
   std::vector<std::uint64_t> seeds;
   for (Random random(options.seed); seeds.size() < kReplicates;)
@@ -269,16 +255,15 @@ std::optional<ScannedDepositSummary> summarise_scanned_deposit(const Population&
   });
   const auto count_of = [](const WeighedBlocks& one) { return sum_of(one.weights[kCorrected]); };
   summary.corrected_blocks =
-      estimate_from(count_of(estimated), values_of(replicates, threads, count_of));
-  summary.sizes = estimate_sizes(estimated, replicates, threads);
-  const double found_trials =
-      effective_trials(estimated.weights[kFound], 1.0 - VisibilityCorrection::kMostFound);
-  const double found_fraction = summary.expected_blocks / summary.corrected_blocks.value;
-  const double corrected_trials =
-      effective_trials(estimated.weights[kCorrected], 1.0 - found_fraction);
+      estimate_from(count_of(medians), values_of(replicates, threads, count_of));
+  summary.sizes = estimate_sizes(medians, replicates, threads);
+  const double unseen = 1.0 - summary.expected_blocks / summary.corrected_blocks.value;
+  const EffectiveTrials trials = {
+      effective_trials(medians.weights[kFound], 1.0 - VisibilityCorrection::kMostFound),
+      effective_trials(medians.weights[kCorrected], unseen)};
   for (const std::string& scheme : options.selected_schemes()) {
-    summary.schemes.push_back(estimate_fractions(scheme, options.limits, estimated, replicates,
-                                                 threads, {found_trials, corrected_trials}));
+    summary.schemes.push_back(
+        estimate_fractions(scheme, options.limits, replicates, threads, trials));
   }
   summary.long_axes = summarise_long_axes(observed);
   return summary;

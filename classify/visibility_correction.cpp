@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "classify/size_draws.hpp"
 #include "core/statistics/probability.hpp"
 #include "core/statistics/statistics.hpp"
 #include "core/statistics/tempered_sampling.hpp"
@@ -95,9 +96,10 @@ VisibilityCorrection fit_visibility_correction(std::span<const MeasuredBlock> bl
   double log_size = 0.0;
   for (const MeasuredBlock& block : blocks) {
     const DepositObservation& seen = *block.deposit;
-    log_size += std::log(block.axes.I) / static_cast<double>(blocks.size());
+    const double size = median_block_sizes(block).axes.I;
+    log_size += std::log(size) / static_cast<double>(blocks.size());
     spacings.push_back(seen.spacing);
-    ratios.push_back(relative_area(static_cast<double>(seen.points), seen.spacing, block.axes.I) /
+    ratios.push_back(relative_area(static_cast<double>(seen.points), seen.spacing, size) /
                      std::max(seen.visible_fraction, 1e-3));
   }
   fit.middle_size = std::exp(log_size);
@@ -110,9 +112,10 @@ VisibilityCorrection fit_visibility_correction(std::span<const MeasuredBlock> bl
     const MeasuredBlock& block = blocks[k * blocks.size() / count];
     const DepositObservation& seen = *block.deposit;
     VisibleArea one;
-    one.log_size = std::log(block.axes.I / fit.middle_size);
-    one.area = relative_area(static_cast<double>(seen.points), seen.spacing, block.axes.I);
-    one.limit = std::min(one.area, least_area(seen.spacing, block.axes.I, fit.surface_ratio));
+    const double size = median_block_sizes(block).axes.I;
+    one.log_size = std::log(size / fit.middle_size);
+    one.area = relative_area(static_cast<double>(seen.points), seen.spacing, size);
+    one.limit = std::min(one.area, least_area(seen.spacing, size, fit.surface_ratio));
     areas.push_back(one);
   }
   const TemperedSample sample =

@@ -74,7 +74,7 @@ std::optional<WeightedDeposit> weigh_deposit(std::span<const Block* const> block
   const VisibilityCorrection correction = fit_visibility_correction(deposit.blocks, kSeed);
   for (const MeasuredBlock& block : deposit.blocks) {
     deposit.weights.push_back(block.deposit->confidence /
-                              correction.inclusion_probability(block.axes.I));
+                              correction.inclusion_probability(median_block_sizes(block).axes.I));
   }
   return deposit;
 }

@@ -43,8 +43,8 @@ inline Axes draw_rock_axes(double size, Random& random) {
           size * random.uniform(kind->s_low, kind->s_high)};
 }
 
-/// Draws bodies with N(larger than I) ~ 1/I^2 from 0.25 m on. Those with enough points and 12 % of
-/// their surface are found.
+/// Draws estimated axes with N(larger than I) ~ 1/I^2 from 0.25 m on, and the true axes within
+/// their intervals. Bodies with enough points and 12 % of their surface are found.
 inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
                                      const DepositSampling& sampling = {}) {
   constexpr double kSurface = 3.3;  // over I^2
@@ -53,17 +53,18 @@ inline SampledDeposit sample_deposit(std::size_t count, std::uint64_t seed,
   SampledDeposit deposit;
   deposit.found.name = "deposit";
   while (deposit.truth.size() < count) {
-    const double size = kSmallest / std::sqrt(1.0 - random.uniform());
-    const Axes axes = draw_rock_axes(size, random);
+    const Axes estimate = draw_rock_axes(kSmallest / std::sqrt(1.0 - random.uniform()), random);
+    const auto true_side = [&](double side) {
+      return side * std::exp(sampling.axis_error / 1.645 * random.normal());
+    };
+    const Axes axes =
+        Axes::sorted(true_side(estimate.L), true_side(estimate.I), true_side(estimate.S));
+    const double size = axes.I;
     deposit.truth.push_back(axes);
     const double area = sampling.mean_area + sampling.slope * std::log(size / kSmallest) +
                         sampling.deviation * random.normal();
     const double points = area * size * size / (sampling.spacing * sampling.spacing);
     if (points < VisibilityCorrection::kLeastPoints || area < 0.12 * kSurface) continue;
-    const auto measured = [&](double side) {
-      return side * std::exp(sampling.axis_error / 1.645 * random.normal());
-    };
-    const Axes estimate = Axes::sorted(measured(axes.L), measured(axes.I), measured(axes.S));
     MeasuredBlock block = make_measured_block("B" + std::to_string(deposit.truth.size()), estimate);
     DepositObservation seen;
     const double low = std::exp(-sampling.axis_error), high = std::exp(sampling.axis_error);

@@ -40,6 +40,14 @@ TEST(SizeDraws, NineOfTenAreInsideTheIntervals) {
   }
 }
 
+TEST(SizeDraws, MediansAreTheGeometricMeansOfTheLimits) {
+  const MeasuredBlock block = block_with_intervals({3.0, 1.0, 0.3}, 0.8, 1.1);
+  const BlockSizes sizes = median_block_sizes(block);
+  EXPECT_NEAR(sizes.axes.L, 3.0 * std::sqrt(0.88), 1e-12);
+  EXPECT_NEAR(sizes.axes.S, 0.3 * std::sqrt(0.88), 1e-12);
+  EXPECT_NEAR(sizes.volume, block.deposit->volume * std::sqrt(0.7 * 1.6), 1e-12);
+}
+
 TEST(SizeDraws, AxesKeepTheirOrderThoughTheIntervalsOverlap) {
   const MeasuredBlock block = block_with_intervals({1.02, 1.0, 0.99}, 0.7, 1.4);
   Random random(2);
