@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/fields.hpp"
 #include "core/files/digest.hpp"
+#include "core/files/output_file.hpp"
 #include "core/number_text.hpp"
 #include "core/ordered_jobs.hpp"
 #include "library/library_update.hpp"
@@ -57,6 +58,7 @@ class Batch {
     if (std::filesystem::exists(options.library)) library_ = BlockLibrary::read(options.library);
     // A place that can't be written is refused before the work and not after it.
     check_library_writable(options.library);
+    if (!options.scan.labelled.empty()) check_labelled_target();
   }
 
   ScanBatchResult run() {
@@ -86,6 +88,15 @@ class Batch {
     const ScanFile* scan;
     std::string id;
   };
+
+  void check_labelled_target() const {
+    const std::filesystem::path& labelled = options_.scan.labelled;
+    if (is_same_file(labelled, scans_[0].path)) {
+      throw InputError(labelled.string() +
+                       ": is the scan and would be overwritten; give another name");
+    }
+    check_output_target(labelled, {.kind = "PLY", .replace = options_.replace});
+  }
 
   bool is_of(const Block& block, const std::string& sha256) const {
     return block.source.options.ends_with(request_) && block.source.sha256 == sha256;

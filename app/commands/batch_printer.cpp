@@ -1,16 +1,14 @@
 #include "app/commands/batch_printer.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <iostream>
-#include <string_view>
 #include <utility>
 
 #include "app/option_flags.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
+#include "core/shell_words.hpp"
 #include "core/utf8.hpp"
 #include "reconstruct/photos/photo_summary.hpp"
 #include "report/json/block_json.hpp"
@@ -20,18 +18,6 @@
 namespace clast {
 
 namespace {
-
-/// Quotes an argument for a shell if it has other characters than those of usual paths.
-std::string quote_argument(const std::string& text) {
-  const bool is_plain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) ||
-           std::string_view("_-./+,:=@").find(c) != std::string_view::npos;
-  });
-  if (is_plain) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 std::string describe_block_scale(const ScanToBlockOptions& options) {
   std::string text = "one unit of the file is " + format_significant(options.scan.unit, 6) + " m";
@@ -45,8 +31,13 @@ std::string describe_block_scale(const ScanToBlockOptions& options) {
 }  // namespace
 
 BatchPrinter::BatchPrinter(std::size_t scans, const ScanBatchOptions& options,
-                           const std::string& report, bool json)
-    : options_(options), scans_(scans), folder_(report), json_(json), bar_("scans", scans) {
+                           const std::string& report, bool json,
+                           std::vector<std::string> given_options)
+    : options_(options),
+      scans_(scans),
+      given_options_(std::move(given_options)),
+      json_(json),
+      bar_("scans", scans) {
   if (!report.empty()) report_.emplace(report, options.replace || options.resume);
 }
 
@@ -74,13 +65,9 @@ void BatchPrinter::on_deposit_made(const ScanFile& scan, const std::vector<Block
                                    const DepositOrigin& origin) {
   if (!report_) return;
   const ScanToBlockOptions& options = options_.scan;
-  std::string command = "clast reconstruct " + quote_argument(scan.path.string()) + " -o " +
-                        quote_argument(options_.library.string()) + " --split";
-  if (options.smallest_axis > 0.0) {
-    command += " --smallest " + format_significant(options.smallest_axis, 6);
-  }
-  if (options.units != "m") command += " --units " + options.units;
-  command += " --edits edits.json --replace --report " + quote_argument(folder_);
+  std::vector<std::string> words = {"clast", "reconstruct", scan.path.string()};
+  words.insert(words.end(), given_options_.begin(), given_options_.end());
+  words.insert(words.end(), {"--edits", "edits.json", "--replace"});
   report_->prepare_deposit({.name = scan.id,
                             .file = scan.path.string(),
                             .scan = origin.scan,
@@ -90,7 +77,7 @@ void BatchPrinter::on_deposit_made(const ScanFile& scan, const std::vector<Block
                             .blocks = &blocks,
                             .edits = options.edits,
                             .stem = scans_ == 1 ? "deposit" : "deposit_" + scan.id,
-                            .next_command = command});
+                            .next_command = format_shell_command(words)});
 }
 
 void BatchPrinter::check_block(const Block& block) { accepted_ = block_json(block); }

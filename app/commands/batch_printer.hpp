@@ -20,9 +20,11 @@ class BatchPrinter : public ScanBatchObserver {
   /// @param scans  number of scans
   /// @param report  folder of pages; if empty, no pages are written
   /// @param json  true if blocks are printed as JSON at the end; false if as lines
+  /// @param given_options  options of the command line with their values, without `--edits` and
+  ///                       `--replace`; pages state the command that applies edits
   /// @throws InputError  if the folder of pages cannot be written
   BatchPrinter(std::size_t scans, const ScanBatchOptions& options, const std::string& report,
-               bool json);
+               bool json, std::vector<std::string> given_options);
 
   void on_block_made(const Block& block, const BlockOrigin& origin) override;
   void on_deposit_made(const ScanFile& scan, const std::vector<Block>& blocks,
@@ -49,7 +51,7 @@ class BatchPrinter : public ScanBatchObserver {
 
   const ScanBatchOptions& options_;
   std::size_t scans_;
-  std::string folder_;  ///< of pages
+  std::vector<std::string> given_options_;  ///< of pages
   bool json_;
   ProgressBar bar_;
   std::optional<ScanReport> report_;

@@ -18,6 +18,7 @@
 #include "core/error.hpp"
 #include "core/files/csv_writer.hpp"
 #include "core/files/file_kind.hpp"
+#include "core/files/output_file.hpp"
 #include "core/files/text_file.hpp"
 #include "core/length_unit.hpp"
 #include "core/number_text.hpp"
@@ -145,10 +146,8 @@ void check_sources(const CutArgs& args) {
         "--scar");
   }
   for (const std::string& input : split_comma_separated(args.before + "," + args.after)) {
-    std::error_code none;
     if (input.empty() || args.scar.empty()) continue;
-    if (std::filesystem::weakly_canonical(input, none) ==
-        std::filesystem::weakly_canonical(args.scar, none)) {
+    if (is_same_file(args.scar, input)) {
       throw InputError("--scar " + args.scar +
                        ": is an input and would be overwritten; give another name");
     }

@@ -111,7 +111,21 @@ std::vector<ScanFile> scans_of(const ReconstructArgs& args) {
   return args.join_folders ? list_joined_folders(args.scans) : list_scans(args.scans);
 }
 
-void reconstruct(const ReconstructArgs& args) {
+/// Returns the options of a command line with their values, without those that apply edits.
+std::vector<std::string> given_options(const CLI::App& command) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->get_positional() || name == "--edits" || name == "--replace") continue;
+    for (const std::string& value : option->results()) {
+      words.push_back(name);
+      if (option->get_items_expected_max() > 0) words.push_back(value);
+    }
+  }
+  return words;
+}
+
+void reconstruct(const ReconstructArgs& args, const CLI::App& command) {
   ScanBatchOptions batch = args.batch;
   ScanToBlockOptions& options = batch.scan;
   options.photos = args.photos.parse();
@@ -135,7 +149,7 @@ void reconstruct(const ReconstructArgs& args) {
   const InterruptionWatch watch(
       "\nclast: interrupted; waiting for the current step of each scan in progress (minutes for "
       "photographs); finished blocks are kept. Press Ctrl-C again to stop at once\n");
-  BatchPrinter printer(scans.size(), batch, args.report, args.json);
+  BatchPrinter printer(scans.size(), batch, args.report, args.json, given_options(command));
   const ProgressCallback progress = [&](const ProgressUpdate& step) {
     if (watch.interrupted()) throw Cancelled();
     printer.show(step);
@@ -377,7 +391,7 @@ void add_reconstruct_command(CLI::App& app) {
     options.find_ground = args->ground == "auto";
     options.radius_given = is_given("--radius") || is_given("--radius-share");
     options.block.density_given = is_given("--density");
-    reconstruct(*args);
+    reconstruct(*args, *command);
   });
 }
 

@@ -178,13 +178,6 @@ void draw_picture(const TerrainArgs& args, const std::vector<Vec3>& releases,
                rules_of(args, args.picture));
 }
 
-bool is_same_file(const std::filesystem::path& output, const std::filesystem::path& input) {
-  std::error_code none;
-  return std::filesystem::weakly_canonical(output, none) ==
-             std::filesystem::weakly_canonical(input, none) ||
-         std::filesystem::equivalent(output, input, none);
-}
-
 /// Refuses outputs that would replace files that must be kept, before the work starts.
 void check_places(const TerrainArgs& args) {
   check_output_target(args.output, terrain_rules(args));

@@ -151,6 +151,12 @@ void throw_concurrent_write(const fs::path& target) {
       ": another program wrote it meanwhile, so it is not replaced; run again with another name");
 }
 
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code none;
+  return fs::weakly_canonical(a, none) == fs::weakly_canonical(b, none) ||
+         fs::equivalent(a, b, none);
+}
+
 void check_disk_space(const fs::path& target, std::initializer_list<std::uint64_t> files) {
   const auto refuse = [&](std::uint64_t bytes, std::uint64_t most, const std::string& what) {
     if (bytes <= most) return;

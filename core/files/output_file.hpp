@@ -65,6 +65,9 @@ void write_output(const std::filesystem::path& target, std::string_view content,
 /// @throws InputError  as `OutputFile`
 void check_output_target(const std::filesystem::path& target, const OverwritePolicy& rules);
 
+/// Returns true if two paths name one file, which need not exist.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Checks that files of the given sizes (bytes) fit on the disk of the target, and that none
 /// exceeds the file size limit of the process.
 /// @throws InputError  if they do not; the message gives the needed and available sizes

@@ -156,9 +156,9 @@ void DepositOptions::check() const {
 Deposit segment_deposit(std::span<const Vec3> points, const DepositOptions& options) {
   options.check();
   if (points.size() < kMinDepositPoints) {
-    throw GeometryError(std::to_string(points.size()) +
-                        " points are too few for a deposit; at least " +
-                        std::to_string(kMinDepositPoints) + " are needed");
+    throw GeometryError(
+        format_count(points.size(), "point") + (points.size() == 1 ? " is" : " are") +
+        " too few for a deposit; at least " + std::to_string(kMinDepositPoints) + " are needed");
   }
   DepositCandidates all = find_all_candidates(points, options);
   check_edits_fit(options.edits, all.misfits);

@@ -97,7 +97,7 @@ CleanCloud clean_cloud(const std::vector<Vec3>& raw, const std::string& name, do
     clean.points.push_back(once[i]);
     clean.sources.push_back(unique[i]);
   }
-  clean.notes.push_back("made from " + std::to_string(raw.size()) + " points, " +
+  clean.notes.push_back("scan of " + std::to_string(raw.size()) + " points, " +
                         std::to_string(once.size() - clean.points.size()) + " of them outliers");
   if (once.size() < raw.size()) {
     clean.notes.push_back(std::to_string(raw.size() - once.size()) +

@@ -48,14 +48,21 @@ std::string describe_resolution(std::size_t points, double spacing) {
          " m show blocks from about " + format_significant(kResolvedSpacings * spacing, 2) + " m";
 }
 
-/// Number of the parts that were left out, to follow "no part of the scan is a block".
-std::string describe_left_out(const std::vector<LeftOutPart>& parts) {
-  if (parts.empty()) return "";
+/// States why there is no block, to follow "no part of the scan is a block", and what to do.
+std::string explain_no_block(const Deposit& deposit, std::size_t points) {
+  const std::vector<LeftOutPart>& parts = deposit.left_out;
   const auto largest = std::max_element(
       parts.begin(), parts.end(),
       [](const LeftOutPart& a, const LeftOutPart& b) { return a.points < b.points; });
-  return " (" + format_count(parts.size(), "part") +
-         " left out, the largest because of: " + name_of(largest->reason) + ")";
+  std::string text;
+  if (largest != parts.end()) {
+    text = " (" + format_count(parts.size(), "part") +
+           " left out, the largest because of: " + name_of(largest->reason) + ")";
+    if (largest->reason == LeftOutReason::kTooSmall) return text + "; give a lower limit";
+  }
+  return text + "; " + describe_resolution(points, deposit.spacing) +
+         "; check that z points up (`up`), scan more densely, or, if this is one block alone, "
+         "leave `split` out";
 }
 
 /// True if a block dominates the scan, with a strip of ground around it: all points are near it,
@@ -104,9 +111,10 @@ FieldBlock field_block(DepositBlock block, const std::vector<std::string>& notes
   FieldBlock found;
   found.scan.mesh = std::exchange(block.body, {});
   found.scan.notes = notes;
-  found.scan.notes.push_back("made from " + std::to_string(block.points.size()) + " points, " +
-                             format_significant(100.0 * block.visible_fraction, 2) +
-                             " % of its surface is visible; the rest is estimated");
+  found.scan.notes.push_back(format_significant(100.0 * block.visible_fraction, 2) +
+                             " % of its surface is visible, with " +
+                             std::to_string(block.points.size()) +
+                             " points; the rest is estimated");
   if (!block.contacts.empty()) {
     found.scan.notes.push_back((block.contacts.size() == 1 ? "touches block " : "touches blocks ") +
                                list_contacts(block.contacts) + " of this scan");
@@ -130,11 +138,10 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
                                                    .progress = options.progress});
   if (deposit.blocks.empty()) {
     throw GeometryError(name + ": no part of the scan is a block" +
-                        describe_left_out(deposit.left_out) + "; " +
-                        describe_resolution(raw.size(), deposit.spacing) +
-                        "; scan more densely, or, if this is one block alone, leave `split` out");
+                        explain_no_block(deposit, raw.size()));
   }
   FieldDeposit found;
+  found.notes = clean.notes;
   const double resolved = kResolvedSpacings * deposit.spacing;
   if (options.smallest_axis > 0.0 && options.smallest_axis < resolved) {
     found.notes.push_back("`smallest_axis` is " + format_significant(options.smallest_axis, 4) +
@@ -150,7 +157,7 @@ FieldDeposit extract_deposit(const std::vector<Vec3>& raw, const std::string& na
       i = static_cast<std::uint32_t>(clean.sources[i]);
       found.block_of_point[i] = static_cast<std::uint32_t>(b + 1);
     }
-    found.blocks.push_back(field_block(std::move(deposit.blocks[b]), clean.notes));
+    found.blocks.push_back(field_block(std::move(deposit.blocks[b]), {}));
   }
   for (std::size_t i = 0; i < raw.size(); ++i) {
     found.block_of_point[i] = found.block_of_point[clean.first_duplicates[i]];

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <exception>
 #include <mutex>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/machine.hpp"
@@ -15,6 +16,7 @@
 #include "study/results/results_journal.hpp"
 #include "study/results/runout.hpp"
 #include "study/simulate/detail/checkpoint_file.hpp"
+#include "study/simulate/detail/probed_time.hpp"
 #include "study/simulate/detail/resumable_runs.hpp"
 #include "study/simulate/memory_need.hpp"
 #include "study/simulate/realisation.hpp"
@@ -166,18 +168,19 @@ RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
   };
   RunTimeProbe probe;
   double whole = 0.0;  // time of the runs that were not cut short
-  // Simulated time, s, and what it took, of the run that goes on, halfway to its end and now.
-  double halfway = -1.0, halfway_spent = 0.0, reached = 0.0;
+  // The current run halfway to the end of the probe and at its end.
+  std::optional<ProbedState> halfway;
+  ProbedState reached;
   std::size_t released = 1;
   const auto in_time = [&](const SequenceProgress& progress) {
-    const double now = spent() - whole, longest = kMaxProbe * budget - whole;
-    reached = progress.time;
+    const double computed = spent() - whole, longest = kMaxProbe * budget - whole;
+    const bool is_over = computed > longest;
+    if (!is_over && (halfway || computed <= 0.5 * longest)) return;
     released = progress.released;
-    if (halfway < 0.0 && now > 0.5 * longest) {
-      halfway = progress.time;
-      halfway_spent = now;
-    }
-    if (now > longest) throw ProbeOver();
+    reached = {progress.time, computed, together};
+    if (progress.count_resting && !progress.settling) reached.moving -= progress.count_resting();
+    if (is_over) throw ProbeOver();
+    halfway = reached;
   };
   try {
     while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
@@ -194,7 +197,7 @@ RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
       }
       probe.runs += together;
       whole = spent();
-      halfway = -1.0;
+      halfway.reset();
     }
   } catch (const ProbeOver&) {
     probe.last_run_stopped = true;
@@ -204,9 +207,9 @@ RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
       whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);
     } else {
       // Flights cost little, so the second half, usually without one, shows the remaining cost.
-      probe.is_upper_bound = true;
-      const double pace = (taken - halfway_spent) / std::max(reached - halfway, 1e-12);
-      whole += taken + pace * (longest_run - reached);
+      const ProbedState half = halfway.value_or(ProbedState{0.0, 0.0, together});
+      probe.is_upper_bound = reached.moving >= half.moving;
+      whole += taken + estimate_remaining_time(half, reached, longest_run - reached.time);
     }
     probe.runs += together;
   }

@@ -131,8 +131,8 @@ TEST_F(DepositPage, SelectsCorrectsAndContinues) {
   EXPECT_NE(page["right"], 0);
   EXPECT_EQ(page["edits"].size(), 4u);
   EXPECT_EQ(page["command"],
-            "clast reconstruct talus.ply -o d.h5 --split --edits edits.json --replace --report "
-            "pages");
+            "clast reconstruct talus.ply --output d.h5 --split --report pages --edits edits.json "
+            "--replace");
 
   const std::string text = page["text"];
   write_text_file(folder / "edits.json", text);

@@ -197,6 +197,22 @@ TEST_F(Batches, StationsAreThoseOfOneScan) {
                        "`stations` are those of a single scan, but 2 scans are given"));
 }
 
+TEST_F(Batches, TheLabelledCloudReplacesNeitherTheScanNorOtherFiles) {
+  const fs::path path = scan("scene.ply", two_rocks_on_ground());
+  options.scan.split = true;
+  options.scan.labelled = folder / "." / "scene.ply";
+  options.replace = true;
+  const auto refused = [&] { return refusal([&] { run({{path, "a", {}}}); }); };
+  EXPECT_TRUE(contains(refused(), "is the scan and would be overwritten; give another name"));
+  write_text_file(folder / "notes.txt", "notes\n");
+  options.scan.labelled = folder / "notes.txt";
+  EXPECT_TRUE(contains(refused(), "so it is not replaced"));
+  write_text_file(folder / "labelled.ply", "ply\n");
+  options.scan.labelled = folder / "labelled.ply";
+  options.replace = false;
+  EXPECT_TRUE(contains(refused(), "`replace` replaces it"));
+}
+
 TEST_F(Batches, AMassIsThatOfOneBlock) {
   const fs::path path = scan("a.obj", cuboid(1, 0.9, 0.8));
   options.scan.block.mass = 1500.0;
