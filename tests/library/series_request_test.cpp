@@ -14,7 +14,7 @@
 namespace clast {
 namespace {
 
-Block rock(const std::string& id, double size) {
+Block sized_rock(const std::string& id, double size) {
   const SpheroPolyhedron body =
       make_sphero_polyhedron(rock_mesh(2, size * Vec3(1.5, 1.0, 0.7), 1, 0.1), 0.02 * size);
   return make_block(id, body, {"rock.ply", std::string(64, 'a'), "", ""}, BlockOptions{});
@@ -24,7 +24,7 @@ Block rock(const std::string& id, double size) {
 BlockLibrary deposit_of_rocks() {
   BlockLibrary library;
   for (const Block& seen : deposit_of_sizes()) {
-    Block block = rock(seen.id, seen.axes().I);
+    Block block = sized_rock(seen.id, seen.axes().I);
     const double volume = block.mass.volume;
     const Vec3 lower = 0.9 * block.box.lengths, upper = 1.1 * block.box.lengths;
     block.volume_bracket = VolumeBracket{.lower_volume = 0.7 * volume,
@@ -49,7 +49,7 @@ std::pair<double, std::vector<std::string>> sample_bodies(const BlockLibrary& po
   request.table = folder.path() / "population.h5";
   request.sampled_count = 40;
   BlockLibrary parent;
-  parent.add(rock("R", 1.0));
+  parent.add(sized_rock("R", 1.0));
   parent.write(request.library);
   population.write(request.table);
   const VariationSeriesResult made = make_variation_series(request);
