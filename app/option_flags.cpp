@@ -12,6 +12,7 @@ namespace {
 const std::map<std::string, std::string, std::less<>> kFlags = {
     {"accuracy", "--accuracy"},
     {"after", "--after"},
+    {"align", "--align"},
     {"allow_unscaled", "--allow-unscaled"},
     {"any_size", "--any-size"},
     {"axis_error", "--axis-error"},

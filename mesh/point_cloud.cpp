@@ -32,10 +32,12 @@ void PointBatcher::add_point(const Vec3& point) {
   if (batch_.points.size() >= kBatch) flush_batch();
 }
 
-void PointBatcher::add_point(const Vec3& point, std::uint8_t asprs_class) {
+void PointBatcher::add_point(const Vec3& point, std::uint8_t asprs_class,
+                             const PointRecording& recording) {
   if (!is_usable(point)) return;
   batch_.points.push_back(point);
   batch_.classes.push_back(asprs_class);
+  batch_.recordings.push_back(recording);
   if (batch_.points.size() >= kBatch) flush_batch();
 }
 
@@ -44,6 +46,7 @@ void PointBatcher::flush_batch() {
   if (!batch_.points.empty()) consume_(batch_);
   batch_.points.clear();
   batch_.classes.clear();
+  batch_.recordings.clear();
 }
 
 CloudSummary PointBatcher::finish(CloudSummary summary) {

@@ -16,10 +16,17 @@ namespace mesh_detail {
 struct LasCopy;
 }
 
+/// Origin of a LAS point: the strip or position from which it was recorded, and when.
+struct PointRecording {
+  std::uint16_t source = 0;  ///< point source ID; 0 if unknown
+  double time = 0.0;         ///< GPS time, s; 0 if unknown
+};
+
 /// Batch of points of a cloud, in the units and axes of its file.
 struct PointBatch {
   std::vector<Vec3> points;           ///< points in the order of the file
   std::vector<std::uint8_t> classes;  ///< ASPRS class of each point of a LAS file; otherwise empty
+  std::vector<PointRecording> recordings = {};  ///< of each point of a LAS file; otherwise empty
 };
 
 /// ASPRS class of ground points (LAS 1.4 R15, table 17).

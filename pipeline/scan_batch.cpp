@@ -173,6 +173,9 @@ class Batch {
     if (!options_.scan.edits.empty()) {
       throw InputError(scan.path.string() + ": is a shape and no scan, so `edits` do not apply");
     }
+    if (options_.scan.align) {
+      throw InputError(scan.path.string() + ": is a shape and no scan, so `align` does not apply");
+    }
     if (!options_.scan.stations.empty()) {
       throw InputError(scan.path.string() + ": is a shape and no scan, so `stations` do not apply");
     }

@@ -133,6 +133,36 @@ FieldScanOptions reading_options(const ScanToBlockOptions& options,
           .progress = callbacks.progress};
 }
 
+/// Places the points of joined scans beside their block, as the scan that was read.
+ReadScan as_read(JoinedScan joined) {
+  ReadScan read;
+  read.found.blocks.push_back(std::move(joined.block));
+  for (const JoinedPoints& scan : joined.scans) {
+    read.found.raw.vertices.insert(read.found.raw.vertices.end(), scan.points.begin(),
+                                   scan.points.end());
+  }
+  read.joined = std::move(joined);
+  return read;
+}
+
+/// Aligns the passes of a scan; empty if there is one only.
+std::optional<ReadScan> align_raw_scan(RawScan& raw, const std::string& name,
+                                       const ScanToBlockOptions& options, BlockSource& source,
+                                       const ScanCallbacks& callbacks) {
+  callbacks.begin_step("aligning the passes of " + name);
+  std::optional<JoinedScan> aligned = align_passes(
+      {name, std::move(raw.mesh), raw.scan}, raw.passes, name, reading_options(options, callbacks),
+      {.threads = options.block.threads, .progress = callbacks.progress});
+  if (!aligned) {
+    if (callbacks.on_note) callbacks.on_note(name + ": it has one pass; nothing was aligned");
+    return {};
+  }
+  std::vector<std::string>& notes = aligned->block.scan.notes;
+  notes.insert(notes.end(), raw.notes.begin(), raw.notes.end());
+  source.options += " aligned=" + std::to_string(aligned->scans.size());
+  return as_read(std::move(*aligned));
+}
+
 ScanOptions core_options(const ScanToBlockOptions& options) {
   ScanOptions as_it_is = options.scan;
   as_it_is.repair.fill_missing = false;  // every vertex of a core is meant
@@ -143,8 +173,19 @@ ReadScan read_any_scan(const std::filesystem::path& path, const ScanToBlockOptio
                        BlockSource& source, const ScanCallbacks& callbacks) {
   const FieldScanOptions reading = reading_options(options, callbacks);
   if (std::filesystem::is_directory(path)) {
+    if (options.align) {
+      throw InputError(to_utf8(path.string()) +
+                       ": photographs are aligned already; leave `align` out");
+    }
     PhotographedBlocks made = reconstruct_photographs(path, options, reading, source, callbacks);
     return {std::move(made.field_scan), std::move(made.photos)};
+  }
+  if (options.align) {
+    RawScan raw = read_raw_scan(path, options.scan);
+    if (std::optional<ReadScan> aligned =
+            align_raw_scan(raw, to_utf8(path.string()), options, source, callbacks)) {
+      return std::move(*aligned);
+    }
   }
   if (!options.block.core) return {read_field_scan(path, reading), {}};
   FieldScan core;
@@ -290,6 +331,8 @@ void ScanToBlockOptions::check() const {
   if (!edits.empty() && !split) throw InputError("`edits` needs `split`");
   if (!stations.empty() && !split) throw InputError("`stations` needs `split`");
   if (!labelled.empty() && !split) throw InputError("`labelled` needs `split`");
+  if (align && split) throw InputError("`align` is for one block; leave `split` out");
+  if (align && block.core) throw InputError("`align` does not apply to a core");
   block.check();
 }
 
@@ -301,7 +344,8 @@ std::vector<Block> reconstruct_blocks(const std::filesystem::path& path, const s
   BlockSource source{to_utf8(path.string()), compute_scan_digest(path),
                      format_scale_record(options) + " up=" + up, ""};
   ReadScan read = read_any_scan(path, options, source, callbacks);
-  return make_blocks(read, id, std::move(source), up, options, callbacks);
+  const std::string read_up = read.joined ? "z" : up;
+  return make_blocks(read, id, std::move(source), read_up, options, callbacks);
 }
 
 std::string compute_joined_digest(const std::vector<std::filesystem::path>& paths) {
@@ -313,9 +357,12 @@ std::string compute_joined_digest(const std::vector<std::filesystem::path>& path
 Block reconstruct_joined_block(const std::vector<std::filesystem::path>& paths,
                                const std::string& id, const ScanToBlockOptions& options,
                                const ScanCallbacks& callbacks) {
-  if (options.split || options.block.core) {
-    throw InputError(std::string("joined scans are of one block; leave ") +
-                     (options.split ? "`split`" : "`core`") + " out");
+  if (options.split || options.block.core || options.align) {
+    throw InputError(std::string("joined scans are of one block each; leave ") +
+                     (options.split        ? "`split`"
+                      : options.block.core ? "`core`"
+                                           : "`align`") +
+                     " out");
   }
   std::string names;
   for (const std::filesystem::path& path : paths) {
@@ -323,14 +370,8 @@ Block reconstruct_joined_block(const std::vector<std::filesystem::path>& paths,
   }
   BlockSource source{names, compute_joined_digest(paths),
                      format_scale_record(options) + " joined=" + std::to_string(paths.size()), ""};
-  ReadScan read;
-  read.joined =
-      read_joined_scans(paths, id, options, reading_options(options, callbacks), callbacks);
-  read.found.blocks.push_back(std::move(read.joined->block));
-  for (const JoinedPoints& scan : read.joined->scans) {
-    read.found.raw.vertices.insert(read.found.raw.vertices.end(), scan.points.begin(),
-                                   scan.points.end());
-  }
+  ReadScan read = as_read(
+      read_joined_scans(paths, id, options, reading_options(options, callbacks), callbacks));
   return make_blocks(read, id, std::move(source), "z", options, callbacks).front();
 }
 
@@ -340,8 +381,16 @@ std::vector<Block> reconstruct_mesh_blocks(const TriangleMesh& raw, const std::s
   callbacks.begin_step("cleaning " + id);
   const std::string up = options.scan.up == "y" ? "y" : "z";  // no format says otherwise
   BlockSource source{id, mesh_digest(raw), format_scale_record(options) + " up=" + up, ""};
-  ReadScan read = clean_any_mesh(raw, id, options, callbacks);
-  return make_blocks(read, id, std::move(source), up, options, callbacks);
+  std::optional<ReadScan> aligned;
+  if (options.align) {
+    RawScan unknown;
+    unknown.mesh = raw;
+    unknown.scan = options.scan;
+    unknown.scan.up = up;
+    aligned = align_raw_scan(unknown, id, options, source, callbacks);
+  }
+  ReadScan read = aligned ? std::move(*aligned) : clean_any_mesh(raw, id, options, callbacks);
+  return make_blocks(read, id, std::move(source), read.joined ? "z" : up, options, callbacks);
 }
 
 }  // namespace clast

@@ -45,6 +45,7 @@ struct ScanToBlockOptions {
   std::filesystem::path labelled = {};
   PhotoScanOptions photos;  ///< options for folders of photographs
   JoinOptions join = {};    ///< for scans that are joined to one block
+  bool align = false;       ///< true: registers passes inside one scan that do not fit
 
   void check() const;  ///< throws InputError naming the field and its value
 };
@@ -52,8 +53,8 @@ struct ScanToBlockOptions {
 template <class Visit>
 void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   const auto& [scan, units, scale_points, scale_factor, vertices, block, radius_given, any_size,
-               up_given, find_ground, split, smallest_axis, edits, stations, labelled, photos,
-               join] = options;
+               up_given, find_ground, split, smallest_axis, edits, stations, labelled, photos, join,
+               align] = options;
   visit("scan", scan);
   visit("units", units);
   visit("scale_points", scale_points);
@@ -71,6 +72,7 @@ void visit_fields(const ScanToBlockOptions& options, Visit&& visit) {
   visit("labelled", ExcludedField{labelled});
   visit("photos", photos);
   visit("join", join);
+  visit("align", align);
 }
 
 /// Scan data from which a block was made.

@@ -78,6 +78,7 @@ void take_scan(Keywords& given, ScanToBlockOptions& options) {
     options.find_ground = ground == "auto";
   }
   given.read("split", options.split);
+  given.read("align", options.align);
   given.read("smallest", options.smallest_axis);
   std::optional<fs::path> edits, stations, labelled;
   given.read("edits", edits);

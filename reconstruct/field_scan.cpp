@@ -11,6 +11,7 @@
 #include "reconstruct/detail/deposit_blocks.hpp"
 #include "reconstruct/detail/mesh_blocks.hpp"
 #include "reconstruct/detail/stored_digits.hpp"
+#include "reconstruct/registration/passes.hpp"
 
 namespace clast {
 
@@ -83,12 +84,14 @@ RawScan read_raw_scan(const std::filesystem::path& path, const ScanOptions& as_g
   RawScan read;
   read.scan = resolve_scan_options(path, as_given);
   CloudSummary summary;
+  std::vector<PointRecording> recordings;
   if (is_cloud(path)) {
     summary = stream_cloud(
         path,
         [&](const PointBatch& batch) {
           read.mesh.vertices.insert(read.mesh.vertices.end(), batch.points.begin(),
                                     batch.points.end());
+          recordings.insert(recordings.end(), batch.recordings.begin(), batch.recordings.end());
         },
         read.scan.columns);
   } else if (!read.scan.columns.empty()) {
@@ -96,6 +99,7 @@ RawScan read_raw_scan(const std::filesystem::path& path, const ScanOptions& as_g
   } else {
     read.mesh = read_mesh_or_points(path);
   }
+  read.passes = number_passes(recordings);
   read.crs = summary.crs;
   const std::vector<std::string> system_notes =
       check_cloud_system(path, summary, bounds(read.mesh), read.scan);

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
+#include "core/angle.hpp"
 #include "core/error_context.hpp"
 #include "core/number_text.hpp"
 #include "reconstruct/cloud/cloud.hpp"
 #include "reconstruct/detail/block_points.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/registration/joined_surface.hpp"
+#include "reconstruct/registration/passes.hpp"
 
 namespace clast {
 
@@ -18,8 +21,9 @@ namespace {
 
 using namespace reconstruct_detail;
 
-std::string describe_fit(const Registration& fit, const std::vector<ScanToJoin>& scans) {
-  std::string text = "joined from " + std::to_string(scans.size()) + " scans";
+std::string describe_fit(const Registration& fit, const std::vector<ScanToRegister>& scans,
+                         const std::string& what) {
+  std::string text = "joined from " + std::to_string(scans.size()) + " " + what;
   for (std::size_t s = 0; s < scans.size(); ++s) text += (s == 0 ? ": " : ", ") + scans[s].name;
   text += "; each overlaps the others by " + format_significant(100.0 * fit.overlap, 2) +
           " % or more, and their surfaces lie " + format_significant(fit.deviation, 2) +
@@ -56,6 +60,86 @@ std::vector<double> distances_at(const std::vector<Vec3>& vertices,
   return means;
 }
 
+/// Ground on which a block stays, and the centre of the block.
+struct Footing {
+  std::optional<Plane> ground = {};
+  Vec3 centre = Vec3::Zero();
+};
+
+/// Registers scans and makes a block of their points.
+/// @param what  word for the scans
+/// @param notes  on the scans
+JoinedScan make_joined(const std::vector<ScanToRegister>& scans, const std::string& what,
+                       std::vector<std::string> notes, const Footing& footing,
+                       const std::string& name, const FieldScanOptions& options,
+                       const RegistrationOptions& registration) {
+  JoinedScan joined;
+  joined.registration =
+      with_error_context(name, [&] { return register_scans(scans, registration); });
+  const Registration& fit = joined.registration;
+  JoinedSurface surface =
+      with_error_context(name, [&] { return join_surfaces(scans, fit, options.surface); });
+  notes.insert(notes.begin(), describe_fit(fit, scans, what));
+  notes.insert(notes.end(), fit.notes.begin(), fit.notes.end());
+  notes.insert(notes.end(), surface.notes.begin(), surface.notes.end());
+  FieldScanOptions closing = options;
+  closing.scan.unit = 1.0;
+  closing.scan.up = "z";
+  joined.block = close_block({.surface = std::move(surface.cloud.mesh),
+                              .ground = footing.ground,
+                              .centre = footing.centre,
+                              .uncertainty = &surface.cloud.uncertainty,
+                              .notes = std::move(notes)},
+                             name, closing);
+  joined.scans = std::move(surface.scans);
+  joined.distances = distances_at(joined.block.scan.mesh.vertices, joined.scans);
+  return joined;
+}
+
+/// Notes how far the middle of each pass was moved, and by which angle it was rotated.
+void note_movements(const std::vector<ScanToRegister>& passes, const Registration& fit,
+                    std::vector<std::string>& notes) {
+  for (std::size_t k = 1; k < passes.size(); ++k) {
+    Bounds box;
+    for (const Vec3& p : passes[k].points) box.include(p);
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    const Vec3 shift = fit.first_from_scan[k] * middle - middle;
+    const double angle = fit.first_from_scan[k].pose.rotation.angularDistance(Quat::Identity());
+    notes.push_back(passes[k].name + " was moved by " + format_significant(shift.norm(), 2) +
+                    " m, " + format_point(shift) + ", and rotated by " +
+                    format_significant(angle * kDegreesPerRadian, 2) + " degrees");
+  }
+}
+
+constexpr std::size_t kMostPasses = 8;
+/// Least number of points of a pass, and least fraction of the points of the block.
+constexpr std::size_t kFewestPassPoints = 200;
+constexpr double kSmallestPass = 0.02;
+
+/// Points of the passes that show enough of the block, the largest pass first.
+std::vector<std::vector<std::uint32_t>> usable_passes(const std::vector<std::uint32_t>& passes,
+                                                      std::vector<std::string>& notes) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_pass;
+  for (std::uint32_t i = 0; i < passes.size(); ++i) by_pass[passes[i]].push_back(i);
+  std::vector<std::vector<std::uint32_t>> sorted;
+  for (auto& [pass, points] : by_pass) sorted.push_back(std::move(points));
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  const auto least =
+      std::max(kFewestPassPoints,
+               static_cast<std::size_t>(kSmallestPass * static_cast<double>(passes.size())));
+  std::size_t used = 0, left_out = 0;
+  while (used < sorted.size() && used < kMostPasses && sorted[used].size() >= least) ++used;
+  for (std::size_t k = used; k < sorted.size(); ++k) left_out += sorted[k].size();
+  if (left_out > 0) {
+    notes.push_back(format_count(left_out, "point") + " left out, of " +
+                    format_count(sorted.size() - used, "pass", "passes") +
+                    " that show little of the block");
+  }
+  sorted.resize(used);
+  return sorted;
+}
+
 }  // namespace
 
 JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& name,
@@ -65,28 +149,40 @@ JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& n
   for (const ScanToJoin& scan : scans) {
     FieldScanOptions own = options;
     own.scan = scan.scan;
-    BlockPoints block = extract_block_points(scan.raw, scan.name, own);
+    BlockPoints block = extract_block_points(scan.raw, scan.name, own, FootPoints::kRemoved);
     for (const std::string& note : block.notes) notes.push_back(scan.name + ": " + note);
     to_register.push_back({scan.name, std::move(block.points), block.ground});
   }
-  JoinedScan joined;
-  joined.registration =
-      with_error_context(name, [&] { return register_scans(to_register, registration); });
-  const Registration& fit = joined.registration;
-  JoinedSurface surface =
-      with_error_context(name, [&] { return join_surfaces(to_register, fit, options.surface); });
-  notes.insert(notes.begin(), describe_fit(fit, scans));
-  notes.insert(notes.end(), fit.notes.begin(), fit.notes.end());
-  notes.insert(notes.end(), surface.notes.begin(), surface.notes.end());
-  FieldScanOptions closing = options;
-  closing.scan.unit = 1.0;
-  closing.scan.up = "z";
-  joined.block = close_block({.surface = std::move(surface.cloud.mesh),
-                              .uncertainty = &surface.cloud.uncertainty,
-                              .notes = std::move(notes)},
-                             name, closing);
-  joined.scans = std::move(surface.scans);
-  joined.distances = distances_at(joined.block.scan.mesh.vertices, joined.scans);
+  return make_joined(to_register, "scans", std::move(notes), {}, name, options, registration);
+}
+
+std::optional<JoinedScan> align_passes(const ScanToJoin& scan,
+                                       const std::vector<std::uint32_t>& passes,
+                                       const std::string& name, const FieldScanOptions& options,
+                                       const RegistrationOptions& registration) {
+  FieldScanOptions own = options;
+  own.scan = scan.scan;
+  BlockPoints block = extract_block_points(scan.raw, scan.name, own, FootPoints::kKept);
+  std::vector<std::uint32_t> of_point;
+  if (!passes.empty()) {
+    for (const std::uint32_t source : block.sources) of_point.push_back(passes[source]);
+  } else {
+    of_point = divide_into_passes(block.points, kMostPasses);
+  }
+  std::vector<std::string> notes = std::move(block.notes);
+  const std::vector<std::vector<std::uint32_t>> used = usable_passes(of_point, notes);
+  if (used.size() < 2) return {};
+  std::vector<ScanToRegister> to_register;
+  for (const std::vector<std::uint32_t>& points : used) {
+    ScanToRegister one{"pass " + std::to_string(to_register.size() + 1), {}, {}};
+    for (const std::uint32_t i : points) one.points.push_back(block.points[i]);
+    to_register.push_back(std::move(one));
+  }
+  RegistrationOptions near = registration;
+  near.nearly_aligned = true;
+  JoinedScan joined = make_joined(to_register, "passes of " + scan.name, std::move(notes),
+                                  {block.ground, block.centre}, name, options, near);
+  note_movements(to_register, joined.registration, joined.block.scan.notes);
   return joined;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 /// One block from several scans of it.
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,5 +35,18 @@ struct JoinedScan {
 ///                                    reconstruction throws
 JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& name,
                       const FieldScanOptions& options, const RegistrationOptions& registration);
+
+/// Divides a scan into passes that do not fit, registers them, and reconstructs one surface from
+/// the points of all. The block stays where it is in the scan, on its ground.
+/// @param passes  pass of each vertex of `scan.raw`, such as the flight strip; empty if unknown:
+///                parts that show the same surface at two places are passes
+/// @param options  its `scan` is not used
+/// @return  empty if there is one pass only
+/// @throws InputError, GeometryError  if the scan has no block, if passes do not fit, or if the
+///                                    reconstruction throws
+std::optional<JoinedScan> align_passes(const ScanToJoin& scan,
+                                       const std::vector<std::uint32_t>& passes,
+                                       const std::string& name, const FieldScanOptions& options,
+                                       const RegistrationOptions& registration);
 
 }  // namespace clast

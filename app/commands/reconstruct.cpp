@@ -233,6 +233,13 @@ void add_join_options(CLI::App& command, ReconstructArgs& args) {
       ->excludes("--split")
       ->excludes(join);
   command
+      .add_flag("--align", args.batch.scan.align,
+                "Align strips or passes inside one scan that do not fit: those of the point "
+                "sources or pauses of a LAS file, else parts that show one surface at two places")
+      ->excludes("--split")
+      ->excludes("--join-folders")
+      ->excludes(join);
+  command
       .add_option("--pose", args.poses,
                   "With --join or --join-folders: rotation, right within 30 degrees, that turns a "
                   "scan to the first one, about x, then y, then z, such as \"top: x=180\"; for "
@@ -359,6 +366,7 @@ void add_reconstruct_command(CLI::App& app) {
       "  clast reconstruct slope.las -o blocks.h5 --split --report pages --edits edits.json "
       "--replace\n"
       "  clast reconstruct B017_top.ply B017_bottom.ply -o blocks.h5 --join B017\n"
+      "  clast reconstruct walk.las -o blocks.h5 --align\n"
       "  clast reconstruct photos/B017 -o blocks.h5 --scale-bar 0,3,1.254 --marker-size 0.2\n"
       "  clast reconstruct shapes.shp -o blocks.h5 --density 2700");
   command->callback([args, command] {

@@ -18,7 +18,7 @@ class PointBatcher {
 
   /// Adds a point. Non-finite points are counted and skipped.
   void add_point(const Vec3& point);
-  void add_point(const Vec3& point, std::uint8_t asprs_class);
+  void add_point(const Vec3& point, std::uint8_t asprs_class, const PointRecording& recording);
   /// Passes the remaining points to the consumer and completes the summary.
   CloudSummary finish(CloudSummary summary);
 

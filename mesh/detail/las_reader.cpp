@@ -131,6 +131,12 @@ Flags flags_of(std::string_view record, std::size_t format) {
   return {number_at<std::uint8_t>(record, 16), (byte & 0x04) != 0};
 }
 
+PointRecording recording_of(std::string_view record, std::size_t format) {
+  if (format >= 6) return {number_at<std::uint16_t>(record, 20), number_at<double>(record, 22)};
+  const bool has_time = format == 1 || format >= 3;
+  return {number_at<std::uint16_t>(record, 18), has_time ? number_at<double>(record, 20) : 0.0};
+}
+
 /// Reads the points, at which the stream is.
 /// @return  number of points that the stream holds, at most that of the header
 std::uint64_t read_points(std::istream& stream, const LasHeader& header, PointBatcher& sink,
@@ -150,7 +156,8 @@ std::uint64_t read_points(std::istream& stream, const LasHeader& header, PointBa
       }
       const Vec3 steps(number_at<std::int32_t>(record, 0), number_at<std::int32_t>(record, 4),
                        number_at<std::int32_t>(record, 8));
-      sink.add_point(steps.cwiseProduct(header.scale) + header.offset, flags.asprs_class);
+      sink.add_point(steps.cwiseProduct(header.scale) + header.offset, flags.asprs_class,
+                     recording_of(record, header.format));
     }
     done += got;
     if (got < wanted) break;

@@ -29,6 +29,7 @@ def reconstruct(
     join: str | None = None,
     pose: dict[str, Sequence[float]] | None = None,
     picked: PathLike | None = None,
+    align: bool = False,
     units: str | None = None,
     scale_length: tuple[Sequence[float], Sequence[float], float] | None = None,
     scale_factor: float | None = None,
@@ -74,6 +75,8 @@ def reconstruct(
         pose: with `join`: rotations about x, y and z in degrees, right within 30 degrees, that turn
             a scan to the first one, by its name; for blocks that fit in several poses.
         picked: with `join`: table of three or more places that two scans show.
+        align: align strips or passes inside one scan that do not fit: those of the point sources or
+            pauses of a LAS file, else parts that show one surface at two places.
         units: length unit: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
         scale_length: in place of units: two points of the scan and their distance in metres.
         scale_factor: factor on all lengths, applied after units or scale_length.
@@ -106,7 +109,8 @@ def reconstruct(
         InputError, GeometryError: the message names the file or id, the value and the remedy.
     """
     options = dict(
-        pose=pose, picked=picked, units=units, scale_length=scale_length, scale_factor=scale_factor, up=up,
+        pose=pose, picked=picked, align=align, units=units, scale_length=scale_length,
+        scale_factor=scale_factor, up=up,
         columns=columns, ground=ground, split=split, smallest=smallest, edits=edits,
         stations=stations, labelled=labelled, any_size=any_size,
         vertices=vertices, radius=radius,

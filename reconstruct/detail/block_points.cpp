@@ -24,7 +24,7 @@ constexpr double kFootDeviations = 2.5, kFootSpacings = 0.5;
 }  // namespace
 
 BlockPoints extract_block_points(const TriangleMesh& raw, const std::string& name,
-                                 const FieldScanOptions& options) {
+                                 const FieldScanOptions& options, FootPoints foot_points) {
   CleanCloud clean = clean_cloud(raw.triangles.empty() ? raw.vertices : sample_surface_points(raw),
                                  name, options.scan.unit);
   for (Vec3& p : clean.points) p = in_metres(p, options.scan);
@@ -40,6 +40,11 @@ BlockPoints extract_block_points(const TriangleMesh& raw, const std::string& nam
                           "the scan to the block");
     }
     block.points = std::move(sets.near_points);
+    std::size_t next = 0;  // the points left over are in the same order
+    for (const Vec3& p : block.points) {
+      while (clean.points[next] != p) ++next;
+      block.sources.push_back(clean.sources[next]);
+    }
     return block;
   }
   const BlocksOnGround found = find_blocks_on_ground(clean.points, *ground);
@@ -48,12 +53,17 @@ BlockPoints extract_block_points(const TriangleMesh& raw, const std::string& nam
         name, static_cast<double>(found.ground.size()) / static_cast<double>(clean.points.size()));
   }
   ChosenBlock chosen = choose_block_on_ground(clean.points, *ground, found);
+  const bool keeps_foot = foot_points == FootPoints::kKept;
   const double foot = kFootDeviations * ground->roughness() +
                       kFootSpacings * upper_median(compute_local_spacings(chosen.points));
-  for (const Vec3& p : chosen.points) {
-    if (ground->height_above_ground(p) > foot) block.points.push_back(p);
+  for (std::size_t i = 0; i < chosen.points.size(); ++i) {
+    const Vec3& p = chosen.points[i];
+    if (!keeps_foot && ground->height_above_ground(p) <= foot) continue;
+    block.points.push_back(p);
+    block.sources.push_back(clean.sources[chosen.point_indices[i]]);
   }
   block.ground = chosen.ground;
+  block.centre = chosen.centre;
   block.notes.insert(block.notes.end(), chosen.notes.begin(), chosen.notes.end());
   return block;
 }

@@ -13,6 +13,7 @@
 #include "reconstruct/detail/choose_block_on_ground.hpp"
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/detail/deposit_blocks.hpp"
+#include "reconstruct/registration/passes.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -65,15 +66,33 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
   });
 }
 
+/// Part of the layer between two surfaces of one side by which the volume may be off.
+constexpr double kMisfitVolume = 0.5;
+
+/// Widens the bounds of a surface through passes that do not fit.
+void add_misfit(const PassMisfit& misfit, const TriangleMesh& mesh,
+                SurfaceUncertainty& uncertainty) {
+  const double volume = kMisfitVolume * misfit.distance * surface_area(mesh);
+  uncertainty.volume_below += volume;
+  uncertainty.volume_above += volume;
+  uncertainty.extent_error += misfit.shift.norm();
+}
+
+std::string note_misfit(const PassMisfit& misfit, double unit) {
+  return "its passes do not fit: " + describe_misfit(misfit, unit) + "; `align` does this";
+}
+
 /// A block scanned without the ground around it.
-FieldBlock block_alone(SeparatedPoints sets, std::vector<std::string> notes,
-                       const std::string& name, const FieldScanOptions& options) {
+FieldBlock block_alone(SeparatedPoints sets, const std::optional<PassMisfit>& misfit,
+                       std::vector<std::string> notes, const std::string& name,
+                       const FieldScanOptions& options) {
   if (sets.far_count > 0) {
     notes.push_back(std::to_string(sets.far_count) +
                     " points far from the block were left out, some near " +
                     format_point(sets.far_position));
   }
   CloudSurface surface = surface_of(sets.near_points, name, options.surface, notes);
+  if (misfit) add_misfit(*misfit, surface.mesh, surface.uncertainty);
   return close_block({.surface = std::move(surface.mesh),
                       .uncertainty = &surface.uncertainty,
                       .notes = std::move(notes)},
@@ -106,38 +125,46 @@ CleanCloud clean_cloud(const std::vector<Vec3>& raw, const std::string& name, do
   return clean;
 }
 
-std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
-                                             const FieldScanOptions& options) {
-  CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
+namespace {
+
+/// Points of the block near the middle, and the ground around it.
+struct FoundBlock {
+  SeparatedPoints sets;
+  std::optional<Ground> ground = {};
+  BlocksOnGround on_ground = {};
+};
+
+std::vector<FieldBlock> make_found_block(const CleanCloud& clean, FoundBlock found,
+                                         const std::optional<PassMisfit>& misfit,
+                                         std::vector<std::string> notes, const std::string& name,
+                                         const FieldScanOptions& options) {
   const std::vector<Vec3>& points = clean.points;
-  std::vector<std::string>& notes = clean.notes;
-  SeparatedPoints sets = separate_far_points(points);
-  refuse_separate_sets(sets, name);
-  std::optional<Ground> ground;
-  if (options.find_ground) ground = find_ground(points);
-  BlocksOnGround found;
-  if (ground) found = find_blocks_on_ground(points, *ground);
+  const std::optional<Ground>& ground = found.ground;
+  const std::vector<BlockOnGround>& blocks = found.on_ground.blocks;
   const std::size_t block_points = !ground ? points.size()
-                                   : found.blocks.empty()
+                                   : blocks.empty()
                                        ? 0
-                                       : found.blocks[found.central_block].points.size();
+                                       : blocks[found.on_ground.central_block].points.size();
   if (options.find_ground && block_points < kDetailedPoints) {
     std::optional<Vec3> normal;
     if (ground) normal = ground->plane().normal;
     if (std::optional<FieldBlock> block = extract_central_block(clean, normal, options)) {
+      if (misfit) block->scan.notes.push_back(note_misfit(*misfit, options.scan.unit));
       return {std::move(*block)};
     }
   }
-  if (!ground) return {block_alone(std::move(sets), std::move(notes), name, options)};
-
-  if (found.blocks.empty()) {
-    throw_only_ground_error(
-        name, static_cast<double>(found.ground.size()) / static_cast<double>(points.size()));
+  if (!ground) {
+    return {block_alone(std::move(found.sets), misfit, std::move(notes), name, options)};
   }
-  const ChosenBlock chosen = choose_block_on_ground(points, *ground, found);
+  if (blocks.empty()) {
+    throw_only_ground_error(name, static_cast<double>(found.on_ground.ground.size()) /
+                                      static_cast<double>(points.size()));
+  }
+  const ChosenBlock chosen = choose_block_on_ground(points, *ground, found.on_ground);
   notes.insert(notes.end(), chosen.notes.begin(), chosen.notes.end());
   std::vector<std::string> own_notes;
   CloudSurface surface = surface_of(chosen.points, name, options.surface, own_notes);
+  if (misfit) add_misfit(*misfit, surface.mesh, surface.uncertainty);
   FieldBlock block = close_block({.surface = std::move(surface.mesh),
                                   .ground = chosen.ground,
                                   .centre = chosen.centre,
@@ -146,6 +173,33 @@ std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const
                                  name, options);
   block.scan.notes.insert(block.scan.notes.end(), own_notes.begin(), own_notes.end());
   return {std::move(block)};
+}
+
+}  // namespace
+
+std::vector<FieldBlock> extract_cloud_blocks(const std::vector<Vec3>& raw, const std::string& name,
+                                             const FieldScanOptions& options) {
+  CleanCloud clean = clean_cloud(raw, name, options.scan.unit);
+  const std::vector<Vec3>& points = clean.points;
+  std::vector<std::string>& notes = clean.notes;
+  FoundBlock found{separate_far_points(points)};
+  refuse_separate_sets(found.sets, name);
+  if (options.find_ground) found.ground = find_ground(points);
+  std::vector<Vec3> of_block = found.sets.near_points;
+  if (found.ground) {
+    found.on_ground = find_blocks_on_ground(points, *found.ground);
+    of_block.clear();
+    if (!found.on_ground.blocks.empty()) {
+      of_block = choose_block_on_ground(points, *found.ground, found.on_ground).points;
+    }
+  }
+  std::optional<PassMisfit> misfit = find_pass_misfit(of_block);
+  if (!misfit) return make_found_block(clean, std::move(found), misfit, notes, name, options);
+  const std::string note = note_misfit(*misfit, options.scan.unit);
+  notes.insert(notes.begin(), note);
+  return with_rewritten_error(
+      [&](const std::string& message) { return message + " (" + note + ")"; },
+      [&] { return make_found_block(clean, std::move(found), misfit, notes, name, options); });
 }
 
 }  // namespace clast::reconstruct_detail

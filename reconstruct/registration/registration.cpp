@@ -25,6 +25,8 @@ using namespace reconstruct_detail;
 constexpr std::size_t kMostScans = 8;
 /// Least overlap, and least fraction of the comparable surface that matches.
 constexpr double kLeastMatched = 0.1, kLeastConsistency = 0.88;
+/// The same overlap for scans with nearly known poses.
+constexpr double kLeastAlignedMatched = 0.03;
 /// A rival of the best pose has at least this consistency and this fraction of its score, and at
 /// most this ratio of the mean square misfits.
 constexpr double kRivalConsistency = 0.82, kRivalScore = 0.4, kRivalMisfit = 2.0;
@@ -110,6 +112,13 @@ class Registrar {
   const std::vector<PoseCandidate>& candidates(std::size_t fixed, std::size_t moving) {
     const auto key = std::pair(fixed, moving);
     if (const auto known = found_.find(key); known != found_.end()) return known->second;
+    if (options_.nearly_aligned) {
+      const Similarity given{{middles_[moving] - middles_[fixed], Quat::Identity()}, 1.0};
+      return found_
+          .emplace(key, std::vector<PoseCandidate>{refine_near_pose(*surfaces_[fixed],
+                                                                    *surfaces_[moving], given)})
+          .first->second;
+    }
     begin_step("searching the pose of " + scans_[moving].name + " relative to " +
                scans_[fixed].name);
     std::vector<PoseCandidate> poses =
@@ -245,9 +254,10 @@ class Registrar {
     const std::string who = scans_[scan].name + " and " + names_of_joined();
     const std::string remedy =
         "; are they scans of one block? If so, `pose` or `picked` give the pose";
-    if (poses.empty() || poses[0].agreement.matched < kLeastMatched) {
+    const double least = options_.nearly_aligned ? kLeastAlignedMatched : kLeastMatched;
+    if (poses.empty() || poses[0].agreement.matched < least) {
       throw GeometryError(who + ": no pose was found at which they share at least " +
-                          format_percent_of(kLeastMatched) + " of a surface" + remedy);
+                          format_percent_of(least) + " of a surface" + remedy);
     }
     const PoseCandidate& best = poses[0];
     refuse_disagreement(scan, poses, who);
@@ -393,6 +403,14 @@ class Registrar {
     return result;
   }
 
+  /// Scale of a scan if it differs from that of the others.
+  std::optional<ScaleEstimate> scale_difference(const ScanGroup& others,
+                                                const PlacedSurface& own) const {
+    if (options_.nearly_aligned) return {};
+    const ScaleEstimate scale = estimate_scale(others, own);
+    return is_different(scale) ? std::optional(scale) : std::nullopt;
+  }
+
   /// Measures a scan against all others, and refuses it if it does not fit.
   void check_scan(std::size_t scan, const ScanGroup& others, Registration& result) const {
     const PlacedSurface own{surfaces_[scan].get(), poses_[scan]};
@@ -403,13 +421,12 @@ class Registrar {
       result.disagreement = found.distance;
     }
     if (scan == 0) return;
-    const ScaleEstimate scale = estimate_scale(others, own);
-    if (is_different(scale)) {
+    if (const auto scale = scale_difference(others, own)) {
       throw GeometryError(scans_[scan].name +
                           ": its scale differs from that of the other scans: "
                           "they fit if its lengths are multiplied by " +
-                          format_significant(scale.scale, 5) + " +- " +
-                          format_significant(scale.standard_error, 1) +
+                          format_significant(scale->scale, 5) + " +- " +
+                          format_significant(scale->standard_error, 1) +
                           "; check `units` and `scale_factor`");
     }
     if (found.fraction > kMaxDisagreeing) {

@@ -35,6 +35,9 @@ struct PoseHint {
 struct RegistrationOptions {
   std::vector<PoseHint> hints = {};
   std::vector<PickedPair> pairs = {};  ///< three or more for each scan that they register
+  /// True if all scans have one frame, in which they are displaced by a few percent of their size,
+  /// and one scale: poses are not searched.
+  bool nearly_aligned = false;
   unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
 };

@@ -18,6 +18,7 @@
 #include "mesh/weld.hpp"
 #include "reconstruct/joined_scan.hpp"
 #include "reconstruct/repair/components.hpp"
+#include "shapes/convex_hull.hpp"
 #include "shapes/oriented_box.hpp"
 #include "tests/reconstruct/reference_meshes.hpp"
 #include "tests/support/partial_scans.hpp"
@@ -31,11 +32,43 @@ const std::vector<std::string> kStones = {
     "eesd_stone01.stl",           "eesd_stone14.stl",         "eesd_stone15.stl",
     "eesd_stone18.stl",           "eesd_test_stone.stl",      "eros007790.tab",
     "rockable_rock.stl",          "ryugu_test.obj",           "ibois_stone_0.ply"};
-constexpr std::size_t kMadeRocks = 4;  ///< a plate, a needle, a smooth and a bumpy rock
+
+/// A rock that is made for the study.
+struct MadeRock {
+  Vec3 half_axes;
+  double bumps;        ///< see `rock_mesh`; 0: a hull of random points, with flat faces
+  double dents = 0.0;  ///< depth of two dents, as a fraction of the radius
+};
+
+const std::vector<MadeRock> kMadeRocks = {
+    {{0.5, 0.4, 0.1}, 0.12},      {{0.5, 0.14, 0.12}, 0.12},    {{0.5, 0.4, 0.3}, 0.06},
+    {{0.5, 0.35, 0.3}, 0.3},      {{0.5, 0.45, 0.06}, 0.15},    {{0.5, 0.1, 0.08}, 0.15},
+    {{0.5, 0.4, 0.35}, 0.1, 0.5}, {{0.5, 0.3, 0.25}, 0.2, 0.4}, {{0.5, 0.38, 0.3}, 0.0},
+    {{0.5, 0.3, 0.2}, 0.0}};
+
+TriangleMesh make_rock(const MadeRock& recipe, std::uint64_t seed) {
+  Random random(seed);
+  if (recipe.bumps == 0.0) {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 24; ++i) {
+      corners.push_back(random.unit_vector().cwiseProduct(recipe.half_axes));
+    }
+    return convex_hull(corners);
+  }
+  TriangleMesh rock = rock_mesh(20, recipe.half_axes, seed, recipe.bumps);
+  for (int i = 0; i < 2 && recipe.dents > 0.0; ++i) {
+    const Vec3 towards = random.unit_vector();
+    for (Vec3& v : rock.vertices) {
+      const double apart = 1.0 - towards.dot(v.cwiseQuotient(recipe.half_axes).normalized());
+      v *= 1.0 - recipe.dents * std::exp(-10.0 * apart);
+    }
+  }
+  return rock;
+}
 
 /// A body of about one metre.
 TriangleMesh make_body(std::size_t number) {
-  const std::size_t kind = number % (kStones.size() + kMadeRocks);
+  const std::size_t kind = number % (kStones.size() + kMadeRocks.size());
   TriangleMesh mesh;
   if (kind < kStones.size()) {
     mesh = weld_vertices(read_mesh(data_file("meshes/" + kStones[kind])), 0.0);
@@ -43,17 +76,14 @@ TriangleMesh make_body(std::size_t number) {
     mesh = std::move(reconstruct_detail::connected_components(mesh).front().mesh);
     if (signed_volume(mesh) < 0.0) flip_orientation(mesh);
   } else {
-    const std::vector<Vec3> sizes = {
-        {0.5, 0.4, 0.1}, {0.5, 0.14, 0.12}, {0.5, 0.4, 0.3}, {0.5, 0.35, 0.3}};
-    const std::vector<double> bumps = {0.12, 0.12, 0.06, 0.3};
-    const std::size_t which = kind - kStones.size();
-    mesh = rock_mesh(20, sizes[which], number + 1, bumps[which]);
+    mesh = make_rock(kMadeRocks[kind - kStones.size()], number + 1);
   }
   return scaled(mesh, 1.0 / bounds(mesh).diagonal());
 }
 
-/// Kinds of cases: pairs of scans of one stone, and pairs that do not fit.
-const std::vector<std::string> kKinds = {"same", "other", "mirrored", "scaled"};
+/// Kinds of cases: pairs of scans of one stone with an overlap of 30 to 60 and of 10 to 20 %, and
+/// pairs that do not fit.
+const std::vector<std::string> kKinds = {"same", "little", "other", "mirrored", "scaled"};
 
 struct JoinRow {
   std::string outcome;  ///< right, bracketed, near, refused or wrong
@@ -111,14 +141,16 @@ JoinRow run_case(const std::string& kind, std::size_t number, std::uint64_t base
     recipe->ground_points = 0.3;
     recipe->sunk = random.uniform(0.0, 0.02);
   }
-  ScanPair pair = make_scan_pair(scanner, a, b, 0.3, 0.6, random);
+  const bool fits = kind == "same" || kind == "little";
+  const double least = kind == "little" ? 0.1 : 0.3, most = kind == "little" ? 0.2 : 0.6;
+  ScanPair pair = make_scan_pair(scanner, a, b, least, most, random);
   if (kind == "mirrored") {
     for (Vec3& p : pair.second.points) p.x() = -p.x();
   } else if (kind == "scaled") {
     for (Vec3& p : pair.second.points) p *= 1.02;
   } else if (kind == "other") {
     const TriangleMesh second = make_body(number + 1 + number / 7 % 5);
-    pair.second = make_scan_pair(PartialScanner(second), a, b, 0.3, 0.6, random).second;
+    pair.second = make_scan_pair(PartialScanner(second), a, b, least, most, random).second;
   }
   std::ostringstream start;
   start << kind << ',' << number << ',' << pair.overlap << ',';
@@ -126,7 +158,7 @@ JoinRow run_case(const std::string& kind, std::size_t number, std::uint64_t base
     const JoinedScan joined =
         join_scans({{"top", {pair.first.points, {}}, {}}, {"bottom", {pair.second.points, {}}, {}}},
                    "B", {}, {.threads = 0});
-    JoinRow row = judge(joined, body, kind == "same");
+    JoinRow row = judge(joined, body, fits);
     row.text = start.str() + row.outcome + ',' + row.text;
     return row;
   } catch (const Error& error) {

@@ -21,6 +21,8 @@ struct PartialScanRecipe {
   double ground_noise = 0.004;  ///< roughness of the ground
   double sunk = 0.0;            ///< depth of the lowest point of the block below the ground
   double first_azimuth = 0.0, azimuths = 2.0 * kPi;  ///< sector of the stations, rad
+  /// Elevations of the stations, in turn, rad.
+  double low_elevation = 20.0 * kPi / 180.0, high_elevation = 50.0 * kPi / 180.0;
 };
 
 struct PartialScan {
@@ -46,7 +48,7 @@ class PartialScanner {
     std::vector<Vec3> places;
     for (int i = 0; i < 8; ++i) {
       const double azimuth = recipe.first_azimuth + recipe.azimuths * (i + 0.5) / 8.0;
-      const double elevation = (i % 2 == 0 ? 20.0 : 50.0) * kPi / 180.0;
+      const double elevation = i % 2 == 0 ? recipe.low_elevation : recipe.high_elevation;
       const Vec3 towards(std::cos(elevation) * std::cos(azimuth),
                          std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
       places.push_back(centre_ + 3.0 * size_ * (scan_from_block.conjugate() * towards));
@@ -136,25 +138,38 @@ struct ScanPair {
   double overlap = 0.0;
 };
 
+/// Stations in a sector of 90 to 360 degrees, the lower ones at elevations of 15 to 50 degrees.
+inline PartialScanRecipe with_random_stations(PartialScanRecipe recipe, Random& random) {
+  recipe.first_azimuth = random.uniform(0.0, 2.0 * kPi);
+  recipe.azimuths = random.uniform(0.5 * kPi, 2.0 * kPi);
+  recipe.low_elevation = random.uniform(15.0, 50.0) * kPi / 180.0;
+  recipe.high_elevation = recipe.low_elevation + 30.0 * kPi / 180.0;
+  return recipe;
+}
+
+/// Overlaps are evenly spread over their range, as far as turned bodies have them.
 /// @param least, most  range of the overlap
 inline ScanPair make_scan_pair(const PartialScanner& scanner, PartialScanRecipe of_first,
                                PartialScanRecipe of_second, double least, double most,
                                Random& random) {
+  constexpr double kClose = 0.02;
+  constexpr int kTries = 60;
   for (;;) {
-    const Quat first = random.rotation();
-    const double heading = random.uniform(0.0, 2.0 * kPi);
-    const double turn = random.uniform(kPi / 3.0, kPi);
-    const Quat second =
-        Quat(Eigen::AngleAxisd(random.uniform(0.0, 2.0 * kPi), Vec3::UnitZ())) *
-        Quat(Eigen::AngleAxisd(turn, Vec3(std::cos(heading), std::sin(heading), 0.0))) * first;
-    for (PartialScanRecipe* recipe : {&of_first, &of_second}) {
-      recipe->first_azimuth = random.uniform(0.0, 2.0 * kPi);
-      recipe->azimuths = random.uniform(kPi, 2.0 * kPi);
+    const double aim = random.uniform(least, most);
+    for (int i = 0; i < kTries; ++i) {
+      const Quat first = random.rotation();
+      const double heading = random.uniform(0.0, 2.0 * kPi);
+      const double turn = random.uniform(kPi / 3.0, kPi);
+      const Quat second =
+          Quat(Eigen::AngleAxisd(random.uniform(0.0, 2.0 * kPi), Vec3::UnitZ())) *
+          Quat(Eigen::AngleAxisd(turn, Vec3(std::cos(heading), std::sin(heading), 0.0))) * first;
+      of_first = with_random_stations(of_first, random);
+      of_second = with_random_stations(of_second, random);
+      const double overlap = scanner.overlap(first, of_first, second, of_second, random);
+      if (overlap < least || overlap > most || std::abs(overlap - aim) > kClose) continue;
+      return {scanner.scan(first, of_first, random), scanner.scan(second, of_second, random),
+              overlap};
     }
-    const double overlap = scanner.overlap(first, of_first, second, of_second, random);
-    if (overlap < least || overlap > most) continue;
-    return {scanner.scan(first, of_first, random), scanner.scan(second, of_second, random),
-            overlap};
   }
 }
 

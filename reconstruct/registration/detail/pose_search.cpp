@@ -94,6 +94,20 @@ bool are_near(const Similarity& a, const Similarity& b, const Vec3& centre, doub
   return (a * centre - b * centre).norm() + radius * turn < distance;
 }
 
+PoseCandidate refine_near_pose(const IndexedSurface& fixed, const IndexedSurface& moving,
+                               const Similarity& fixed_from_moving) {
+  const double size = std::min(fixed.diagonal, moving.diagonal);
+  const double fine = fine_tolerance(fixed.surface, moving.surface, size);
+  PoseCandidate candidate;
+  candidate.fixed_from_moving = fixed_from_moving;
+  for (const double tolerance : {kCoarse * size, kMedium * size, kFine * size, fine}) {
+    refine(candidate, fixed, moving, std::max(tolerance, fine), kFullSteps, PointDensity::kAll);
+  }
+  candidate.agreement =
+      compare_surfaces(fixed, moving, candidate.fixed_from_moving, fine, PointDensity::kAll);
+  return candidate;
+}
+
 std::vector<PoseCandidate> search_poses(const IndexedSurface& fixed, const IndexedSurface& moving,
                                         unsigned threads) {
   const double size = std::min(fixed.diagonal, moving.diagonal);

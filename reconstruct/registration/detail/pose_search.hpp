@@ -21,6 +21,10 @@ double fine_tolerance(const OrientedSurface& a, const OrientedSurface& b, double
 bool are_near(const Similarity& a, const Similarity& b, const Vec3& centre, double radius,
               double distance);
 
+/// Refines a pose that is right within a few percent of the size of the surfaces.
+PoseCandidate refine_near_pose(const IndexedSurface& fixed, const IndexedSurface& moving,
+                               const Similarity& fixed_from_moving);
+
 /// Searches all poses (`search_rotations`), refines the best and returns them with the highest
 /// score first.
 /// @param threads  number of threads; does not affect the result
