@@ -69,6 +69,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"resume", "--resume"},
     {"rounding", "--rounding"},
     {"roundness", "--roundness"},
+    {"free_scale", "--scale"},
     {"scale_factor", "--scale-factor"},
     {"scale_points", "--scale-length"},
     {"schemes", "--scheme"},

@@ -41,13 +41,16 @@ void visit_fields(const NamedPair& pair, Visit&& visit) {
 struct JoinOptions {
   std::vector<NamedPose> poses = {};
   std::vector<NamedPair> pairs = {};  ///< at least three of a scan and those before it
+  /// True if the first scan alone has a scale; those of the others are estimated.
+  bool free_scale = false;
 };
 
 template <class Visit>
 void visit_fields(const JoinOptions& options, Visit&& visit) {
-  const auto& [poses, pairs] = options;
+  const auto& [poses, pairs, free_scale] = options;
   visit("poses", poses);
   visit("pairs", pairs);
+  visit("free_scale", free_scale);
 }
 
 }  // namespace clast

@@ -138,6 +138,12 @@ void take_join(Keywords& given, JoinOptions& join) {
   for (const auto& [scan, degrees] : poses) {
     join.poses.push_back({scan, Vec3(degrees[0], degrees[1], degrees[2]) / kDegreesPerRadian});
   }
+  std::string scale = "stored";
+  given.read("scale", scale);
+  if (scale != "stored" && scale != "free") {
+    throw InputError("scale: \"" + scale + "\" is neither \"stored\" nor \"free\"");
+  }
+  join.free_scale = scale == "free";
   std::optional<fs::path> picked;
   given.read("picked", picked);
   if (picked) join.pairs = read_picked_pairs(*picked);

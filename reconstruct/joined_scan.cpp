@@ -36,6 +36,20 @@ std::string describe_fit(const Registration& fit, const std::vector<ScanToRegist
   return text;
 }
 
+/// Notes the estimated scales with their standard errors and 95 % intervals.
+void note_scales(const Registration& fit, const std::vector<ScanToRegister>& scans,
+                 std::vector<std::string>& notes) {
+  constexpr double kNormal95 = 1.96;
+  for (const FoundScale& found : fit.scales) {
+    const double reach = kNormal95 * found.standard_error;
+    notes.push_back("scale of " + scans[found.scan].name + " estimated: its lengths times " +
+                    format_significant(found.scale, 5) + " +- " +
+                    format_significant(found.standard_error, 1) + " (95 % interval " +
+                    format_significant(found.scale - reach, 5) + " to " +
+                    format_significant(found.scale + reach, 5) + ") are metres");
+  }
+}
+
 /// Distances of the scans at the vertices of the block.
 std::vector<double> distances_at(const std::vector<Vec3>& vertices,
                                  const std::vector<JoinedPoints>& scans) {
@@ -80,6 +94,7 @@ JoinedScan make_joined(const std::vector<ScanToRegister>& scans, const std::stri
   JoinedSurface surface =
       with_error_context(name, [&] { return join_surfaces(scans, fit, options.surface); });
   notes.insert(notes.begin(), describe_fit(fit, scans, what));
+  note_scales(fit, scans, notes);
   notes.insert(notes.end(), fit.notes.begin(), fit.notes.end());
   notes.insert(notes.end(), surface.notes.begin(), surface.notes.end());
   FieldScanOptions closing = options;

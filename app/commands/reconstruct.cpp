@@ -35,8 +35,9 @@ struct ReconstructArgs {
   double scale_factor = 1.0;
   std::string ground = "auto";
   std::string columns;
-  std::string join;           ///< id of the block that all scans show; empty: each is one block
-  bool join_folders = false;  ///< true: the scans of each folder show one block
+  std::string scale = "stored";  ///< stored or free
+  std::string join;              ///< id of the block that all scans show; empty: each is one block
+  bool join_folders = false;     ///< true: the scans of each folder show one block
   std::vector<std::string> poses;
   std::string picked;  ///< file; empty: none
   PhotoArgs photos;
@@ -143,6 +144,7 @@ void reconstruct(const ReconstructArgs& args, const CLI::App& command) {
   if (!args.stations.empty()) options.stations = read_stations(args.stations);
   options.scan.columns = split_comma_separated(args.columns);
   for (const std::string& pose : args.poses) options.join.poses.push_back(parse_pose(pose));
+  options.join.free_scale = args.scale == "free";
   if (!args.picked.empty()) options.join.pairs = read_picked_pairs(args.picked);
   const std::vector<ScanFile> scans = scans_of(args);
   check_usage([&] { batch.check(scans.size()); });
@@ -260,6 +262,13 @@ void add_join_options(CLI::App& command, ReconstructArgs& args) {
                   "blocks that fit in several poses; repeatable")
       ->type_name("SCAN:ANGLES")
       ->allow_extra_args(false);
+  command
+      .add_option("--scale", args.scale,
+                  "With --join or --join-folders: free: estimate the scales of all scans but the "
+                  "first, which has the units")
+      ->check(CLI::IsMember({"stored", "free"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
   command
       .add_option("--picked", args.picked,
                   "With --join or --join-folders: table of three or more places that two scans "
@@ -387,7 +396,7 @@ void add_reconstruct_command(CLI::App& app) {
     const auto is_given = [&](const char* option) { return command->count(option) > 0; };
     ScanToBlockOptions& options = args->batch.scan;
     const bool joins = is_given("--join") || is_given("--join-folders");
-    for (const char* needing : {"--pose", "--picked"}) {
+    for (const char* needing : {"--pose", "--picked", "--scale"}) {
       if (is_given(needing) && !joins) {
         throw CLI::RequiresError(needing, "--join or --join-folders");
       }

@@ -12,10 +12,11 @@ namespace {
 
 /// Photographs as points in metres.
 ScanToJoin read_photographs(const std::filesystem::path& folder, const ScanToBlockOptions& options,
-                            std::vector<std::string>& notes, const ScanCallbacks& callbacks) {
+                            bool needs_scale, std::vector<std::string>& notes,
+                            const ScanCallbacks& callbacks) {
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || options.scan.unit != 1.0) photos.metres_per_unit = options.scan.unit;
-  photos.allow_unscaled = false;  // scans of different scales do not fit
+  photos.allow_unscaled = !needs_scale;  // scans of different scales do not fit
   PhotoScan scan = reconstruct_from_photos(
       folder, photos, [&](const std::string& what) { callbacks.begin_step(what, true); });
   for (const std::string& note : scan.notes) notes.push_back(folder.string() + ": " + note);
@@ -61,6 +62,7 @@ RegistrationOptions registration_options(const std::vector<std::filesystem::path
   RegistrationOptions registration;
   registration.threads = options.block.threads;
   registration.progress = callbacks.progress;
+  registration.free_scale = options.join.free_scale;
   for (const NamedPose& pose : options.join.poses) {
     registration.hints.push_back({find_scan(paths, pose.scan), rotation_of(pose.angles)});
   }
@@ -85,7 +87,8 @@ JoinedScan read_joined_scans(const std::vector<std::filesystem::path>& paths, co
   for (const std::filesystem::path& path : paths) {
     callbacks.begin_step("reading " + to_utf8(path.string()));
     if (std::filesystem::is_directory(path)) {
-      scans.push_back(read_photographs(path, options, notes, callbacks));
+      scans.push_back(read_photographs(path, options, scans.empty() || !options.join.free_scale,
+                                       notes, callbacks));
     } else {
       RawScan read = read_raw_scan(path, options.scan);
       for (const std::string& note : read.notes) notes.push_back(path.string() + ": " + note);

@@ -29,6 +29,7 @@ def reconstruct(
     join: str | None = None,
     pose: dict[str, Sequence[float]] | None = None,
     picked: PathLike | None = None,
+    scale: str | None = None,
     align: bool = False,
     units: str | None = None,
     scale_length: tuple[Sequence[float], Sequence[float], float] | None = None,
@@ -75,6 +76,7 @@ def reconstruct(
         pose: with `join`: rotations about x, y and z in degrees, right within 30 degrees, that turn
             a scan to the first one, by its name; for blocks that fit in several poses.
         picked: with `join`: table of three or more places that two scans show.
+        scale: with `join`: "free": estimate the scales of all scans but the first; default: "stored".
         align: align strips or passes inside one scan that do not fit: those of the point sources or
             pauses of a LAS file, else parts that show one surface at two places.
         units: length unit: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
@@ -109,7 +111,7 @@ def reconstruct(
         InputError, GeometryError: the message names the file or id, the value and the remedy.
     """
     options = dict(
-        pose=pose, picked=picked, align=align, units=units, scale_length=scale_length,
+        pose=pose, picked=picked, scale=scale, align=align, units=units, scale_length=scale_length,
         scale_factor=scale_factor, up=up,
         columns=columns, ground=ground, split=split, smallest=smallest, edits=edits,
         stations=stations, labelled=labelled, any_size=any_size,
@@ -126,8 +128,8 @@ def reconstruct(
         if id is not None:
             raise InputError("id: `join` names the block; leave it out")
         return _reconstruct.of_joined(_several(scan), join, options, progress)
-    if pose is not None or picked is not None:
-        raise InputError("pose and picked are for joined scans; give `join`")
+    if pose is not None or picked is not None or scale is not None:
+        raise InputError("pose, picked and scale are for joined scans; give `join`")
     if isinstance(scan, (str, os.PathLike)):
         blocks = _reconstruct.of_scan(os.fspath(scan), id, options, progress)
     else:

@@ -92,6 +92,15 @@ double noise_of(std::span<const Vec3> points) {
 
 }  // namespace
 
+OrientedSurface scaled(OrientedSurface surface, double factor) {
+  for (Vec3& p : surface.points) p *= factor;
+  surface.spacing *= factor;
+  surface.noise *= factor;
+  surface.point_noise *= factor;
+  if (surface.ground) surface.ground->distance *= factor;
+  return surface;
+}
+
 double registration_cell(std::span<const Vec3> points) {
   const double spacing = upper_median(compute_local_spacings(points));
   return std::max(spacing, kSmallestCell * bounds_of(points).diagonal());

@@ -28,6 +28,9 @@ struct OrientedSurface {
   }
 };
 
+/// Returns a surface with all lengths multiplied by a factor.
+OrientedSurface scaled(OrientedSurface surface, double factor);
+
 /// Cell (m) of which registration uses one point each: their spacing, or more
 /// for dense scans. Scans of one block need a common cell, the largest of theirs, so that their
 /// edges are rounded alike.

@@ -15,6 +15,7 @@
 #include "reconstruct/registration/detail/joint_refinement.hpp"
 #include "reconstruct/registration/detail/picked_pose.hpp"
 #include "reconstruct/registration/detail/scan_group.hpp"
+#include "reconstruct/registration/detail/similarity_search.hpp"
 
 namespace clast {
 
@@ -89,21 +90,30 @@ class Registrar {
       }
     }
     check_pairs(options_.pairs, scans_.size());
+    if (options_.free_scale && !options_.pairs.empty()) {
+      throw InputError("picked places have the scale of their scans; leave `free_scale` out");
+    }
   }
 
   void prepare_surfaces() {
-    double cell = 0.0;
+    double cell = 0.0, first_diagonal = 0.0;
     for (const ScanToRegister& scan : scans_) {
       Bounds box;
       for (const Vec3& p : scan.points) box.include(p);
-      middles_.push_back(0.5 * (box.low + box.high));
-      cell = std::max(cell, registration_cell(scan.points));
+      if (first_diagonal == 0.0) first_diagonal = box.diagonal();
+      // Surfaces with free scales start at the size of the first.
+      const double unit = options_.free_scale ? first_diagonal / box.diagonal() : 1.0;
+      units_.push_back(unit);
+      middles_.push_back(0.5 * unit * (box.low + box.high));
+      cell = std::max(cell, unit * registration_cell(scan.points));
     }
     for (std::size_t s = 0; s < scans_.size(); ++s) {
       std::vector<Vec3> points;
-      for (const Vec3& p : scans_[s].points) points.push_back(p - middles_[s]);
+      for (const Vec3& p : scans_[s].points) points.push_back(units_[s] * p - middles_[s]);
       std::optional<Plane> ground = scans_[s].ground;
-      if (ground) ground->distance -= ground->normal.dot(middles_[s]);
+      if (ground) {
+        ground->distance = units_[s] * ground->distance - ground->normal.dot(middles_[s]);
+      }
       surfaces_.push_back(std::make_unique<IndexedSurface>(orient_surface(points, cell, ground)));
     }
   }
@@ -122,7 +132,9 @@ class Registrar {
     begin_step("searching the pose of " + scans_[moving].name + " relative to " +
                scans_[fixed].name);
     std::vector<PoseCandidate> poses =
-        search_poses(*surfaces_[fixed], *surfaces_[moving], options_.threads);
+        options_.free_scale
+            ? search_similarities(*surfaces_[fixed], *surfaces_[moving], options_.threads)
+            : search_poses(*surfaces_[fixed], *surfaces_[moving], options_.threads);
     return found_.emplace(key, std::move(poses)).first->second;
   }
 
@@ -282,6 +294,7 @@ class Registrar {
 
   /// States the scale at which a scan fits; empty if there is none.
   std::string describe_scale(std::size_t scan, const std::vector<PoseCandidate>& poses) const {
+    if (options_.free_scale) return "";
     for (std::size_t i = 0; i < std::min(kScaledPoses, poses.size()); ++i) {
       const ScaleEstimate estimate =
           estimate_scale(group(), {surfaces_[scan].get(), poses[i].fixed_from_moving});
@@ -376,8 +389,11 @@ class Registrar {
       tolerance =
           std::max(tolerance, fine_tolerance(surfaces_[0]->surface, surfaces_[s]->surface, size));
     }
-    const Refinement refined = refine_jointly(surfaces, std::move(start),
-                                              {.tolerance = tolerance, .iterations = kFinalSteps});
+    const Refinement refined =
+        refine_jointly(surfaces, std::move(start),
+                       {.tolerance = tolerance,
+                        .iterations = kFinalSteps,
+                        .free_scale = std::vector<bool>(scans_.size(), options_.free_scale)});
     poses_ = refined.first_from;
     return summarize(refined);
   }
@@ -391,6 +407,12 @@ class Registrar {
     for (std::size_t s = 0; s < scans_.size(); ++s) {
       Similarity pose = poses_[s];
       pose.pose.translation += middles_[0] - pose.pose.rotation * (pose.scale * middles_[s]);
+      pose.scale *= units_[s];
+      if (options_.free_scale && s > 0) {
+        const auto row = static_cast<Eigen::Index>(7 * s - 1);
+        result.scales.push_back(
+            {s, pose.scale, scale_error(pose.scale, refined.covariance(row, row))});
+      }
       result.first_from_scan.push_back(s == 0 ? Similarity{} : pose);
       result.noise = std::max(result.noise, surfaces_[s]->surface.noise);
       ScanGroup others;
@@ -406,7 +428,7 @@ class Registrar {
   /// Scale of a scan if it differs from that of the others.
   std::optional<ScaleEstimate> scale_difference(const ScanGroup& others,
                                                 const PlacedSurface& own) const {
-    if (options_.nearly_aligned) return {};
+    if (options_.nearly_aligned || options_.free_scale) return {};
     const ScaleEstimate scale = estimate_scale(others, own);
     return is_different(scale) ? std::optional(scale) : std::nullopt;
   }
@@ -439,6 +461,7 @@ class Registrar {
 
   const std::vector<ScanToRegister>& scans_;
   const RegistrationOptions& options_;
+  std::vector<double> units_;  ///< factors of the lengths of the scans
   std::vector<Vec3> middles_;  ///< of the scans: surfaces are relative to them
   std::vector<std::unique_ptr<IndexedSurface>> surfaces_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<PoseCandidate>> found_;

@@ -38,13 +38,24 @@ struct RegistrationOptions {
   /// True if all scans have one frame, in which they are displaced by a few percent of their size,
   /// and one scale: poses are not searched.
   bool nearly_aligned = false;
+  /// True if the scales of all scans but the first are unknown, and are estimated.
+  bool free_scale = false;
   unsigned threads = 1;  ///< number of threads, 0: one per core; does not affect the result
   ProgressCallback progress = {};  ///< called with the name of each step before it starts
 };
 
+/// Estimated scale of a scan.
+struct FoundScale {
+  std::size_t scan = 0;
+  double scale = 1.0;  ///< metres per unit of the scan
+  double standard_error = 0.0;
+};
+
 /// Scans in the frame of the first.
 struct Registration {
-  std::vector<Similarity> first_from_scan;  ///< the identity for the first; scales are 1
+  /// The identity for the first; scales are 1 unless they were free.
+  std::vector<Similarity> first_from_scan;
+  std::vector<FoundScale> scales = {};  ///< of the scans with free scales
   /// Covariance of rotation (rad), translation (m) and logarithm of the scale of the scans but the
   /// first, seven rows each, about `centre`.
   Eigen::MatrixXd covariance;

@@ -217,5 +217,25 @@ TEST(JoinStudy, PairsAreJoinedRightOrRefusedAndNeverSilentlyWrong) {
             static_cast<int>(0.9 * static_cast<double>(count)));
 }
 
+TEST(FreeScale, IsEstimatedWithItsStandardError) {
+  constexpr double kUnit = 0.31;
+  Random random(16);
+  const TriangleMesh rock = rock_mesh(12, {0.5, 0.4, 0.3}, 3);
+  PartialScanRecipe recipe;
+  recipe.points = 3000;
+  recipe.ground_points = 0.0;
+  ScanPair pair = make_scan_pair(PartialScanner(rock), recipe, recipe, 0.4, 0.8, random);
+  for (Vec3& p : pair.second.points) p *= kUnit;
+  RegistrationOptions options;
+  options.free_scale = true;
+  options.threads = 0;
+  const Registration found =
+      register_scans({{"top", pair.first.points}, {"bottom", pair.second.points}}, options);
+  ASSERT_EQ(found.scales.size(), 1u);
+  EXPECT_EQ(found.scales[0].scan, 1u);
+  EXPECT_NEAR(found.scales[0].scale * kUnit, 1.0, 0.005);
+  EXPECT_LT(std::abs(found.scales[0].scale - 1.0 / kUnit), 4.0 * found.scales[0].standard_error);
+}
+
 }  // namespace
 }  // namespace clast

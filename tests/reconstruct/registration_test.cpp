@@ -1,6 +1,8 @@
 // Scans of one block in different poses: found, or refused with the reason.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/error.hpp"
 #include "mesh/geodesic_sphere.hpp"
 #include "reconstruct/registration/registration.hpp"
@@ -91,6 +93,26 @@ TEST(Registration, AnotherScaleIsRefusedWithItsFactor) {
     ASSERT_NE(text.find(before), std::string::npos) << text;
     EXPECT_NEAR(std::stod(text.substr(text.find(before) + before.size())), 1.0 / 1.02, 0.005);
   }
+}
+
+/// The third scan agrees best with the second, and only the second has a hint.
+TEST(Registration, HintsOfThreeScansHoldWhicheverAreJoinedFirst) {
+  RockScans rocks = scan_rock(19, joined_rock());
+  Random random(20);
+  const Quat first_from_second = rocks.first_from_second.rotation;
+  rocks.scans.push_back({"bottom again", {}});
+  const Quat turn(Eigen::AngleAxisd(2.0, Vec3(0.6, 0.0, 0.8)));
+  for (const Vec3& p : rocks.scans[1].points) {
+    const Vec3 noise(random.normal(), random.normal(), random.normal());
+    rocks.scans[2].points.push_back(turn * (p + 0.001 * noise));
+  }
+  RegistrationOptions options;
+  options.threads = 0;
+  const Quat rough(Eigen::AngleAxisd(0.3, Vec3(0.0, 0.6, 0.8)));
+  options.hints.push_back({1, rough * first_from_second});
+  const Registration found = register_scans(rocks.scans, options);
+  EXPECT_LT(largest_error(found.first_from_scan[1], rocks.first_from_second, rocks.scans[1].points),
+            0.006);
 }
 
 TEST(Registration, ABallFitsInManyPosesThatGiveTheSameBody) {

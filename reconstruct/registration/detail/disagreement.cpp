@@ -52,6 +52,10 @@ Disagreement measure_disagreement(const ScanGroup& group, const PlacedSurface& p
   return found;
 }
 
+double scale_error(double scale, double variance) {
+  return scale * std::hypot(std::sqrt(variance), kScaleBias);
+}
+
 ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& placed) {
   std::vector<const IndexedSurface*> surfaces;
   std::vector<Similarity> poses;
@@ -83,8 +87,8 @@ ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& placed
   ScaleEstimate estimate;
   estimate.scale = refined.first_from.back().scale;
   const Eigen::Index last = refined.covariance.rows() - 1;
-  estimate.standard_error =
-      estimate.scale * std::hypot(std::sqrt(refined.covariance(last, last)), kScaleBias);
+  estimate.first_from_surface = refined.first_from.back();
+  estimate.standard_error = scale_error(estimate.scale, refined.covariance(last, last));
   ScanGroup moved;
   for (std::size_t i = 0; i + 1 < surfaces.size(); ++i) {
     moved.push_back({surfaces[i], refined.first_from[i]});

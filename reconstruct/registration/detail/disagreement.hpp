@@ -18,8 +18,13 @@ Disagreement measure_disagreement(const ScanGroup& group, const PlacedSurface& s
 struct ScaleEstimate {
   double scale = 1.0;  ///< factor of the lengths of the surface
   double standard_error = 0.0;
-  SurfaceAgreement agreement;  ///< at that scale
+  SurfaceAgreement agreement;     ///< at that scale
+  Similarity first_from_surface;  ///< pose in the frame of the first surface of the group
 };
+
+/// Standard error of a scale, from the variance of its logarithm that the noise causes and the
+/// smoothing of both surfaces.
+double scale_error(double scale, double variance);
 
 ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& surface);
 
