@@ -20,9 +20,12 @@ namespace {
 constexpr std::size_t kMostBalls = 2000;
 /// The surface error of a usual stone is about 0.05 (20 / N)^0.65 for N balls.
 constexpr double kUsualError = 0.05, kUsualCount = 20.0, kErrorExponent = 0.65;
-/// Surface error after a whole fit over that after a short one.
-constexpr double kGainOfWholeFit = 0.88;
-constexpr int kGuesses = 3;
+/// Growth of the greedy cover over the surface error of the fit that starts from it.
+constexpr double kUsualGrowth = 0.75;
+/// The same for the first fit for an error, which has fewer balls than are needed.
+constexpr double kFirstGrowth = 0.95;
+/// Part of the missing balls, as the surface error predicts them, that is added at once.
+constexpr double kMissingPart = 0.5;
 /// The descent aims at a surface error smaller than asked for by this factor.
 constexpr double kHingeMargin = 0.93;
 constexpr double kStep = 0.04;  ///< part of the balls removed or added at once
@@ -45,10 +48,11 @@ TriangleMesh unit_mesh(const ParticleBody& body) {
   return mesh;
 }
 
-std::size_t predicted_count(double count, double error, double wanted) {
-  const double predicted = count * std::pow(error / wanted, 1.0 / kErrorExponent);
-  return static_cast<std::size_t>(
-      std::lround(std::clamp(predicted, 1.0, static_cast<double>(kMostBalls))));
+/// Number of balls to add at once to `count` balls with a surface error.
+std::size_t missing_balls(std::size_t count, double surface, const ShapeErrors& limits) {
+  const double ratio = std::pow(surface / limits.surface, 1.0 / kErrorExponent);
+  return static_cast<std::size_t>(kMissingPart * static_cast<double>(count) *
+                                  std::clamp(ratio - 1.0, 0.0, kRestart));
 }
 
 std::size_t step_of(std::size_t count) {
@@ -63,38 +67,28 @@ class ClumpFit {
         problem_(unit_mesh(body), unit_moments(body)),
         mass_(massprops_detail::to_mass_properties(problem_.moments, Vec3::Zero(), Mat3::Identity(),
                                                    1.0)),
-        coarse_(sample_body(problem_.mesh, kCoarseSpacing)),
-        fine_(sample_body(problem_.mesh, kFineSpacing)) {}
+        samples_(sample_body(problem_.mesh, kFineSpacing)) {}
 
   Clump fit_count(std::size_t count) {
     ClumpDescent descent = start(count);
     finish(descent);
     polish(descent, kHingeMargin * descent.worst_distance());
     Clump clump = {corrected(descent.balls()), {}};
-    clump.errors = errors(clump.balls, fine_, kFineSpacing);
+    clump.errors = mass_errors(clump.balls);
+    clump.errors.surface = surface_distance(clump.balls, kFineSpacing).value;
     return clump;
   }
 
   /// Fits the fewest balls within `limits`. The last element is within them, unless more than
   /// `max_balls` are needed.
   Clump fit_error(const ShapeErrors& limits) {
-    std::size_t count = predicted_count(kUsualCount, kUsualError, limits.surface);
-    count = std::min(count, options_.max_balls);
-    ClumpDescent descent = start(count);
-    for (int guess = 1; guess < kGuesses; ++guess) {
-      const std::size_t next =
-          std::min(predicted_count(static_cast<double>(count),
-                                   kGainOfWholeFit * descent.worst_distance(), limits.surface),
-                   options_.max_balls);
-      if (std::max(next, count) - std::min(next, count) <= step_of(count)) break;
-      count = next;
-      descent = start(count);
-    }
+    std::vector<Ball> cover = cover_completely(problem_, kFirstGrowth * limits.surface);
+    const std::size_t count = std::min(cover.size(), options_.max_balls);
+    ClumpDescent descent = cover.size() > count ? start(count) : start(std::move(cover), count);
     finish(descent);
     polish(descent, kHingeMargin * limits.surface);
-    Clump clump = judged(descent, limits);
-    if (!clump.errors.is_within(limits)) return grown(descent, std::move(clump), limits);
-    while (descent.balls().size() > 1) {
+    Clump clump = grown(descent, judged(descent, limits), limits);
+    while (clump.errors.is_within(limits) && descent.balls().size() > 1) {
       descent.remove_least_balls(step_of(descent.balls().size()));
       refit(descent, limits);
       Clump smaller = judged(descent, limits);
@@ -106,8 +100,14 @@ class ClumpFit {
 
  private:
   ClumpDescent start(std::size_t count) {
-    ClumpDescent descent(problem_, cover_greedily(problem_, count), options_.smallest_sphere,
-                         options_.seed);
+    const double error =
+        kUsualError * std::pow(kUsualCount / static_cast<double>(count), kErrorExponent);
+    return start(cover_greedily(problem_, count, kUsualGrowth * error), count);
+  }
+
+  /// Starts from balls that cover the body, and adds balls up to `count`.
+  ClumpDescent start(std::vector<Ball> cover, std::size_t count) {
+    ClumpDescent descent(problem_, std::move(cover), options_.smallest_sphere, options_.seed);
     descent.run(50, {.doublings = 1}, 6e-3, 4e-3);
     descent.move_hidden_balls();
     descent.add_balls(count - descent.balls().size());
@@ -136,7 +136,9 @@ class ClumpFit {
     std::size_t started = descent.balls().size();
     while (!clump.errors.is_within(limits) && descent.balls().size() < options_.max_balls) {
       const std::size_t count = descent.balls().size();
-      const std::size_t next = std::min(count + step_of(count), options_.max_balls);
+      const std::size_t next = std::min(
+          count + std::max(step_of(count), missing_balls(count, clump.errors.surface, limits)),
+          options_.max_balls);
       if (static_cast<double>(next) > (1.0 + kRestart) * static_cast<double>(started)) {
         descent = start(next);
         finish(descent);
@@ -157,27 +159,33 @@ class ClumpFit {
     return balls;
   }
 
-  /// Corrected balls with their errors, by fine samples if they are within `limits` by coarse ones.
-  Clump judged(const ClumpDescent& descent, const ShapeErrors& limits) const {
+  /// Corrected balls with their errors. Spheres are sampled coarsely first. The place of the
+  /// largest distance joins the samples of the next descent if it is on the body.
+  Clump judged(const ClumpDescent& descent, const ShapeErrors& limits) {
     Clump clump = {corrected(descent.balls()), {}};
-    clump.errors = errors(clump.balls, coarse_, kCoarseSpacing);
-    if (clump.errors.is_within(limits)) {
-      clump.errors = errors(clump.balls, fine_, kFineSpacing);
+    clump.errors = mass_errors(clump.balls);
+    for (const double spacing : {kCoarseSpacing, kFineSpacing}) {
+      const LargestDistance distance = surface_distance(clump.balls, spacing);
+      clump.errors.surface = distance.value;
+      if (clump.errors.is_within(limits)) continue;
+      if (distance.is_on_body) problem_.dense.push_back(distance.place);
+      break;
     }
     return clump;
   }
 
-  ShapeErrors errors(const std::vector<Ball>& balls, const std::vector<Vec3>& samples,
-                     double spacing) const {
-    ShapeErrors result = compare_mass_properties(ball_union_mass_properties(balls, 1.0), mass_);
-    result.surface = measure_surface_distance(problem_.tree, samples, balls, spacing).largest;
-    return result;
+  ShapeErrors mass_errors(const std::vector<Ball>& balls) const {
+    return compare_mass_properties(ball_union_mass_properties(balls, 1.0), mass_);
+  }
+
+  LargestDistance surface_distance(const std::vector<Ball>& balls, double spacing) const {
+    return measure_surface_distance(problem_.tree, samples_, balls, spacing);
   }
 
   const ClumpOptions& options_;
   ClumpProblem problem_;
   MassProperties mass_;
-  std::vector<Vec3> coarse_, fine_;
+  std::vector<Vec3> samples_;  ///< of the body, finer than those of the descent
 };
 
 /// A clump in the frame of the body, largest ball first.

@@ -282,7 +282,7 @@ ShapeErrors measure_part_errors(const ParticleBody& body, const std::vector<Tria
   errors.surface = measure_covering_distance(
                        tree, sample_body(body.mesh, spacing),
                        exposed_part_points(parts, spacing, kExposureOffset * body.length), spacing)
-                       .largest /
+                       .value /
                    body.length;
   return errors;
 }

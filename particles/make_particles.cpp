@@ -75,11 +75,8 @@ Particle with_parts(Particle particle, ParticleShape shape, const ParticleBody& 
 
 /// Body for convex shapes: the simplified scan has fewer faces than its rounded body.
 ParticleBody faceted_body(const Block& block) {
-  ParticleBody body = make_particle_body(block);
-  if (!block.from_core) {
-    body.mesh = transformed(block.surface, block.source_from_body().inverse());
-  }
-  return body;
+  if (block.from_core) return make_particle_body(block);
+  return make_particle_body(block, block.surface);
 }
 
 Particle hull_particle(const Block& block, const ParticleExportOptions& options) {

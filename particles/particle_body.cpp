@@ -16,8 +16,12 @@ ParticleBody make_particle_body(TriangleMesh mesh) {
 }
 
 ParticleBody make_particle_body(const Block& block) {
+  return make_particle_body(block, outer_surface_mesh(block.body));
+}
+
+ParticleBody make_particle_body(const Block& block, const TriangleMesh& surface) {
   ParticleBody body;
-  body.mesh = transformed(outer_surface_mesh(block.body), block.source_from_body().inverse());
+  body.mesh = transformed(surface, block.source_from_body().inverse());
   body.mass = block.mass;
   body.mass.centre = Vec3::Zero();
   body.mass.inertia = block.principal.moments.asDiagonal();

@@ -43,7 +43,7 @@ ShapeErrors measure_clump_errors(const ParticleBody& body, std::span<const Ball>
       particles_detail::sample_body(body.mesh, particles_detail::kFineSpacing * body.length);
   errors.surface = particles_detail::measure_surface_distance(
                        tree, samples, balls, particles_detail::kFineSpacing * body.length)
-                       .largest /
+                       .value /
                    body.length;
   return errors;
 }

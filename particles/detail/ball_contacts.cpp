@@ -10,7 +10,26 @@ namespace {
 
 /// Squared sine of the angle between planes of two circles below which these are parallel.
 constexpr double kParallel = 1e-12;
-const double kGoldenAngle = kPi * (3.0 - std::sqrt(5.0));
+
+/// Turns of a spiral with equal areas: (cos, sin) of k golden angles.
+class SpiralTurns {
+ public:
+  SpiralTurns() : turns_(kKept) {
+    for (std::size_t k = 0; k < kKept; ++k) turns_[k] = computed(k);
+  }
+  Vec2 at(std::size_t k) const { return k < kKept ? turns_[k] : computed(k); }
+
+ private:
+  static constexpr std::size_t kKept = 8192;
+
+  static Vec2 computed(std::size_t k) {
+    static const double kGoldenAngle = kPi * (3.0 - std::sqrt(5.0));
+    const double angle = kGoldenAngle * static_cast<double>(k);
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+  std::vector<Vec2> turns_;
+};
 
 }  // namespace
 
@@ -52,8 +71,9 @@ std::vector<SphereCircle> find_sphere_circles(std::span<const Ball> balls,
 
 Vec3 spiral_direction(std::size_t k, std::size_t count) {
   const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(count);
-  const double ring = std::sqrt(1.0 - z * z), angle = kGoldenAngle * static_cast<double>(k);
-  return {ring * std::cos(angle), ring * std::sin(angle), z};
+  static const SpiralTurns kTurns;
+  const Vec2 turn = std::sqrt(1.0 - z * z) * kTurns.at(k);
+  return {turn.x(), turn.y(), z};
 }
 
 std::vector<SphereCorner> find_sphere_corners(std::span<const Ball> balls,

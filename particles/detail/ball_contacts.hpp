@@ -37,8 +37,15 @@ struct SphereCircle {
   Vec3 centre, across, along;  ///< the last two are unit and perpendicular to the axis
   double radius = 0.0;
 
-  Vec3 point(double angle) const {
-    return centre + radius * (std::cos(angle) * across + std::sin(angle) * along);
+  /// Calls `visit(point)` for `count` points at equal angles from `start` on.
+  template <class Visit>
+  void visit_points(double start, int count, const Visit& visit) const {
+    const double angle = 2.0 * kPi / count, cosine = std::cos(angle), sine = std::sin(angle);
+    Vec2 turn(std::cos(start), std::sin(start));
+    for (int k = 0; k < count; ++k) {
+      visit(Vec3(centre + radius * (turn.x() * across + turn.y() * along)));
+      turn = Vec2(cosine * turn.x() - sine * turn.y(), sine * turn.x() + cosine * turn.y());
+    }
   }
 };
 

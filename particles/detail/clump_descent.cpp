@@ -146,18 +146,17 @@ void ClumpDescent::add_circle_terms(const DescentLoss& loss, const BallNeighbour
     const auto [i, j] = circle.balls;
     const int count = std::max(4, static_cast<int>(2.0 * kPi * circle.radius / kCircleSpacing));
     distances_.emplace_back();
-    for (int k = 0; k < count; ++k) {
-      const Vec3 point = circle.point(start + 2.0 * kPi * k / count);
-      if (!neighbours.is_exposed(balls_, i, point, j)) continue;
+    circle.visit_points(start, count, [&, i = i, j = j](const Vec3& point) {
+      if (!neighbours.is_exposed(balls_, i, point, j)) return;
       const Vec3 slope = point_slope(loss, point);
       const Vec3 ni = (point - balls_[i].centre) / balls_[i].radius;
       const Vec3 nj = (point - balls_[j].centre) / balls_[j].radius;
       const double cosine = ni.dot(nj), squared_sine = 1.0 - cosine * cosine;
-      if (squared_sine < kFlat) continue;
+      if (squared_sine < kFlat) return;
       const double si = ni.dot(slope), sj = nj.dot(slope);
       add(i, (si - cosine * sj) / squared_sine, ni);
       add(j, (sj - cosine * si) / squared_sine, nj);
-    }
+    });
   }
 }
 

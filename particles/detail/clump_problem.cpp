@@ -20,7 +20,8 @@ constexpr double kMargin = 0.15;  ///< of the distance field around the body
 constexpr int kShrinkingSteps = 40;
 constexpr double kShrinkingTolerance = 1e-4;
 constexpr double kWidestGrowth = 0.3;  ///< growth of balls that covers any body by few balls
-constexpr int kGrowthHalvings = 9;
+constexpr double kGrowthPrecision = 0.04;
+constexpr double kGrowthFactor = 1.2;  ///< of the bracket around a guess
 
 Bounds enlarged(Bounds box, double margin) {
   box.low.array() -= margin;
@@ -119,6 +120,16 @@ class Cover {
   std::vector<std::uint64_t> open_, bits_;
 };
 
+std::vector<Ball> grown_balls(const ClumpProblem& problem, const std::vector<std::size_t>& chosen,
+                              double growth) {
+  std::vector<Ball> balls;
+  for (const std::size_t b : chosen) {
+    const Ball& ball = problem.balls[b].ball;
+    balls.push_back({ball.centre, ball.radius + growth});
+  }
+  return balls;
+}
+
 }  // namespace
 
 ClumpProblem::ClumpProblem(TriangleMesh unit_mesh,
@@ -158,11 +169,11 @@ Ball shrink_tangent_ball(const TriangleTree& tree, const Vec3& contact, const Ve
   return {contact - radius * normal, radius};
 }
 
-std::vector<Ball> cover_greedily(const ClumpProblem& problem, std::size_t count) {
+std::vector<Ball> cover_greedily(const ClumpProblem& problem, std::size_t count, double guess) {
   double low = 0.0, high = kWidestGrowth;
   std::vector<std::size_t> best = Cover(problem, high).take(count);
-  for (int halving = 0; halving < kGrowthHalvings; ++halving) {
-    const double growth = 0.5 * (low + high);
+  double growth = std::min(guess, 0.5 * high);
+  while (high - low > kGrowthPrecision * high) {
     Cover cover(problem, growth);
     std::vector<std::size_t> taken = cover.take(count);
     if (cover.is_complete()) {
@@ -171,13 +182,16 @@ std::vector<Ball> cover_greedily(const ClumpProblem& problem, std::size_t count)
     } else {
       low = growth;
     }
+    // The bracket is first widened around the guess, then halved.
+    growth = 0.5 * (low + high);
+    if (low == 0.0) growth = std::max(growth, high / kGrowthFactor);
+    if (high == kWidestGrowth) growth = std::min(growth, low * kGrowthFactor);
   }
-  std::vector<Ball> balls;
-  for (const std::size_t b : best) {
-    const Ball& ball = problem.balls[b].ball;
-    balls.push_back({ball.centre, ball.radius + high});
-  }
-  return balls;
+  return grown_balls(problem, best, high);
+}
+
+std::vector<Ball> cover_completely(const ClumpProblem& problem, double growth) {
+  return grown_balls(problem, Cover(problem, growth).take(problem.balls.size()), growth);
 }
 
 }  // namespace clast::particles_detail

@@ -10,20 +10,25 @@ DistanceField::DistanceField(const TriangleTree& tree, const Bounds& box, double
     : tree_(tree), origin_(box.low), spacing_(spacing) {
   std::size_t count = 1;
   for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
     const double cells = std::ceil((box.high[axis] - box.low[axis]) / spacing);
-    size_[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(std::max(cells, 1.0)) + 1;
-    count *= size_[static_cast<std::size_t>(axis)];
+    size_[k] = static_cast<std::size_t>(std::max(cells, 1.0)) + 1;
+    bricks_[k] = (size_[k] + kBrick - 1) / kBrick;
+    count *= bricks_[k];
   }
-  values_.assign(count, std::numeric_limits<float>::quiet_NaN());
+  values_.assign(count * kBrick * kBrick * kBrick, std::numeric_limits<float>::quiet_NaN());
+  hints_.assign(count, 0);
 }
 
 double DistanceField::node(std::size_t x, std::size_t y, std::size_t z) {
-  float& value = values_[(z * size_[1] + y) * size_[0] + x];
+  const std::size_t brick = ((z / kBrick) * bricks_[1] + y / kBrick) * bricks_[0] + x / kBrick;
+  const std::size_t within = ((z % kBrick) * kBrick + y % kBrick) * kBrick + x % kBrick;
+  float& value = values_[brick * kBrick * kBrick * kBrick + within];
   if (std::isnan(value)) {
     const Vec3 point = origin_ + spacing_ * Vec3(static_cast<double>(x), static_cast<double>(y),
                                                  static_cast<double>(z));
-    const TriangleTree::SignedClosest found = tree_.signed_closest_point(point, hint_);
-    hint_ = found.triangle;
+    const TriangleTree::SignedClosest found = tree_.signed_closest_point(point, hints_[brick]);
+    hints_[brick] = found.triangle;
     value = static_cast<float>(found.distance);
   }
   return value;

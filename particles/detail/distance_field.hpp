@@ -1,6 +1,8 @@
 #pragma once
 /// Signed distance to a closed surface, interpolated on a grid.
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mesh/triangle_tree.hpp"
@@ -23,14 +25,18 @@ class DistanceField {
   Value at(const Vec3& point);
 
  private:
+  /// Nodes are stored in bricks of this length, so that those of a cell are near in memory.
+  static constexpr std::size_t kBrick = 4;
+
   double node(std::size_t x, std::size_t y, std::size_t z);
 
   const TriangleTree& tree_;
   Vec3 origin_;
   double spacing_;
-  std::array<std::size_t, 3> size_;
-  std::vector<float> values_;  ///< NaN until computed
-  std::uint32_t hint_ = 0;
+  std::array<std::size_t, 3> size_;    ///< nodes
+  std::array<std::size_t, 3> bricks_;  ///< numbers of bricks
+  std::vector<float> values_;          ///< NaN until computed
+  std::vector<std::uint32_t> hints_;   ///< triangle nearest to the last computed node of each brick
 };
 
 }  // namespace clast::particles_detail

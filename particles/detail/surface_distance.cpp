@@ -103,15 +103,12 @@ std::vector<Vec3> exposed_points(std::span<const Ball> balls, double spacing) {
     }
   }
   for (const SphereCircle& circle : find_sphere_circles(balls, neighbours)) {
-    const auto count =
-        std::max(std::size_t{4}, static_cast<std::size_t>(2.0 * kPi * circle.radius / spacing));
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vec3 point =
-          circle.point(2.0 * kPi * static_cast<double>(k) / static_cast<double>(count));
+    const int count = std::max(4, static_cast<int>(2.0 * kPi * circle.radius / spacing));
+    circle.visit_points(0.0, count, [&](const Vec3& point) {
       if (neighbours.is_exposed(balls, circle.balls[0], point, circle.balls[1])) {
         points.push_back(point);
       }
-    }
+    });
   }
   for (const SphereCorner& corner : find_sphere_corners(balls, neighbours)) {
     points.push_back(corner.point);
@@ -129,11 +126,11 @@ std::vector<Vec3> sample_body(const TriangleMesh& mesh, double spacing) {
   return points;
 }
 
-SurfaceDistance measure_surface_distance(const TriangleTree& body,
+LargestDistance measure_surface_distance(const TriangleTree& body,
                                          std::span<const Vec3> body_samples,
                                          std::span<const Ball> balls, double spacing) {
   const std::vector<Vec3> exposed = exposed_points(balls, spacing);
-  SurfaceDistance result;
+  LargestDistance result;
   std::vector<Vec3> covered;
   for (const Vec3& point : body_samples) {
     double gap = std::numeric_limits<double>::infinity();
@@ -141,27 +138,29 @@ SurfaceDistance measure_surface_distance(const TriangleTree& body,
       gap = std::min(gap, (point - ball.centre).norm() - ball.radius);
     }
     if (gap < 0.0) covered.push_back(point);
-    if (gap > result.largest) result = {gap, point};
+    if (gap > result.value) result = {gap, point, true};
   }
-  const SurfaceDistance rest = measure_covering_distance(body, covered, exposed, spacing);
-  return rest.largest > result.largest ? rest : result;
+  const LargestDistance rest = measure_covering_distance(body, covered, exposed, spacing);
+  return rest.value > result.value ? rest : result;
 }
 
-SurfaceDistance measure_covering_distance(const TriangleTree& body,
+LargestDistance measure_covering_distance(const TriangleTree& body,
                                           std::span<const Vec3> covered_samples,
                                           std::span<const Vec3> exposed, double spacing) {
-  SurfaceDistance result;
-  const auto include = [&](double distance, const Vec3& place) {
-    if (distance > result.largest) result = {distance, place};
+  LargestDistance result;
+  const auto include = [&](double distance, const Vec3& place, bool is_on_body) {
+    if (distance > result.value) result = {distance, place, is_on_body};
   };
   std::uint32_t hint = 0;
   for (const Vec3& point : exposed) {
     const TriangleTree::Closest found = body.closest_point(point, hint);
     hint = found.triangle;
-    include(std::sqrt(found.squared_distance), point);
+    include(std::sqrt(found.squared_distance), point, false);
   }
   const PointGrid grid(exposed, kCellSpacings * spacing);
-  for (const Vec3& point : covered_samples) include(grid.distance(point, result.largest), point);
+  for (const Vec3& point : covered_samples) {
+    include(grid.distance(point, result.value), point, true);
+  }
   return result;
 }
 
