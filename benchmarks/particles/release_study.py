@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Releases of clumps at several errors in LIGGGHTS against clast's own bodies: run-out by form and number of spheres.
 
-    release_study.py BUILD_DIR OUT_DIR [--releases 16] [--figure docs/clumps.svg]
+    release_study.py BUILD_DIR OUT_DIR [--releases 30] [--figure docs/clumps.svg]
 
 Three forms of one sample block with equal mass (compact, platy, elongated) start in the same random orientations above
 a slope of 30 degrees with a level floor. The laws are the same: linear spring and dashpot, Coulomb friction. What
@@ -200,7 +200,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path)
     parser.add_argument("out", type=Path)
-    parser.add_argument("--releases", type=int, default=16)
+    parser.add_argument("--releases", type=int, default=30)
     parser.add_argument("--figure", type=Path)
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
