@@ -189,6 +189,8 @@ def draw(table, own, path):
         axes.axhspan(mean - error, mean + error, color=colours[name], alpha=0.2, linewidth=0)
         axes.axhline(mean, color=colours[name], linestyle="--", linewidth=1, label=f"{name}: body of clast")
     axes.set_xscale("log")
+    axes.set_xticks([2, 5, 10, 20, 50, 100], ["2", "5", "10", "20", "50", "100"])
+    axes.minorticks_off()
     axes.set_xlabel("number of spheres")
     axes.set_ylabel(f"mean distance after {TIME:.0f} s, m")
     axes.legend(fontsize=8, ncol=2)
