@@ -57,6 +57,7 @@ const std::map<std::string, std::string, std::less<>> kFlags = {
     {"min_thickness", "--min-thickness"},
     {"model", "--model"},
     {"outliers", "--outliers"},
+    {"part_vertices", "--part-vertices"},
     {"parts", "--parts"},
     {"picked", "--picked"},
     {"polygon", "--polygon"},

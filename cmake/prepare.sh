@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing (and laz-perf of npm in build/npm, for the tests),
+# Installs the Debian packages that are missing (and packages of npm in build/npm, for the tests),
 # configures, and builds in build/release.
 #
 #   cmake/prepare.sh program   the clast program alone
@@ -64,20 +64,22 @@ default_jobs() {
   echo $((jobs < 1 ? 1 : jobs))
 }
 
-# Tests of LAZ files run it with Node; without it they are left out.
-install_laz_perf() {
+# Tests run them with Node; without a package, its tests are left out. npm removes packages that a call
+# does not name.
+install_npm_packages() {
   local folder=build/npm
-  if [ -d $folder/node_modules/laz-perf ]; then return; fi
-  say "Installing laz-perf in $folder"
+  if [ -d $folder/node_modules/laz-perf ] && [ -d $folder/node_modules/mujoco-js ]; then return; fi
+  say "Installing laz-perf and mujoco-js in $folder"
   if ! command -v npm >/dev/null; then
-    say "npm is not installed: tests of LAZ files through Node are left out"
-  elif ! npm install --prefix $folder --no-save --no-audit --no-fund --loglevel=error laz-perf@0.0.7; then
-    say "npm could not install laz-perf: tests of LAZ files through Node are left out"
+    say "npm is not installed: tests of LAZ files through Node, and of MuJoCo, are left out"
+  elif ! npm install --prefix $folder --no-save --no-audit --no-fund --loglevel=error \
+    laz-perf@0.0.7 mujoco-js@0.0.7; then
+    say "npm could not install laz-perf and mujoco-js: tests that use them are left out"
   fi
 }
 
 install_packages
-if [ "$1" = tests ]; then install_laz_perf; fi
+if [ "$1" = tests ]; then install_npm_packages; fi
 
 options=(-DCMAKE_BUILD_TYPE=Release)
 targets=(all)

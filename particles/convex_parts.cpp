@@ -14,6 +14,7 @@
 #include "mesh/surface_samples.hpp"
 #include "mesh/triangle_geometry.hpp"
 #include "particles/detail/body_piece.hpp"
+#include "particles/detail/outer_hull.hpp"
 #include "particles/detail/surface_distance.hpp"
 #include "shapes/convex_hull.hpp"
 
@@ -23,7 +24,7 @@ using namespace particles_detail;
 
 namespace {
 
-constexpr std::size_t kMostParts = 1000;
+constexpr std::size_t kMostParts = 1000, kFewestVertices = 16;
 /// Frequencies of geodesic spheres: directions of trial planes (21 axes), and directions in which
 /// extreme points are taken for the volume of a trial hull.
 constexpr int kPlaneFrequency = 2, kExtremeFrequency = 4;
@@ -124,21 +125,25 @@ std::vector<Plane> face_planes(const TriangleMesh& part) {
 }
 
 /// @throws GeometryError  if the piece is flat
-Part make_part(BodyPiece piece) {
+Part make_part(BodyPiece piece, std::size_t max_vertices) {
   Part part{std::move(piece), {}, 0.0};
   part.hull = hull_of_corners(convex_hull(points_of(part.piece)));
+  if (part.hull.vertices.size() > max_vertices) {
+    part.hull = outer_hull(part.hull, face_planes(part.hull), part.piece.cell, max_vertices);
+  }
   part.added = signed_volume(part.hull) - part.piece.volume;
   return part;
 }
 
 class PartDivision {
  public:
-  explicit PartDivision(const TriangleMesh& mesh)
+  PartDivision(const TriangleMesh& mesh, std::size_t max_vertices)
       : tree_(mesh),
+        max_vertices_(max_vertices),
         volume_(signed_volume(mesh)),
         planes_(axes_of_sphere(kPlaneFrequency)),
         extremes_(axes_of_sphere(kExtremeFrequency)) {
-    parts_.push_back(make_part(whole_body(mesh)));
+    parts_.push_back(make_part(whole_body(mesh), max_vertices));
   }
 
   double added_volume() const {
@@ -203,18 +208,21 @@ class PartDivision {
         if (!sides) continue;
         double sum = 0.0;
         for (const BodyPiece& side : *sides) {
-          sum += side.volume < kSmallestSide * volume_
-                     ? std::numeric_limits<double>::infinity()
-                     : rough_hull_volume(points_of(side), extremes_);
+          sum +=
+              side.volume < kSmallestSide * volume_ || side.cell.vertices().size() > max_vertices_
+                  ? std::numeric_limits<double>::infinity()
+                  : rough_hull_volume(points_of(side), extremes_);
         }
         if (sum < least) least = sum, best = std::move(sides);
       }
     }
     if (!best) return std::nullopt;
-    return std::array<Part, 2>{make_part(std::move((*best)[0])), make_part(std::move((*best)[1]))};
+    return std::array<Part, 2>{make_part(std::move((*best)[0]), max_vertices_),
+                               make_part(std::move((*best)[1]), max_vertices_)};
   }
 
   TriangleTree tree_;
+  std::size_t max_vertices_;
   double volume_;
   std::vector<Vec3> planes_, extremes_;
   std::vector<Part> parts_;
@@ -256,12 +264,17 @@ void ConvexPartOptions::check() const {
     throw InputError("`parts` = " + std::to_string(max_parts) + ": must be from 1 to " +
                      std::to_string(kMostParts));
   }
+  if (max_vertices && *max_vertices < kFewestVertices) {
+    throw InputError("`part_vertices` = " + std::to_string(*max_vertices) + ": must be at least " +
+                     std::to_string(kFewestVertices));
+  }
 }
 
 ConvexParts split_into_convex_parts(const TriangleMesh& mesh, const ConvexPartOptions& options) {
   options.check();
   solid_mass_properties(mesh, 1.0);  // refuses open meshes
-  PartDivision division(mesh);
+  PartDivision division(mesh,
+                        options.max_vertices.value_or(std::numeric_limits<std::size_t>::max()));
   while (division.size() < options.max_parts && division.added_volume() > options.added_volume &&
          division.divide()) {
   }

@@ -1,6 +1,7 @@
 #pragma once
 /// Decomposition of a body into convex parts that cover it and do not overlap.
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "particles/particle_body.hpp"
@@ -11,6 +12,9 @@ namespace clast {
 struct ConvexPartOptions {
   double added_volume = 0.01;  ///< volume of the parts beyond the body, relative to its volume
   std::size_t max_parts = 32;  ///< the division ends at this number, even above `added_volume`
+  /// Largest number of vertices of a part, at least 16; default: any. A hull with more of them is
+  /// replaced by a polyhedron around it, within its cell.
+  std::optional<std::size_t> max_vertices = {};
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -110,7 +110,7 @@ const ParticleEngine& find_particle_engine(const std::string& name) {
 }
 
 std::string particle_engine_table() {
-  std::string table = "| ~--to~ | engine | shapes | files |\n|---|---|---|---|\n", list = "\n";
+  std::string table = "| name | engine | shapes | files |\n|---|---|---|---|\n", list = "\n";
   for (const ParticleEngine& engine : particle_engines()) {
     std::vector<std::string> shapes;
     for (const ParticleShape shape : engine.shapes) shapes.push_back(particle_shape_name(shape));

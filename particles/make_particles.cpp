@@ -99,8 +99,10 @@ Particle hull_particle(const Block& block, const ParticleExportOptions& options)
 Particle part_particle(const Block& block, const ParticleExportOptions& options) {
   const ParticleBody body = faceted_body(block);
   const std::size_t most = options.max_parts.value_or(kDefaultParts);
-  ConvexParts parts = split_into_convex_parts(
-      body.mesh, {.added_volume = options.clump.error.volume, .max_parts = most});
+  ConvexParts parts =
+      split_into_convex_parts(body.mesh, {.added_volume = options.clump.error.volume,
+                                          .max_parts = most,
+                                          .max_vertices = options.max_part_vertices});
   return with_parts(common_part(block), ParticleShape::kParts, body, std::move(parts));
 }
 

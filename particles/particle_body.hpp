@@ -21,7 +21,7 @@ ParticleBody make_particle_body(TriangleMesh mesh);
 /// quarter turn, and the stored mass properties.
 ParticleBody make_particle_body(const Block& block);
 
-/// As above, with another surface of the block.
+/// Makes a body from a block with another surface.
 /// @param surface  closed, outward, in the frame of the scan
 ParticleBody make_particle_body(const Block& block, const TriangleMesh& surface);
 

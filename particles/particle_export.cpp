@@ -119,6 +119,9 @@ std::string options_text(const ParticleExportOptions& options) {
                      " seed=" + std::to_string(clump.seed);
   if (clump.balls) text += " equal_spheres=" + std::to_string(*clump.balls);
   if (options.max_parts) text += " parts=" + std::to_string(*options.max_parts);
+  if (options.max_part_vertices) {
+    text += " part_vertices=" + std::to_string(*options.max_part_vertices);
+  }
   if (options.hull) text += " hull=true";
   for (const double level : options.levels) text += " level=" + format_significant(level, 12);
   return text;
@@ -284,12 +287,13 @@ void ParticleExportOptions::check() const {
   only_for(clump.balls.has_value(), "equal_spheres", ParticleShape::kSpheres);
   only_for(!levels.empty(), "levels", ParticleShape::kSpheres);
   only_for(max_parts.has_value(), "parts", ParticleShape::kParts);
+  only_for(max_part_vertices.has_value(), "part_vertices", ParticleShape::kParts);
   only_for(hull, "hull", ParticleShape::kPolyhedron);
   if (clump.balls && !levels.empty()) {
     throw InputError("`equal_spheres` and `levels` exclude each other");
   }
   for (const double level : levels) ShapeErrors{0.5, 0.5, level}.check();
-  if (max_parts) ConvexPartOptions{.max_parts = *max_parts}.check();
+  ConvexPartOptions{.max_parts = max_parts.value_or(1), .max_vertices = max_part_vertices}.check();
 }
 
 ParticleExport export_particles(const std::vector<const Block*>& blocks, const fs::path& folder,

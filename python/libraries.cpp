@@ -143,6 +143,7 @@ py::tuple export_as_particles(const Blocks& blocks, const fs::path& folder,
   given.read("levels", options.levels);
   given.read("smallest_sphere", options.clump.smallest_sphere);
   given.read("parts", options.max_parts);
+  given.read("part_vertices", options.max_part_vertices);
   given.read("hull", options.hull);
   given.read("replace", options.replace);
   given.read("threads", options.threads);

@@ -50,6 +50,7 @@ void apply_texts(ParticleExportArgs& args) {
   if (!args.shape.empty()) options.shape = find_particle_shape(args.shape);
   if (args.equal_spheres > 0) options.clump.balls = args.equal_spheres;
   if (args.parts > 0) options.max_parts = args.parts;
+  if (args.part_vertices > 0) options.max_part_vertices = args.part_vertices;
   options.check();
 }
 
@@ -110,6 +111,11 @@ void add_particle_options(CLI::App& command, ParticleExportArgs& args) {
   command.add_option("--parts", args.parts, "Largest number of convex parts; default: 32")
       ->check(integer_in_range(1, 1000))
       ->type_name("N");
+  command
+      .add_option("--part-vertices", args.part_vertices,
+                  "Largest number of vertices of a convex part, 16 or more; default: any")
+      ->check(integer_in_range(16, 100000))
+      ->type_name("N");
   command.add_flag("--hull", args.options.hull,
                    "Write the convex hull of concave blocks, also beyond --error");
   command
@@ -122,8 +128,8 @@ void add_particle_options(CLI::App& command, ParticleExportArgs& args) {
 
 const std::vector<std::string>& particle_option_names() {
   static const std::vector<std::string> kNames = {
-      "--error",           "--shape", "--max-spheres", "--equal-spheres", "--levels",
-      "--smallest-sphere", "--parts", "--hull",        "--threads"};
+      "--error",           "--shape", "--max-spheres",   "--equal-spheres", "--levels",
+      "--smallest-sphere", "--parts", "--part-vertices", "--hull",          "--threads"};
   return kNames;
 }
 

@@ -11,10 +11,10 @@ namespace clast {
 
 struct ParticleExportArgs {
   ParticleExportOptions options;
-  std::string error;                         ///< "volume=0.01,inertia=0.02,surface=0.02"
-  std::string levels;                        ///< "0.05,0.02"
-  std::string shape;                         ///< if empty, that of the engine
-  std::size_t equal_spheres = 0, parts = 0;  ///< 0 if not given
+  std::string error;   ///< "volume=0.01,inertia=0.02,surface=0.02"
+  std::string levels;  ///< "0.05,0.02"
+  std::string shape;   ///< if empty, that of the engine
+  std::size_t equal_spheres = 0, parts = 0, part_vertices = 0;  ///< 0 if not given
 };
 
 /// Options of particles, without that of the engine.

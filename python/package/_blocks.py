@@ -492,6 +492,7 @@ class Library:
         levels: Sequence[float] | None = None,
         smallest_sphere: float = 0.02,
         parts: int | None = None,
+        part_vertices: int | None = None,
         hull: bool = False,
         replace: bool = False,
         threads: int = 0,
@@ -512,6 +513,7 @@ class Library:
             levels: surface errors; each block is written at each.
             smallest_sphere: smallest radius over L.
             parts: largest number of convex parts; default: 32.
+            part_vertices: largest number of vertices of a convex part; default: any.
             hull: write the hull of concave blocks, also beyond the error.
             replace: replace an export with other options.
             threads: number of threads, 0: one per core.
@@ -529,6 +531,7 @@ class Library:
             levels=None if levels is None else list(levels),
             smallest_sphere=smallest_sphere,
             parts=parts,
+            part_vertices=part_vertices,
             hull=hull,
             replace=replace,
             threads=threads,

@@ -30,6 +30,26 @@ double height_above(const TriangleMesh& part, const Vec3& point) {
   return height;
 }
 
+TEST(ConvexParts, HaveAtMostTheVerticesAskedForAndContainTheirShares) {
+  const TriangleMesh mesh = notched_rock(1);
+  const ConvexParts free = split_into_convex_parts(mesh, {.added_volume = 1e-4, .max_parts = 4});
+  const ConvexParts few =
+      split_into_convex_parts(mesh, {.added_volume = 1e-4, .max_parts = 4, .max_vertices = 24});
+  EXPECT_GT(few.added_volume, free.added_volume);
+  for (const TriangleMesh& part : few.parts) EXPECT_LE(part.vertices.size(), 24u);
+  for (const Vec3& vertex : mesh.vertices) {
+    double nearest = std::numeric_limits<double>::infinity();
+    int inside = 0;
+    for (const TriangleMesh& part : few.parts) {
+      const double height = height_above(part, vertex);
+      nearest = std::min(nearest, height);
+      inside += height < -1e-9;
+    }
+    EXPECT_LE(nearest, 1e-9);
+    EXPECT_LE(inside, 1);
+  }
+}
+
 TEST(ConvexParts, OfAConvexBodyAreTheBody) {
   const ConvexParts parts = split_into_convex_parts(cuboid(3.0, 2.0, 1.0));
   ASSERT_EQ(parts.parts.size(), 1u);
