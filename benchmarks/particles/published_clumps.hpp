@@ -23,7 +23,7 @@ std::vector<Ball> ferellec_mcdowell_clump(const ParticleBody& body, const Triang
                                           double smallest_radius, double covering,
                                           std::uint64_t seed);
 
-/// As above, with the smallest covering distance that at most `count` balls allow.
+/// Balls as in the other overload, with the smallest covering distance that `count` balls allow.
 std::vector<Ball> ferellec_mcdowell_clump(const ParticleBody& body, const TriangleTree& tree,
                                           double smallest_radius, std::size_t count,
                                           std::uint64_t seed);
