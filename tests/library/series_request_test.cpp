@@ -47,7 +47,7 @@ std::pair<double, std::vector<std::string>> sample_bodies(const BlockLibrary& po
   VariationSeriesRequest request;
   request.library = folder.path() / "rock.h5";
   request.table = folder.path() / "population.h5";
-  request.sampled_count = 40;
+  request.sampled_count = 20;
   BlockLibrary parent;
   parent.add(sized_rock("R", 1.0));
   parent.write(request.library);
