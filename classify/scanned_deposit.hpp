@@ -1,5 +1,5 @@
 #pragma once
-/// Statistics of the population of a deposit of which the surface was scanned.
+/// Statistics of the population of a deposit whose surface was scanned.
 #include <array>
 #include <optional>
 #include <string>
@@ -46,7 +46,7 @@ struct WeightedSizes {
 /// Fraction of one class by number.
 struct CorrectedFraction {
   std::string name;
-  EstimatedValue found;      ///< of the blocks that show
+  EstimatedValue found;      ///< of the blocks that were found
   EstimatedValue corrected;  ///< of all blocks of the deposit
 };
 struct CorrectedSchemeFractions {
@@ -67,10 +67,11 @@ struct ScannedDepositSummary {
 
 /// Computes the statistics of the blocks of a deposit.
 ///
-/// Values and intervals are those of random replicates. In each of them, sizes are drawn from their
-/// intervals (`draw_block_sizes`), blocks are kept with the probability of their confidence, and
-/// the number of bodies that each stands for varies as it does if bodies of a finite deposit are
-/// found independently of each other (docs/theory/deposits.md).
+/// Percentiles and numbers are those of the median sizes (`median_block_sizes`), fractions of
+/// classes are means of random replicates, and intervals are those of the replicates. In each,
+/// sizes are drawn from their intervals (`draw_block_sizes`), blocks are kept with the probability
+/// of their confidence, and the number of bodies that each stands for varies as it does if bodies
+/// of a finite deposit are found independently of each other (docs/theory/deposits.md).
 /// @return empty if fewer than `kLeastCorrectedBlocks` scaled blocks have an observation, or if all
 /// have a confidence of 0
 /// @param threads  number of threads, 0: one per core; does not affect the result

@@ -19,8 +19,8 @@ namespace clast {
 /// @throws InputError  if there is no ball, a radius is not positive, or a value is not finite
 MassProperties ball_union_mass_properties(std::span<const Ball> balls, double density);
 
-/// Returns the area of each sphere that is outside all other balls, m^2. The volume of the union
-/// grows by their sum times dt if all radii grow by dt.
+/// Returns for each sphere the area outside all other balls, m^2. If all radii grow by dr, the
+/// volume of the union grows by the sum of these areas times dr.
 /// @throws InputError  as `ball_union_mass_properties`
 std::vector<double> exposed_areas(std::span<const Ball> balls);
 

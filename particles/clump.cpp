@@ -159,8 +159,8 @@ class ClumpFit {
     return balls;
   }
 
-  /// Corrected balls with their errors. Spheres are sampled coarsely first. The place of the
-  /// largest distance joins the samples of the next descent if it is on the body.
+  /// Corrected balls with their errors. Spheres are sampled coarsely first. If the largest
+  /// distance is too large and at a point of the body, that point is added to the dense samples.
   Clump judged(const ClumpDescent& descent, const ShapeErrors& limits) {
     Clump clump = {corrected(descent.balls()), {}};
     clump.errors = mass_errors(clump.balls);

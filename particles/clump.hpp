@@ -31,15 +31,16 @@ struct Clump {
 /// Fits balls to a body: the fewest that were found for `error`, or as many as `balls` asks for.
 ///
 /// A greedy cover by grown tangent balls is the start of a joint descent on all centres and radii.
-/// Its loss is of the distances between both surfaces. An affine map of the centres and a common
-/// change of the radii give the union the volume, centre and second moments of the body
+/// Its loss is a function of the distances between both surfaces. An affine map of the centres and
+/// a common change of the radii give the union the volume, centre and second moments of the body
 /// (docs/theory/particles.md). The result depends on the body and the options only.
 /// @throws InputError  if an option is invalid
-/// @throws GeometryError  if `error` is not reached with `max_balls`; the message states what was
+/// @throws GeometryError  if `error` is not reached with `max_balls`; the message states the
+///                        errors reached
 Clump fit_clump(const ParticleBody& body, const ClumpOptions& options = {});
 
 /// Fits a clump for each of several surface errors to one body, largest error first.
-/// @param surface_errors  replace `error.surface`; the other errors allowed grow in proportion
+/// @param surface_errors  replace `error.surface`; the other limits change in proportion
 std::vector<Clump> fit_clump_levels(const ParticleBody& body, const ClumpOptions& options,
                                     const std::vector<double>& surface_errors);
 

@@ -12,8 +12,8 @@ namespace clast {
 struct ConvexPartOptions {
   double added_volume = 0.01;  ///< volume of the parts beyond the body, relative to its volume
   std::size_t max_parts = 32;  ///< the division ends at this number, even above `added_volume`
-  /// Largest number of vertices of a part, at least 16; default: any. A hull with more of them is
-  /// replaced by a polyhedron around it, within its cell.
+  /// Largest number of vertices of a part, at least 16; default: no limit. A hull with more of them
+  /// is replaced by a polyhedron that contains it, within the cell of the part.
   std::optional<std::size_t> max_vertices = {};
 
   void check() const;  ///< throws InputError naming the field and its value

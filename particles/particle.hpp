@@ -47,8 +47,8 @@ struct Particle {
 
 /// Computes positive masses of the spheres of a particle whose sum is its mass, with centre of mass
 /// and principal axes of the particle, kg. Engines that add up spheres as if they did not overlap
-/// then find the right frame. The masses are those nearest to proportion with the cubes of the
-/// radii. Fewer than eight spheres may leave small differences.
+/// then find the right frame. The masses are as nearly proportional to the cubes of the radii as
+/// possible. With fewer than eight spheres, small differences may remain.
 std::vector<double> balanced_masses(const Particle& particle);
 
 }  // namespace clast

@@ -21,7 +21,8 @@ ParticleBody make_particle_body(TriangleMesh mesh);
 /// quarter turn, and the stored mass properties.
 ParticleBody make_particle_body(const Block& block);
 
-/// Makes a body from a block with another surface.
+/// Makes a body from a block, in its principal frame, with another surface and the stored mass
+/// properties.
 /// @param surface  closed, outward, in the frame of the scan
 ParticleBody make_particle_body(const Block& block, const TriangleMesh& surface);
 

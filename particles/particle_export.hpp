@@ -19,8 +19,8 @@ struct ParticleExportOptions {
   ClumpOptions clump = {};                    ///< errors and spheres; `error` holds for all shapes
   std::vector<double> levels = {};            ///< surface errors; each block is written at each
   std::optional<std::size_t> max_parts = {};  ///< default: 32 convex parts
-  std::optional<std::size_t> max_part_vertices = {};  ///< of each convex part; default: any
-  bool hull = false;     ///< true: a concave block is written as its hull, beyond `error`
+  std::optional<std::size_t> max_part_vertices = {};  ///< of each convex part; default: no limit
+  bool hull = false;     ///< true: concave blocks are written as hulls, also beyond `error`
   bool replace = false;  ///< if false, files of other exports in the folder are an error
   unsigned threads = 0;  ///< number of threads, 0: one per core; does not affect the files
 

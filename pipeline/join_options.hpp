@@ -41,7 +41,7 @@ void visit_fields(const NamedPair& pair, Visit&& visit) {
 struct JoinOptions {
   std::vector<NamedPose> poses = {};
   std::vector<NamedPair> pairs = {};  ///< at least three of a scan and those before it
-  /// True if the first scan alone has a scale; those of the others are estimated.
+  /// True if only the first scan has a scale; the scales of the others are estimated.
   bool free_scale = false;
 };
 

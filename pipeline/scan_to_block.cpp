@@ -145,7 +145,7 @@ ReadScan as_read(JoinedScan joined) {
   return read;
 }
 
-/// Aligns the passes of a scan; empty if there is one only.
+/// Aligns the passes of a scan. Returns nothing if fewer than two show enough of the block.
 std::optional<ReadScan> align_raw_scan(RawScan& raw, const std::string& name,
                                        const ScanToBlockOptions& options, BlockSource& source,
                                        const ScanCallbacks& callbacks) {
@@ -154,7 +154,7 @@ std::optional<ReadScan> align_raw_scan(RawScan& raw, const std::string& name,
       {name, std::move(raw.mesh), raw.scan}, raw.passes, name, reading_options(options, callbacks),
       {.threads = options.block.threads, .progress = callbacks.progress});
   if (!aligned) {
-    if (callbacks.on_note) callbacks.on_note(name + ": it has one pass; nothing was aligned");
+    if (callbacks.on_note) callbacks.on_note(name + ": no second pass found; nothing was aligned");
     return {};
   }
   std::vector<std::string>& notes = aligned->block.scan.notes;

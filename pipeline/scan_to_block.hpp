@@ -45,7 +45,7 @@ struct ScanToBlockOptions {
   std::filesystem::path labelled = {};
   PhotoScanOptions photos;  ///< options for folders of photographs
   JoinOptions join = {};    ///< for scans that are joined to one block
-  bool align = false;       ///< true: registers passes inside one scan that do not fit
+  bool align = false;       ///< true: registers passes of one scan that do not fit
 
   void check() const;  ///< throws InputError naming the field and its value
 };

@@ -68,7 +68,7 @@ struct FieldScan : FieldDeposit {
 struct RawScan {
   TriangleMesh mesh;  ///< in the file's units and axes; without triangles for a cloud
   ScanOptions scan;   ///< options with the up axis of the file
-  /// Pass of each point in which it was recorded (`number_passes`); empty if there is one only.
+  /// Pass in which each point was recorded (`number_passes`); empty if there is only one.
   std::vector<std::uint32_t> passes = {};
   std::string crs;                 ///< reference system that the file states; empty if unknown
   std::vector<std::string> notes;  ///< on coordinates and points left out

@@ -42,7 +42,7 @@ void note_scales(const Registration& fit, const std::vector<ScanToRegister>& sca
   constexpr double kNormal95 = 1.96;
   for (const FoundScale& found : fit.scales) {
     const double reach = kNormal95 * found.standard_error;
-    notes.push_back("scale of " + scans[found.scan].name + " estimated: its lengths times " +
+    notes.push_back("scale of " + scans[found.scan].name + " was estimated: its lengths times " +
                     format_significant(found.scale, 5) + " +- " +
                     format_significant(found.standard_error, 1) + " (95 % interval " +
                     format_significant(found.scale - reach, 5) + " to " +
@@ -74,15 +74,15 @@ std::vector<double> distances_at(const std::vector<Vec3>& vertices,
   return means;
 }
 
-/// Ground on which a block stays, and the centre of the block.
+/// Ground on which a block lies, and the centre of the block.
 struct Footing {
   std::optional<Plane> ground = {};
   Vec3 centre = Vec3::Zero();
 };
 
 /// Registers scans and makes a block of their points.
-/// @param what  word for the scans
-/// @param notes  on the scans
+/// @param what  noun for the scans in the first note: "scans" or "passes of ..."
+/// @param notes  notes on the scans
 JoinedScan make_joined(const std::vector<ScanToRegister>& scans, const std::string& what,
                        std::vector<std::string> notes, const Footing& footing,
                        const std::string& name, const FieldScanOptions& options,

@@ -37,11 +37,11 @@ JoinedScan join_scans(const std::vector<ScanToJoin>& scans, const std::string& n
                       const FieldScanOptions& options, const RegistrationOptions& registration);
 
 /// Divides a scan into passes that do not fit, registers them, and reconstructs one surface from
-/// the points of all. The block stays where it is in the scan, on its ground.
-/// @param passes  pass of each vertex of `scan.raw`, such as the flight strip; empty if unknown:
-///                parts that show the same surface at two places are passes
+/// the points of all. The block keeps its position in the scan, and its ground.
+/// @param passes  pass of each vertex of `scan.raw`, such as the flight strip; if empty, passes
+///                are the parts that show the same surface at two places
 /// @param options  its `scan` is not used
-/// @return  empty if there is one pass only
+/// @return  empty if fewer than two passes show enough of the block
 /// @throws InputError, GeometryError  if the scan has no block, if passes do not fit, or if the
 ///                                    reconstruction throws
 std::optional<JoinedScan> align_passes(const ScanToJoin& scan,

@@ -21,7 +21,7 @@ class BatchPrinter : public ScanBatchObserver {
   /// @param report  folder of pages; if empty, no pages are written
   /// @param json  true if blocks are printed as JSON at the end; false if as lines
   /// @param given_options  options of the command line with their values, without `--edits` and
-  ///                       `--replace`; pages state the command that applies edits
+  ///                       `--replace`, for the command that applies edits, which pages state
   /// @throws InputError  if the folder of pages cannot be written
   BatchPrinter(std::size_t scans, const ScanBatchOptions& options, const std::string& report,
                bool json, std::vector<std::string> given_options);
@@ -51,7 +51,7 @@ class BatchPrinter : public ScanBatchObserver {
 
   const ScanBatchOptions& options_;
   std::size_t scans_;
-  std::vector<std::string> given_options_;  ///< of pages
+  std::vector<std::string> given_options_;  ///< of the command line, for pages
   bool json_;
   ProgressBar bar_;
   std::optional<ScanReport> report_;

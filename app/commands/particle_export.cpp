@@ -113,7 +113,7 @@ void add_particle_options(CLI::App& command, ParticleExportArgs& args) {
       ->type_name("N");
   command
       .add_option("--part-vertices", args.part_vertices,
-                  "Largest number of vertices of a convex part, 16 or more; default: any")
+                  "Largest number of vertices of a convex part, 16 or more; default: no limit")
       ->check(integer_in_range(16, 100000))
       ->type_name("N");
   command.add_flag("--hull", args.options.hull,

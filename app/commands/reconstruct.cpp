@@ -250,8 +250,9 @@ void add_join_options(CLI::App& command, ReconstructArgs& args) {
       ->excludes(join);
   command
       .add_flag("--align", args.batch.scan.align,
-                "Align strips or passes inside one scan that do not fit: those of the point "
-                "sources or pauses of a LAS file, else parts that show one surface at two places")
+                "Align strips or passes of one scan that do not fit: those of the point sources "
+                "of a LAS file or between pauses of its recording, otherwise parts that show "
+                "the same surface at two places")
       ->excludes("--split")
       ->excludes("--join-folders")
       ->excludes(join);
@@ -264,8 +265,8 @@ void add_join_options(CLI::App& command, ReconstructArgs& args) {
       ->allow_extra_args(false);
   command
       .add_option("--scale", args.scale,
-                  "With --join or --join-folders: free: estimate the scales of all scans but the "
-                  "first, which has the units")
+                  "With --join or --join-folders: stored, if all scans have the given units; free, "
+                  "if only the first one has, to estimate the scales of the others")
       ->check(CLI::IsMember({"stored", "free"}))
       ->type_name("WHICH")
       ->capture_default_str();

@@ -4,8 +4,9 @@
     release_study.py BUILD_DIR OUT_DIR [--releases 30] [--figure docs/clumps.svg]
 
 Three forms of one sample block with equal mass (compact, platy, elongated) start in the same random orientations above
-a slope of 30 degrees with a level floor. The laws are the same: linear spring and dashpot, Coulomb friction. What
-exists in OUT_DIR is not computed again. Needs LIGGGHTS (Debian package liggghts), for the figure Matplotlib.
+a slope of 30 degrees with a level floor. Both use a linear spring and dashpot and Coulomb friction; docs/clumps.md
+states what differs. What exists in OUT_DIR is not computed again. Needs LIGGGHTS (Debian package liggghts), and
+Matplotlib for the figure.
 """
 import argparse
 import csv
@@ -113,7 +114,7 @@ downslope = [1.0, 0.0]
 
 
 def liggghts_stop(out, particle, index, rotation):
-    """Place of a clump at the end of a release in LIGGGHTS, m."""
+    """x of a clump at the end of a release in LIGGGHTS, m."""
     folder = out / "runs" / f"{particle['name']}_{index}"
     result = folder / "end.txt"
     if not result.exists():

@@ -11,7 +11,7 @@ namespace {
 /// Squared sine of the angle between planes of two circles below which these are parallel.
 constexpr double kParallel = 1e-12;
 
-/// Turns of a spiral with equal areas: (cos, sin) of k golden angles.
+/// Directions of the points of a spiral with equal areas: (cos, sin) of k golden angles.
 class SpiralTurns {
  public:
   SpiralTurns() : turns_(kKept) {

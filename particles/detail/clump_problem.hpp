@@ -38,10 +38,11 @@ Ball shrink_tangent_ball(const TriangleTree& tree, const Vec3& contact, const Ve
                          double largest);
 
 /// Covers the samples by `count` candidate balls that are grown by the smallest common distance.
-/// @param guess  of that distance; affects the time, and the distance within its precision
+/// @param guess  initial estimate of that distance; affects the computing time, and the result
+///               within the precision of the search
 std::vector<Ball> cover_greedily(const ClumpProblem& problem, std::size_t count, double guess);
 
-/// Covers the samples by candidate balls that are grown by `growth`, by as few as found.
+/// Covers the samples by candidate balls that are grown by `growth`, chosen greedily.
 std::vector<Ball> cover_completely(const ClumpProblem& problem, double growth);
 
 }  // namespace clast::particles_detail

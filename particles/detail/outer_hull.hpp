@@ -9,10 +9,12 @@
 namespace clast::particles_detail {
 
 /// Makes a convex polyhedron with at most `max_vertices` vertices that contains a hull and is
-/// within a cell: the cell is cut by planes of faces of the hull, that above which most of the cell
-/// protrudes first.
-/// @param hull  within the cell
-/// @param planes  of its faces
+/// within a cell.
+///
+/// The cell is cut by planes of faces of the hull, first by the plane above which the cell
+/// protrudes farthest. Cuts that would exceed `max_vertices` are left out.
+/// @param hull  closed convex mesh within the cell
+/// @param planes  planes of the faces of the hull
 /// @param max_vertices  at least the number of vertices of the cell
 TriangleMesh outer_hull(const TriangleMesh& hull, std::span<const Plane> planes, ConvexCell cell,
                         std::size_t max_vertices);

@@ -16,7 +16,7 @@ ScanToJoin read_photographs(const std::filesystem::path& folder, const ScanToBlo
                             const ScanCallbacks& callbacks) {
   PhotoScanOptions photos = options.photos;
   if (options.scale_points || options.scan.unit != 1.0) photos.metres_per_unit = options.scan.unit;
-  photos.allow_unscaled = !needs_scale;  // scans of different scales do not fit
+  photos.allow_unscaled = !needs_scale;  // stored scales must agree
   PhotoScan scan = reconstruct_from_photos(
       folder, photos, [&](const std::string& what) { callbacks.begin_step(what, true); });
   for (const std::string& note : scan.notes) notes.push_back(folder.string() + ": " + note);

@@ -76,9 +76,10 @@ def reconstruct(
         pose: with `join`: rotations about x, y and z in degrees, right within 30 degrees, that turn
             a scan to the first one, by its name; for blocks that fit in several poses.
         picked: with `join`: table of three or more places that two scans show.
-        scale: with `join`: "free": estimate the scales of all scans but the first; default: "stored".
-        align: align strips or passes inside one scan that do not fit: those of the point sources or
-            pauses of a LAS file, else parts that show one surface at two places.
+        scale: with `join`: "stored" (default), if all scans have the given units; "free", if only the first
+            one has, to estimate the scales of the others.
+        align: align strips or passes of one scan that do not fit: those of the point sources of a LAS file
+            or between pauses of its recording, otherwise parts that show the same surface at two places.
         units: length unit: "m", "cm", "mm", "km", "in", "ft", or metres per unit as text.
         scale_length: in place of units: two points of the scan and their distance in metres.
         scale_factor: factor on all lengths, applied after units or scale_length.
@@ -513,7 +514,7 @@ class Library:
             levels: surface errors; each block is written at each.
             smallest_sphere: smallest radius over L.
             parts: largest number of convex parts; default: 32.
-            part_vertices: largest number of vertices of a convex part; default: any.
+            part_vertices: largest number of vertices of a convex part, 16 or more; default: no limit.
             hull: write the hull of concave blocks, also beyond the error.
             replace: replace an export with other options.
             threads: number of threads, 0: one per core.

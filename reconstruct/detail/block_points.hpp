@@ -18,7 +18,7 @@ struct BlockPoints {
   std::vector<std::string> notes = {};
 };
 
-/// Treatment of points that are so close to the ground that they may be of it.
+/// Treatment of points so close to the ground that they may belong to it.
 enum class FootPoints { kRemoved, kKept };
 
 /// Removes duplicates, outliers, far points and, if present, the ground. A mesh is sampled evenly.

@@ -66,7 +66,7 @@ CloudSurface surface_of(const std::vector<Vec3>& points, const std::string& name
   });
 }
 
-/// Part of the layer between two surfaces of one side by which the volume may be off.
+/// Largest error of the volume, relative to that of the layer between the two surfaces.
 constexpr double kMisfitVolume = 0.5;
 
 /// Widens the bounds of a surface through passes that do not fit.

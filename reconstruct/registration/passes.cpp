@@ -32,8 +32,8 @@ constexpr int kTriples = 3000;                 ///< of places from which movemen
 constexpr std::size_t kRefinedMovements = 30;  ///< movements that are refined
 constexpr int kRefinements = 8;
 constexpr double kLargestShift = 0.06;  ///< relative to the diagonal
-/// Difference of a distance and that of a movement: in standard errors and relative to the
-/// distance. The first is for translations alone.
+/// Tolerance of the difference between a distance and that of a movement: in standard errors and
+/// relative to the distance. The first fraction is for translations alone.
 constexpr double kErrors = 3.0, kFirstFraction = 0.4, kFinalFraction = 0.2;
 /// Least number and fraction of places with two surfaces, and least fraction of them that one
 /// movement explains.
@@ -59,7 +59,7 @@ struct Movement {
   }
 };
 
-/// The points in use: all, or an even share of them in random order.
+/// Returns the indices of the points in use: all, or a random subset, in ascending order.
 std::vector<std::uint32_t> choose_random_subset(std::size_t count) {
   std::vector<std::uint32_t> chosen(count);
   std::iota(chosen.begin(), chosen.end(), 0u);
@@ -188,8 +188,8 @@ struct UsedPoints {
   double noise = 0.0;  ///< standard deviation of the points, m
 };
 
-/// Spreads votes for either part over neighbours: minimises weighted squared differences. Positive
-/// values are of the moved part.
+/// Spreads votes for either part over neighbours: minimises weighted squared differences. Points
+/// with positive values belong to the moved part.
 std::vector<double> spread_votes(const UsedPoints& used, const std::vector<double>& votes) {
   const auto count = static_cast<Eigen::Index>(used.points.size());
   std::vector<Eigen::Triplet<double>> entries;
@@ -223,7 +223,7 @@ std::vector<double> spread_votes(const UsedPoints& used, const std::vector<doubl
   return {solved.data(), solved.data() + count};
 }
 
-/// Gives each point the part that follows from the nearest points in use.
+/// Assigns each point to a part by the values of the nearest points in use.
 std::vector<bool> assign_parts(std::span<const Vec3> points, const UsedPoints& used,
                                const std::vector<double>& values) {
   const PointTree tree(used.points);
@@ -309,9 +309,9 @@ std::optional<PassMisfit> find_pass_misfit(std::span<const Vec3> points) {
 std::string describe_misfit(const PassMisfit& misfit, double unit) {
   const Vec3 s = unit * misfit.shift;
   return "on " + format_significant(100.0 * misfit.fraction, 2) +
-         " % of the block the surface is there twice, " +
+         " % of the block the surface appears twice, " +
          format_significant(unit * misfit.distance, 2) +
-         " m apart: a part of the scan fits the rest if it is moved by (" +
+         " m apart; a part of the scan fits the rest if it is moved by (" +
          format_significant(s.x(), 2) + ", " + format_significant(s.y(), 2) + ", " +
          format_significant(s.z(), 2) + ") m and rotated by " +
          format_significant(misfit.rotation.norm() * kDegreesPerRadian, 2) + " degrees";

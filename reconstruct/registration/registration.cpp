@@ -26,7 +26,7 @@ using namespace reconstruct_detail;
 constexpr std::size_t kMostScans = 8;
 /// Least overlap, and least fraction of the comparable surface that matches.
 constexpr double kLeastMatched = 0.1, kLeastConsistency = 0.88;
-/// The same overlap for scans with nearly known poses.
+/// Least overlap of scans whose poses are nearly known.
 constexpr double kLeastAlignedMatched = 0.03;
 /// A rival of the best pose has at least this consistency and this fraction of its score, and at
 /// most this ratio of the mean square misfits.

@@ -35,8 +35,8 @@ struct PoseHint {
 struct RegistrationOptions {
   std::vector<PoseHint> hints = {};
   std::vector<PickedPair> pairs = {};  ///< three or more for each scan that they register
-  /// True if all scans have one frame, in which they are displaced by a few percent of their size,
-  /// and one scale: poses are not searched.
+  /// True if all scans have the same frame, in which they are displaced by at most a few percent of
+  /// their size, and the same scale: poses are refined without a search.
   bool nearly_aligned = false;
   /// True if the scales of all scans but the first are unknown, and are estimated.
   bool free_scale = false;
@@ -47,8 +47,8 @@ struct RegistrationOptions {
 /// Estimated scale of a scan.
 struct FoundScale {
   std::size_t scan = 0;
-  double scale = 1.0;  ///< metres per unit of the scan
-  double standard_error = 0.0;
+  double scale = 1.0;           ///< metres per unit of the scan
+  double standard_error = 0.0;  ///< of `scale`
 };
 
 /// Scans in the frame of the first.

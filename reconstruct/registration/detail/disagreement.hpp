@@ -22,8 +22,8 @@ struct ScaleEstimate {
   Similarity first_from_surface;  ///< pose in the frame of the first surface of the group
 };
 
-/// Standard error of a scale, from the variance of its logarithm that the noise causes and the
-/// smoothing of both surfaces.
+/// Standard error of a scale due to noise and to the smoothing of both surfaces.
+/// @param variance  variance of the logarithm of the scale due to noise
 double scale_error(double scale, double variance);
 
 ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& surface);

@@ -7,7 +7,7 @@
 namespace clast::reconstruct_detail {
 
 /// Searches poses (`search_poses`) at scales from 0.7 to 1.4, in steps of 9 %, and estimates the
-/// scale at the best of each.
+/// scale from the best poses at each.
 /// @param threads  number of threads; does not affect the result
 /// @return  the highest score first
 std::vector<PoseCandidate> search_similarities(const IndexedSurface& fixed,

@@ -14,10 +14,11 @@ struct ProbedState {
 /// Estimates the computing time that is left in a run, s.
 ///
 /// The computing time per simulated time is proportional to the number n of moving blocks, which
-/// decays exponentially. If n fell from n1 to n2 while a time dt was simulated, which took c, the
-/// simulated time t that is left takes c n2 / (n1 - n2) (1 - (n2/n1)^(t/dt)), which tends to c t/dt
-/// if n does not decrease.
-/// @param left  simulated time to the time limit, s
+/// decays exponentially. If n fell from n1 to n2 in a simulated time dt, whose computing time was
+/// c, the simulated time t that is left takes c n2 / (n1 - n2) (1 - (n2/n1)^(t/dt)); if n does not
+/// decrease, it takes c t/dt.
+/// @param earlier  state before `now` in the same run
+/// @param left  simulated time from `now` to the time limit, s
 double estimate_remaining_time(const ProbedState& earlier, const ProbedState& now, double left);
 
 }  // namespace clast::study_detail
