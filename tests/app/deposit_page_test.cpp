@@ -131,7 +131,7 @@ TEST_F(DepositPage, SelectsCorrectsAndContinues) {
   EXPECT_NE(page["right"], 0);
   EXPECT_EQ(page["edits"].size(), 4u);
   EXPECT_EQ(page["command"],
-            "clast reconstruct talus.ply --output d.h5 --split --report pages --edits edits.json "
+            "clast reconstruct talus.ply --output d.h5 --report pages --split --edits edits.json "
             "--replace");
 
   const std::string text = page["text"];
