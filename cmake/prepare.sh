@@ -88,7 +88,7 @@ if [ ! -f $build/CMakeCache.txt ]; then
   if command -v ninja >/dev/null; then options+=(-G Ninja); fi
   options+=(-DCLAST_TESTS=OFF)
 fi
-if [ "$1" = program ]; then targets=(clast); else options+=(-DCLAST_TESTS=ON); fi
+if [ "$1" = program ]; then targets=(clast help_files); else options+=(-DCLAST_TESTS=ON); fi
 
 mkdir -p build
 log=build/configure.log
