@@ -36,8 +36,8 @@ const std::vector<std::string> kStones = {
 /// A rock that is made for the study.
 struct MadeRock {
   Vec3 half_axes;
-  double bumps;        ///< see `rock_mesh`; 0: a hull of random points, with flat faces
-  double dents = 0.0;  ///< depth of two dents, as a fraction of the radius
+  double bumps;               ///< see `rock_mesh`; 0: a hull of random points, with flat faces
+  double hollow_depth = 0.0;  ///< of two hollows, as a fraction of the radius
 };
 
 const std::vector<MadeRock> kMadeRocks = {
@@ -56,11 +56,11 @@ TriangleMesh make_rock(const MadeRock& recipe, std::uint64_t seed) {
     return convex_hull(corners);
   }
   TriangleMesh rock = rock_mesh(20, recipe.half_axes, seed, recipe.bumps);
-  for (int i = 0; i < 2 && recipe.dents > 0.0; ++i) {
+  for (int i = 0; i < 2 && recipe.hollow_depth > 0.0; ++i) {
     const Vec3 towards = random.unit_vector();
     for (Vec3& v : rock.vertices) {
       const double apart = 1.0 - towards.dot(v.cwiseQuotient(recipe.half_axes).normalized());
-      v *= 1.0 - recipe.dents * std::exp(-10.0 * apart);
+      v *= 1.0 - recipe.hollow_depth * std::exp(-10.0 * apart);
     }
   }
   return rock;
