@@ -14,6 +14,7 @@
 #include "reconstruct/detail/close_block.hpp"
 #include "reconstruct/registration/joined_surface.hpp"
 #include "reconstruct/registration/passes.hpp"
+#include "shapes/oriented_box.hpp"
 
 namespace clast {
 
@@ -74,6 +75,23 @@ std::vector<double> distances_at(const std::vector<Vec3>& vertices,
   return means;
 }
 
+/// Adds the two-sided 90 % intervals: fractions of the distances from the estimates to the bounds,
+/// chosen on pairs of virtual scans.
+void add_intervals(VolumeBracket& bounds, const Vec3& lengths) {
+  constexpr double kVolumeFraction = 0.5, kSideFraction = 0.25;
+  if (!bounds.upper_volume || !bounds.sides) return;
+  const auto towards = [](const auto& estimate, const auto& bound, double fraction) {
+    return estimate + fraction * (bound - estimate);
+  };
+  SizeIntervals intervals;
+  const double volume = bounds.estimated_volume;
+  intervals.lower_volume = towards(volume, bounds.lower_volume, kVolumeFraction);
+  intervals.upper_volume = towards(volume, *bounds.upper_volume, kVolumeFraction);
+  intervals.sides.lower = towards(lengths, bounds.sides->lower, kSideFraction);
+  intervals.sides.upper = towards(lengths, bounds.sides->upper, kSideFraction);
+  bounds.intervals = intervals;
+}
+
 /// Ground on which a block lies, and the centre of the block.
 struct Footing {
   std::optional<Plane> ground = {};
@@ -106,6 +124,9 @@ JoinedScan make_joined(const std::vector<ScanToRegister>& scans, const std::stri
                               .uncertainty = &surface.cloud.uncertainty,
                               .notes = std::move(notes)},
                              name, closing);
+  if (joined.block.bounds) {
+    add_intervals(*joined.block.bounds, smallest_box(joined.block.scan.mesh.vertices).lengths);
+  }
   joined.scans = std::move(surface.scans);
   joined.distances = distances_at(joined.block.scan.mesh.vertices, joined.scans);
   return joined;
@@ -149,7 +170,7 @@ std::vector<std::vector<std::uint32_t>> usable_passes(const std::vector<std::uin
   if (left_out > 0) {
     notes.push_back(format_count(left_out, "point") + " left out, of " +
                     format_count(sorted.size() - used, "pass", "passes") +
-                    " that show little of the block");
+                    " with fewer points than those used");
   }
   sorted.resize(used);
   return sorted;

@@ -36,7 +36,7 @@ class PlacedScans {
     }
     for (const std::vector<Vec3>& placed : points_) {
       surfaces_.push_back(
-          std::make_unique<IndexedSurface>(orient_surface(placed, cell, std::nullopt)));
+          std::make_unique<SampledSurface>(orient_surface(placed, cell, std::nullopt)));
     }
   }
 
@@ -52,7 +52,7 @@ class PlacedScans {
     Place place;
     for (std::size_t other = 0; other < surfaces_.size(); ++other) {
       if (other == scan) continue;
-      const IndexedSurface& to = *surfaces_[other];
+      const SampledSurface& to = *surfaces_[other];
       const double tolerance = fine_tolerance(surfaces_[scan]->surface, to.surface,
                                               std::min(surfaces_[scan]->diagonal, to.diagonal));
       const PointComparison found = compare_point(to, position, normal, kWide * tolerance);
@@ -106,7 +106,7 @@ class PlacedScans {
   static constexpr double kWide = 2.0;  ///< tolerances within which points are on the surface
   const Registration& fit_;
   std::vector<std::vector<Vec3>> points_;
-  std::vector<std::unique_ptr<IndexedSurface>> surfaces_;
+  std::vector<std::unique_ptr<SampledSurface>> surfaces_;
 };
 
 }  // namespace

@@ -18,9 +18,9 @@ namespace clast::reconstruct_detail {
 namespace {
 
 constexpr std::size_t kNeighbours = 16;  ///< about 2.3 spacings around
-/// Radius of the points of a plane, in cells; number of these points at one per cell, where the
-/// scan is denser than on average, at least and at most.
-constexpr double kPlaneRadius = 2.3, kPlanePoints = 16.0, kDenser = 2.0;
+/// Radius of the points of a plane, in cells; ratio of these points where the scan is denser than
+/// on average; at least and at most.
+constexpr double kPlaneRadius = 2.3, kDenser = 2.0;
 constexpr int kFewestPlanePoints = 10, kMostPlanePoints = 400;
 /// Smallest cell as a fraction of the diagonal of the points.
 constexpr double kSmallestCell = 0.012;
@@ -57,7 +57,7 @@ std::pair<Vec3, Vec3> plane_of_neighbours(std::span<const Vec3> points,
 void fit_planes(OrientedSurface& surface, std::span<const Vec3> points,
                 const std::vector<Vec3>& chosen, double radius, double density) {
   const PointTree tree(points);
-  const int most = std::clamp(static_cast<int>(kDenser * kPlanePoints * density),
+  const int most = std::clamp(static_cast<int>(kDenser * kCellsPerPlane * density),
                               kFewestPlanePoints, kMostPlanePoints);
   for (const Vec3& p : chosen) {
     std::vector<PointTree::Neighbour> near = tree.nearest_neighbours(p, most);

@@ -28,6 +28,10 @@ struct OrientedSurface {
   }
 };
 
+/// Number of cells, each with one point, around a plane to which a point is moved. Points within
+/// them share scanned points, so that their errors are not independent.
+inline constexpr double kCellsPerPlane = 16.0;
+
 /// Returns a surface with all lengths multiplied by a factor.
 OrientedSurface scaled(OrientedSurface surface, double factor);
 

@@ -1,9 +1,6 @@
 #include "reconstruct/registration/registration.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <memory>
 
@@ -11,10 +8,9 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "reconstruct/registration/detail/disagreement.hpp"
 #include "reconstruct/registration/detail/joint_refinement.hpp"
 #include "reconstruct/registration/detail/picked_pose.hpp"
-#include "reconstruct/registration/detail/scan_group.hpp"
+#include "reconstruct/registration/detail/pose_check.hpp"
 #include "reconstruct/registration/detail/similarity_search.hpp"
 
 namespace clast {
@@ -24,36 +20,10 @@ namespace {
 using namespace reconstruct_detail;
 
 constexpr std::size_t kMostScans = 8;
-/// Least overlap, and least fraction of the comparable surface that matches.
-constexpr double kLeastMatched = 0.1, kLeastConsistency = 0.88;
-/// Least overlap of scans whose poses are nearly known.
-constexpr double kLeastAlignedMatched = 0.03;
-/// A rival of the best pose has at least this consistency and this fraction of its score, and at
-/// most this ratio of the mean square misfits.
-constexpr double kRivalConsistency = 0.82, kRivalScore = 0.4, kRivalMisfit = 2.0;
 constexpr double kHintAngle = 30.0 / kDegreesPerRadian;
 constexpr int kFinalSteps = 30;
-constexpr std::size_t kNamedPoses = 3;
-/// A difference of scales counts if it is larger than this and than so many standard errors.
-constexpr double kScaleDifference = 0.005, kScaleErrors = 5.0;
-constexpr std::size_t kScaledPoses = 5;  ///< poses at which other scales are tried
 /// Fraction of the overlap that may disagree.
 constexpr double kMaxDisagreeing = 0.15;
-
-/// Rotation as "x=10,y=20,z=30": degrees about x, then y, then z.
-std::string format_rotation(const Quat& rotation) {
-  const Mat3 r = rotation.toRotationMatrix();
-  const double y = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
-  const double x = std::atan2(r(2, 1), r(2, 2)), z = std::atan2(r(1, 0), r(0, 0));
-  const auto degrees = [](double angle) {
-    return std::to_string(std::lround(angle * kDegreesPerRadian));
-  };
-  return "x=" + degrees(x) + ",y=" + degrees(y) + ",z=" + degrees(z);
-}
-
-std::string format_percent_of(double fraction) {
-  return format_significant(100.0 * fraction, 2) + " %";
-}
 
 /// Registration in progress.
 class Registrar {
@@ -114,7 +84,7 @@ class Registrar {
       if (ground) {
         ground->distance = units_[s] * ground->distance - ground->normal.dot(middles_[s]);
       }
-      surfaces_.push_back(std::make_unique<IndexedSurface>(orient_surface(points, cell, ground)));
+      surfaces_.push_back(std::make_unique<SampledSurface>(orient_surface(points, cell, ground)));
     }
   }
 
@@ -263,121 +233,29 @@ class Registrar {
 
   /// Adds a scan at the best of its poses, or refuses.
   void add(std::size_t scan, const std::vector<PoseCandidate>& poses) {
-    const std::string who = scans_[scan].name + " and " + names_of_joined();
-    const std::string remedy =
-        "; are they scans of one block? If so, `pose` or `picked` give the pose";
-    const double least = options_.nearly_aligned ? kLeastAlignedMatched : kLeastMatched;
-    if (poses.empty() || poses[0].agreement.matched < least) {
-      throw GeometryError(who + ": no pose was found at which they share at least " +
-                          format_percent_of(least) + " of a surface" + remedy);
-    }
-    const PoseCandidate& best = poses[0];
-    refuse_disagreement(scan, poses, who);
-    refuse_other_bodies(scan, poses, who);
-    refuse_sliding(scan, best, who);
-    poses_[scan] = best.fixed_from_moving;
-    joined_.push_back(scan);
-  }
-
-  void refuse_disagreement(std::size_t scan, const std::vector<PoseCandidate>& poses,
-                           const std::string& who) const {
-    const PoseCandidate& best = poses[0];
-    if (best.agreement.consistency() >= kLeastConsistency) return;
-    const Disagreement found =
-        measure_disagreement(group(), {surfaces_[scan].get(), best.fixed_from_moving});
-    throw GeometryError(who + ": at the best pose the scans disagree by " +
-                        format_significant(found.distance, 2) + " m over " +
-                        format_percent_of(found.fraction) +
-                        " of their overlap: scale, movement, a mirrored scan or another block?" +
-                        describe_scale(scan, poses));
-  }
-
-  /// States the scale at which a scan fits; empty if there is none.
-  std::string describe_scale(std::size_t scan, const std::vector<PoseCandidate>& poses) const {
-    if (options_.free_scale) return "";
-    for (std::size_t i = 0; i < std::min(kScaledPoses, poses.size()); ++i) {
-      const ScaleEstimate estimate =
-          estimate_scale(group(), {surfaces_[scan].get(), poses[i].fixed_from_moving});
-      if (estimate.agreement.consistency() < kLeastConsistency ||
-          estimate.agreement.matched < kLeastMatched || !is_different(estimate)) {
-        continue;
-      }
-      return " They fit if lengths of " + scans_[scan].name + " are multiplied by " +
-             format_significant(estimate.scale, 5) + " +- " +
-             format_significant(estimate.standard_error, 1);
-    }
-    return "";
-  }
-
-  static bool is_different(const ScaleEstimate& estimate) {
-    const double difference = std::abs(std::log(estimate.scale));
-    return difference > kScaleDifference && difference > kScaleErrors * estimate.standard_error;
-  }
-
-  void refuse_other_bodies(std::size_t scan, const std::vector<PoseCandidate>& poses,
-                           const std::string& who) {
-    if (is_picked(scan)) return;
-    std::vector<Quat> others = {poses[0].fixed_from_moving.pose.rotation};
-    std::size_t same = 0;
-    for (std::size_t i = 1; i < poses.size(); ++i) {
-      const PoseCandidate& rival = poses[i];
-      if (rival.agreement.score < kRivalScore * poses[0].agreement.score ||
-          rival.agreement.consistency() < kRivalConsistency ||
-          rival.agreement.misfit > kRivalMisfit * poses[0].agreement.misfit ||
-          is_known(scan, poses, i)) {
-        continue;
-      }
-      if (is_same_body(group(), *surfaces_[scan], poses[0].fixed_from_moving,
-                       rival.fixed_from_moving)) {
-        ++same;
-      } else {
-        others.push_back(rival.fixed_from_moving.pose.rotation);
-      }
-    }
-    if (same > 0) {
-      notes_.push_back(scans_[scan].name + " fits in " + std::to_string(same + 1) +
+    const std::size_t same =
+        check_best_pose({.surface = surfaces_[scan].get(),
+                         .name = scans_[scan].name,
+                         .group = group(),
+                         .group_names = names_of_joined(),
+                         .first_from_group = poses_[0].pose.rotation.conjugate(),
+                         .is_picked = is_picked(scan),
+                         .is_near = options_.nearly_aligned,
+                         .has_free_scale = options_.free_scale},
+                        poses);
+    if (same > 1) {
+      notes_.push_back(scans_[scan].name + " fits in " + std::to_string(same) +
                        " poses that give the same body");
-      symmetric_[scan] = true;
     }
-    if (others.size() < 2) return;
-    std::string list;
-    for (std::size_t i = 0; i < std::min(kNamedPoses, others.size()); ++i) {
-      const Quat relative = poses_[0].pose.rotation.conjugate() * others[i];
-      list += (i == 0 ? "" : " or ") + format_rotation(relative);
-    }
-    throw GeometryError(who + ": they fit in " + std::to_string(others.size()) +
-                        " poses that give different bodies (" + list +
-                        ", degrees that turn the scan to the first); state one as `pose`, or give "
-                        "the same three places of both as `picked`");
-  }
-
-  /// True if a better pose of the list is nearly the same.
-  bool is_known(std::size_t scan, const std::vector<PoseCandidate>& poses,
-                std::size_t index) const {
-    constexpr double kNear = 0.02;  // relative to the diagonal
-    const double size = surfaces_[scan]->diagonal;
-    for (std::size_t i = 0; i < index; ++i) {
-      if (are_near(poses[i].fixed_from_moving, poses[index].fixed_from_moving, Vec3::Zero(),
-                   0.5 * size, kNear * size)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  void refuse_sliding(std::size_t scan, const PoseCandidate& best, const std::string& who) const {
-    if (best.is_constrained || symmetric_.contains(scan)) return;
-    throw GeometryError(who +
-                        ": the surfaces that both show can slide along each other, so the "
-                        "pose is not determined; scan more of the block from both sides, or "
-                        "give the same three places of both as `picked`");
+    poses_[scan] = poses[0].fixed_from_moving;
+    joined_.push_back(scan);
   }
 
   Registration finish() {
     begin_step("refining the poses");
     // Joint refinement starts from the first scan of the input.
     const Similarity first = poses_[0].inverse();
-    std::vector<const IndexedSurface*> surfaces;
+    std::vector<const SampledSurface*> surfaces;
     std::vector<Similarity> start;
     double tolerance = 0.0, size = 1e300;
     for (std::size_t s = 0; s < scans_.size(); ++s) {
@@ -430,7 +308,7 @@ class Registrar {
                                                 const PlacedSurface& own) const {
     if (options_.nearly_aligned || options_.free_scale) return {};
     const ScaleEstimate scale = estimate_scale(others, own);
-    return is_different(scale) ? std::optional(scale) : std::nullopt;
+    return is_scale_different(scale) ? std::optional(scale) : std::nullopt;
   }
 
   /// Measures a scan against all others, and refuses it if it does not fit.
@@ -463,11 +341,10 @@ class Registrar {
   const RegistrationOptions& options_;
   std::vector<double> units_;  ///< factors of the lengths of the scans
   std::vector<Vec3> middles_;  ///< of the scans: surfaces are relative to them
-  std::vector<std::unique_ptr<IndexedSurface>> surfaces_;
+  std::vector<std::unique_ptr<SampledSurface>> surfaces_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<PoseCandidate>> found_;
   std::vector<std::size_t> joined_;  ///< in the order in which they were joined
   std::vector<Similarity> poses_;    ///< in the frame of the first joined scan
-  std::map<std::size_t, bool> symmetric_;
   std::vector<std::string> notes_;
 };
 

@@ -22,13 +22,13 @@ constexpr double kScaleBias = 5e-4;
 }  // namespace
 
 Disagreement measure_disagreement(const ScanGroup& group, const PlacedSurface& placed) {
-  const IndexedSurface& own = *placed.indexed;
+  const SampledSurface& own = *placed.sampled;
   double overlapping = 0.0, apart = 0.0, squares = 0.0;
   for (std::uint32_t i = 0; i < own.surface.size(); ++i) {
     // The nearest of the surfaces that were observed there decides.
     double nearest = 1e300, limit = 0.0;
     for (const PlacedSurface& member : group) {
-      const IndexedSurface& other = *member.indexed;
+      const SampledSurface& other = *member.sampled;
       const Similarity to = member.first_from.inverse() * placed.first_from;
       const double searched = kComparedHeight * std::min(own.diagonal, other.diagonal);
       const PointComparison found = compare_point(
@@ -57,19 +57,19 @@ double scale_error(double scale, double variance) {
 }
 
 ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& placed) {
-  std::vector<const IndexedSurface*> surfaces;
+  std::vector<const SampledSurface*> surfaces;
   std::vector<Similarity> poses;
   std::vector<bool> free;
   double tolerance = 0.0;
   for (const PlacedSurface& member : group) {
-    surfaces.push_back(member.indexed);
+    surfaces.push_back(member.sampled);
     poses.push_back(member.first_from);
     free.push_back(false);
     tolerance = std::max(
-        tolerance, fine_tolerance(member.indexed->surface, placed.indexed->surface,
-                                  std::min(member.indexed->diagonal, placed.indexed->diagonal)));
+        tolerance, fine_tolerance(member.sampled->surface, placed.sampled->surface,
+                                  std::min(member.sampled->diagonal, placed.sampled->diagonal)));
   }
-  surfaces.push_back(placed.indexed);
+  surfaces.push_back(placed.sampled);
   poses.push_back(placed.first_from);
   free.push_back(true);
   // Poses are relative to the first of the group, which keeps its place.
@@ -93,7 +93,7 @@ ScaleEstimate estimate_scale(const ScanGroup& group, const PlacedSurface& placed
   for (std::size_t i = 0; i + 1 < surfaces.size(); ++i) {
     moved.push_back({surfaces[i], refined.first_from[i]});
   }
-  estimate.agreement = compare_with_group(moved, {placed.indexed, refined.first_from.back()});
+  estimate.agreement = compare_with_group(moved, {placed.sampled, refined.first_from.back()});
   return estimate;
 }
 

@@ -90,7 +90,7 @@ void NearestGrid::propagate() {
 }
 
 std::uint32_t NearestGrid::nearest_point(const Vec3& position) const {
-  std::uint32_t best = near_[cell_at(position)];
+  std::uint32_t best = near_point(position);
   double least = (surface_.points[best] - position).squaredNorm();
   constexpr std::size_t kDescended = 12;  // neighbours that a step compares
   for (bool moved = true; moved;) {

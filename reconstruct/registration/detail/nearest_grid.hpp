@@ -15,6 +15,8 @@ class NearestGrid {
   /// @param surface  must outlive this object
   explicit NearestGrid(const OrientedSurface& surface);
 
+  /// Returns the point of the cell: near, but rarely the nearest.
+  std::uint32_t near_point(const Vec3& position) const { return near_[cell_at(position)]; }
   /// Returns a point that is nearest, or, far from the surface, nearly so.
   std::uint32_t nearest_point(const Vec3& position) const;
 

@@ -34,7 +34,7 @@ void keep_best(std::vector<PoseCandidate>& candidates, std::size_t count) {
 
 /// Keeps the best of poses that are near each other.
 std::vector<PoseCandidate> distinct_poses(std::vector<PoseCandidate> candidates,
-                                          const IndexedSurface& moving, double distance,
+                                          const SampledSurface& moving, double distance,
                                           std::size_t count) {
   keep_best(candidates, candidates.size());
   Bounds box;
@@ -52,25 +52,25 @@ std::vector<PoseCandidate> distinct_poses(std::vector<PoseCandidate> candidates,
   return kept;
 }
 
-void refine(PoseCandidate& candidate, const IndexedSurface& fixed, const IndexedSurface& moving,
+void refine(PoseCandidate& candidate, const SampledSurface& fixed, const SampledSurface& moving,
             double tolerance, int steps, PointDensity density) {
-  const std::array<const IndexedSurface*, 2> both = {&fixed, &moving};
+  const std::array<const SampledSurface*, 2> both = {&fixed, &moving};
   const Refinement refined =
       refine_jointly(both, {Similarity{}, candidate.fixed_from_moving},
                      {.tolerance = tolerance, .iterations = steps, .density = density});
   candidate.fixed_from_moving = refined.first_from[1];
-  candidate.is_constrained = refined.is_constrained;
+  candidate.free_movements = refined.free_movements;
 }
 
-void refine_sparse(std::vector<PoseCandidate>& candidates, const IndexedSurface& fixed,
-                   const IndexedSurface& moving, double tolerance, int steps, unsigned threads) {
+void refine_sparse(std::vector<PoseCandidate>& candidates, const SampledSurface& fixed,
+                   const SampledSurface& moving, double tolerance, int steps, unsigned threads) {
   parallel_for(candidates.size(), threads, [&](std::size_t i) {
     refine(candidates[i], fixed, moving, tolerance, steps, PointDensity::kSparse);
   });
 }
 
-void score(std::vector<PoseCandidate>& candidates, const IndexedSurface& fixed,
-           const IndexedSurface& moving, double tolerance, PointDensity density, unsigned threads) {
+void score(std::vector<PoseCandidate>& candidates, const SampledSurface& fixed,
+           const SampledSurface& moving, double tolerance, PointDensity density, unsigned threads) {
   constexpr std::size_t kPerTask = 256;
   parallel_for((candidates.size() + kPerTask - 1) / kPerTask, threads, [&](std::size_t task) {
     const std::size_t end = std::min(candidates.size(), (task + 1) * kPerTask);
@@ -94,7 +94,7 @@ bool are_near(const Similarity& a, const Similarity& b, const Vec3& centre, doub
   return (a * centre - b * centre).norm() + radius * turn < distance;
 }
 
-PoseCandidate refine_near_pose(const IndexedSurface& fixed, const IndexedSurface& moving,
+PoseCandidate refine_near_pose(const SampledSurface& fixed, const SampledSurface& moving,
                                const Similarity& fixed_from_moving) {
   const double size = std::min(fixed.diagonal, moving.diagonal);
   const double fine = fine_tolerance(fixed.surface, moving.surface, size);
@@ -108,7 +108,7 @@ PoseCandidate refine_near_pose(const IndexedSurface& fixed, const IndexedSurface
   return candidate;
 }
 
-std::vector<PoseCandidate> search_poses(const IndexedSurface& fixed, const IndexedSurface& moving,
+std::vector<PoseCandidate> search_poses(const SampledSurface& fixed, const SampledSurface& moving,
                                         unsigned threads) {
   const double size = std::min(fixed.diagonal, moving.diagonal);
   const std::vector<Pose> poses = search_rotations(fixed, moving, threads);

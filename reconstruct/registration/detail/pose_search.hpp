@@ -2,6 +2,7 @@
 /// Search for all poses at which two observed surfaces may fit.
 #include <vector>
 
+#include "reconstruct/registration/detail/joint_refinement.hpp"
 #include "reconstruct/registration/detail/surface_agreement.hpp"
 
 namespace clast::reconstruct_detail {
@@ -10,7 +11,8 @@ namespace clast::reconstruct_detail {
 struct PoseCandidate {
   Similarity fixed_from_moving;
   SurfaceAgreement agreement;
-  bool is_constrained = false;  ///< false if the surfaces can slide along each other
+  /// Movements along which the surfaces can slide; see `Refinement`.
+  std::vector<PoseStep> free_movements;
 };
 
 /// Largest height (m) of a point of one surface above the other that their noise explains.
@@ -22,13 +24,13 @@ bool are_near(const Similarity& a, const Similarity& b, const Vec3& centre, doub
               double distance);
 
 /// Refines a pose that is right within a few percent of the size of the surfaces.
-PoseCandidate refine_near_pose(const IndexedSurface& fixed, const IndexedSurface& moving,
+PoseCandidate refine_near_pose(const SampledSurface& fixed, const SampledSurface& moving,
                                const Similarity& fixed_from_moving);
 
 /// Searches all poses (`search_rotations`), refines the best and returns them with the highest
 /// score first.
 /// @param threads  number of threads; does not affect the result
-std::vector<PoseCandidate> search_poses(const IndexedSurface& fixed, const IndexedSurface& moving,
+std::vector<PoseCandidate> search_poses(const SampledSurface& fixed, const SampledSurface& moving,
                                         unsigned threads);
 
 }  // namespace clast::reconstruct_detail

@@ -57,12 +57,12 @@ Vec3 cell_direction(std::size_t cell) {
 /// Points of a surface by the directions to which their normals are nearly parallel.
 class PointsByNormal {
  public:
-  explicit PointsByNormal(const IndexedSurface& indexed) : points_(kCells) {
+  explicit PointsByNormal(const SampledSurface& sampled) : points_(kCells) {
     for (std::size_t cell = 0; cell < kCells; ++cell) {
       const Vec3 direction = cell_direction(cell);
-      for (const std::uint32_t i : indexed.sparse) {
-        if (indexed.surface.normals[i].dot(direction) < kParallel) continue;
-        points_[cell].push_back(indexed.surface.points[i]);
+      for (const std::uint32_t i : sampled.sparse) {
+        if (sampled.surface.normals[i].dot(direction) < kParallel) continue;
+        points_[cell].push_back(sampled.surface.points[i]);
       }
     }
   }
@@ -125,21 +125,21 @@ class TranslationVotes {
   std::vector<std::uint32_t> used_;
 };
 
-double farthest(const IndexedSurface& indexed, const Vec3& from) {
+double farthest(const SampledSurface& sampled, const Vec3& from) {
   double most = 0.0;
-  for (const Vec3& p : indexed.surface.points) most = std::max(most, (p - from).norm());
+  for (const Vec3& p : sampled.surface.points) most = std::max(most, (p - from).norm());
   return most;
 }
 
-Vec3 middle_of_box(const IndexedSurface& indexed) {
+Vec3 middle_of_box(const SampledSurface& sampled) {
   Bounds box;
-  for (const Vec3& p : indexed.surface.points) box.include(p);
+  for (const Vec3& p : sampled.surface.points) box.include(p);
   return 0.5 * (box.low + box.high);
 }
 
 }  // namespace
 
-std::vector<Pose> search_rotations(const IndexedSurface& fixed, const IndexedSurface& moving,
+std::vector<Pose> search_rotations(const SampledSurface& fixed, const SampledSurface& moving,
                                    unsigned threads) {
   const Vec3 fixed_middle = middle_of_box(fixed), moving_middle = middle_of_box(moving);
   const double reach = farthest(fixed, fixed_middle) + farthest(moving, moving_middle);

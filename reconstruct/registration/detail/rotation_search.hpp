@@ -2,7 +2,7 @@
 /// Candidate poses of two observed surfaces, by an exhaustive search of rotations.
 #include <vector>
 
-#include "reconstruct/registration/detail/indexed_surface.hpp"
+#include "reconstruct/registration/detail/sampled_surface.hpp"
 
 namespace clast::reconstruct_detail {
 
@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 /// @param threads  number of threads; does not affect the result
 /// @return the translations with most votes of each rotation, in the order of the rotations
 /// @cite alexa2022
-std::vector<Pose> search_rotations(const IndexedSurface& fixed, const IndexedSurface& moving,
+std::vector<Pose> search_rotations(const SampledSurface& fixed, const SampledSurface& moving,
                                    unsigned threads);
 
 }  // namespace clast::reconstruct_detail

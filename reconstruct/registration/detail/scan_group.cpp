@@ -14,7 +14,7 @@ constexpr int kGroupSteps = 15;
 /// Fractions of a surface that may differ between two poses of the same body.
 constexpr double kMaxContradicted = 0.02, kMaxUncovered = 0.06;
 
-double tolerance_of(const IndexedSurface& a, const IndexedSurface& b) {
+double tolerance_of(const SampledSurface& a, const SampledSurface& b) {
   return fine_tolerance(a.surface, b.surface, std::min(a.diagonal, b.diagonal));
 }
 
@@ -25,8 +25,8 @@ SurfaceAgreement compare_with_group(const ScanGroup& group, const PlacedSurface&
   double squares = 0.0;
   for (const PlacedSurface& member : group) {
     const SurfaceAgreement one = compare_surfaces(
-        *member.indexed, *added.indexed, member.first_from.inverse() * added.first_from,
-        tolerance_of(*member.indexed, *added.indexed), PointDensity::kAll);
+        *member.sampled, *added.sampled, member.first_from.inverse() * added.first_from,
+        tolerance_of(*member.sampled, *added.sampled), PointDensity::kAll);
     sum.matched += one.matched;
     sum.contradicted += one.contradicted;
     sum.score += one.score;
@@ -39,30 +39,30 @@ SurfaceAgreement compare_with_group(const ScanGroup& group, const PlacedSurface&
 }
 
 PoseCandidate refine_in_group(const ScanGroup& group, const PlacedSurface& added) {
-  std::vector<const IndexedSurface*> surfaces;
+  std::vector<const SampledSurface*> surfaces;
   std::vector<Similarity> poses;
   double tolerance = 0.0;
   for (const PlacedSurface& member : group) {
-    surfaces.push_back(member.indexed);
+    surfaces.push_back(member.sampled);
     poses.push_back(member.first_from);
-    tolerance = std::max(tolerance, tolerance_of(*member.indexed, *added.indexed));
+    tolerance = std::max(tolerance, tolerance_of(*member.sampled, *added.sampled));
   }
-  surfaces.push_back(added.indexed);
+  surfaces.push_back(added.sampled);
   poses.push_back(added.first_from);
   const Refinement refined =
       refine_jointly(surfaces, poses, {.tolerance = tolerance, .iterations = kGroupSteps});
   PoseCandidate candidate;
   candidate.fixed_from_moving = refined.first_from.back();
-  candidate.is_constrained = refined.is_constrained;
+  candidate.free_movements = refined.free_movements;
   ScanGroup moved = group;
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i].first_from = refined.first_from[i];
-  candidate.agreement = compare_with_group(moved, {added.indexed, refined.first_from.back()});
+  candidate.agreement = compare_with_group(moved, {added.sampled, refined.first_from.back()});
   return candidate;
 }
 
-bool is_same_body(const ScanGroup& group, const IndexedSurface& added, const Similarity& pose,
+bool is_same_body(const ScanGroup& group, const SampledSurface& added, const Similarity& pose,
                   const Similarity& other) {
-  const auto matches = [&](const IndexedSurface& surface, const Similarity& surface_from_added,
+  const auto matches = [&](const SampledSurface& surface, const Similarity& surface_from_added,
                            std::uint32_t i) {
     return compare_point(surface, surface_from_added * added.surface.points[i],
                          surface_from_added.pose.rotation * added.surface.normals[i],
@@ -78,7 +78,7 @@ bool is_same_body(const ScanGroup& group, const IndexedSurface& added, const Sim
       contradicted += own == PointRelation::kContradicted;
       if (own != PointRelation::kUnobserved) continue;
       uncovered += std::none_of(group.begin(), group.end(), [&](const PlacedSurface& member) {
-        return matches(*member.indexed, member.first_from.inverse() * here, i) ==
+        return matches(*member.sampled, member.first_from.inverse() * here, i) ==
                PointRelation::kMatched;
       });
     }

@@ -9,7 +9,7 @@ namespace clast::reconstruct_detail {
 
 /// A scan at its pose.
 struct PlacedSurface {
-  const IndexedSurface* indexed = nullptr;
+  const SampledSurface* sampled = nullptr;
   Similarity first_from;
 };
 
@@ -24,7 +24,7 @@ PoseCandidate refine_in_group(const ScanGroup& group, const PlacedSurface& added
 
 /// True if a group with a surface at either of two poses is the same body: no part of the surface
 /// contradicts its copy at the other pose, and hardly any part lies where nothing else is.
-bool is_same_body(const ScanGroup& group, const IndexedSurface& added, const Similarity& pose,
+bool is_same_body(const ScanGroup& group, const SampledSurface& added, const Similarity& pose,
                   const Similarity& other);
 
 }  // namespace clast::reconstruct_detail

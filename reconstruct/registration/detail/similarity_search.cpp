@@ -13,11 +13,11 @@ constexpr std::size_t kPosesPerScale = 4;
 
 }  // namespace
 
-std::vector<PoseCandidate> search_similarities(const IndexedSurface& fixed,
-                                               const IndexedSurface& moving, unsigned threads) {
+std::vector<PoseCandidate> search_similarities(const SampledSurface& fixed,
+                                               const SampledSurface& moving, unsigned threads) {
   std::vector<PoseCandidate> found;
   for (double scale = kSmallestScale; scale < kLargestScale; scale *= kScaleStep) {
-    const IndexedSurface resized(scaled(moving.surface, scale));
+    const SampledSurface resized(scaled(moving.surface, scale));
     std::vector<PoseCandidate> poses = search_poses(fixed, resized, threads);
     if (poses.size() > kPosesPerScale) poses.resize(kPosesPerScale);
     for (PoseCandidate& one : poses) {

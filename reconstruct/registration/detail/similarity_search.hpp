@@ -10,7 +10,7 @@ namespace clast::reconstruct_detail {
 /// scale from the best poses at each.
 /// @param threads  number of threads; does not affect the result
 /// @return  the highest score first
-std::vector<PoseCandidate> search_similarities(const IndexedSurface& fixed,
-                                               const IndexedSurface& moving, unsigned threads);
+std::vector<PoseCandidate> search_similarities(const SampledSurface& fixed,
+                                               const SampledSurface& moving, unsigned threads);
 
 }  // namespace clast::reconstruct_detail

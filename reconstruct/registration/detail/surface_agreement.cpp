@@ -14,45 +14,24 @@ constexpr double kBeyondBorder = 1.0;   ///< spacings beyond a border that are u
 /// Depth below the ground, relative to the diagonal, at which no part of the block is expected.
 constexpr double kDeepest = 0.15;
 
-constexpr double kContradiction = 3.0;  ///< weight of a contradicted point in the score
+/// Weight of a contradicted point in the score, in comparisons of few points and of all. Poses are
+/// coarse in the former, so that points are contradicted at the true pose too.
+constexpr double kCoarseContradiction = 3.0, kContradiction = 10.0;
 
 /// Sums over the points of one surface.
 struct AgreementSums {
   double matched = 0.0, contradicted = 0.0, squares = 0.0, score = 0.0;
 };
 
-AgreementSums compare_one_way(const IndexedSurface& to, const IndexedSurface& from,
-                              const std::vector<std::uint32_t>& points, const Similarity& to_from,
-                              double tolerance) {
-  AgreementSums sums;
-  for (const std::uint32_t i : points) {
-    const PointComparison found =
-        compare_point(to, to_from * from.surface.points[i],
-                      to_from.pose.rotation * from.surface.normals[i], tolerance);
-    if (found.relation == PointRelation::kUnobserved) continue;
-    const double relative = found.height / tolerance;
-    if (found.relation == PointRelation::kMatched) {
-      sums.matched += 1.0;
-      sums.squares += found.height * found.height;
-      sums.score += 1.0 - relative * relative;
-    } else {
-      sums.contradicted += 1.0;
-      sums.score -= kContradiction * std::min(1.0, std::abs(relative * relative - 1.0));
-    }
-  }
-  return sums;
-}
-
-}  // namespace
-
-PointComparison compare_point(const IndexedSurface& other, const Vec3& position, const Vec3& normal,
-                              double tolerance) {
+/// Compares a position with the surface near `point`.
+PointComparison compare_at(const SampledSurface& other, const Vec3& position, const Vec3& normal,
+                           double tolerance, std::uint32_t point) {
   const OrientedSurface& surface = other.surface;
   if (surface.ground && surface.ground->signed_distance(position) < -kDeepest * other.diagonal) {
     return {PointRelation::kContradicted, 2.0 * tolerance, 0};
   }
   PointComparison found;
-  found.point = other.grid.nearest_point(position);
+  found.point = point;
   const Vec3 offset = position - surface.points[found.point];
   const Vec3& facing = surface.normals[found.point];
   found.height = facing.dot(offset);
@@ -74,17 +53,49 @@ PointComparison compare_point(const IndexedSurface& other, const Vec3& position,
   return found;
 }
 
-SurfaceAgreement compare_surfaces(const IndexedSurface& fixed, const IndexedSurface& moving,
+AgreementSums compare_one_way(const SampledSurface& to, const SampledSurface& from,
+                              PointDensity density, const Similarity& to_from, double tolerance) {
+  const Mat3 rotation = to_from.pose.rotation.toRotationMatrix();
+  const Mat3 scaled_rotation = to_from.scale * rotation;
+  const double penalty = density == PointDensity::kAll ? kContradiction : kCoarseContradiction;
+  AgreementSums sums;
+  for (const std::uint32_t i : from.points_at(density)) {
+    const Vec3 position = scaled_rotation * from.surface.points[i] + to_from.pose.translation;
+    const std::uint32_t other = density == PointDensity::kFew ? to.grid.near_point(position)
+                                                              : to.grid.nearest_point(position);
+    const PointComparison found =
+        compare_at(to, position, rotation * from.surface.normals[i], tolerance, other);
+    if (found.relation == PointRelation::kUnobserved) continue;
+    const double relative = found.height / tolerance;
+    if (found.relation == PointRelation::kMatched) {
+      sums.matched += 1.0;
+      sums.squares += found.height * found.height;
+      sums.score += 1.0 - relative * relative;
+    } else {
+      sums.contradicted += 1.0;
+      sums.score -= penalty * std::min(1.0, std::abs(relative * relative - 1.0));
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+PointComparison compare_point(const SampledSurface& other, const Vec3& position, const Vec3& normal,
+                              double tolerance) {
+  return compare_at(other, position, normal, tolerance, other.grid.nearest_point(position));
+}
+
+SurfaceAgreement compare_surfaces(const SampledSurface& fixed, const SampledSurface& moving,
                                   const Similarity& fixed_from_moving, double tolerance,
                                   PointDensity density) {
   const std::vector<std::uint32_t>& of_fixed = fixed.points_at(density);
   const std::vector<std::uint32_t>& of_moving = moving.points_at(density);
-  const AgreementSums forth =
-      compare_one_way(fixed, moving, of_moving, fixed_from_moving, tolerance);
+  const AgreementSums forth = compare_one_way(fixed, moving, density, fixed_from_moving, tolerance);
   const AgreementSums back =
-      compare_one_way(moving, fixed, of_fixed, fixed_from_moving.inverse(), tolerance);
+      compare_one_way(moving, fixed, density, fixed_from_moving.inverse(), tolerance);
   // A point of a subset stands for several points of its surface.
-  const auto per_point = [](const IndexedSurface& s, const std::vector<std::uint32_t>& chosen) {
+  const auto per_point = [](const SampledSurface& s, const std::vector<std::uint32_t>& chosen) {
     return static_cast<double>(s.all.size()) / static_cast<double>(chosen.size());
   };
   const double smaller = static_cast<double>(std::min(fixed.all.size(), moving.all.size()));

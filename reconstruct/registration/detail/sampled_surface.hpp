@@ -14,20 +14,20 @@ namespace clast::reconstruct_detail {
 enum class PointDensity { kFew, kSparse, kAll };
 
 /// An observed surface, a grid for nearest points, and even subsets of its points.
-struct IndexedSurface {
+struct SampledSurface {
   OrientedSurface surface;
   NearestGrid grid;
   std::vector<std::uint32_t> few, sparse;  ///< even subsets of about 80 and 300 points
   std::vector<std::uint32_t> all;          ///< all points, 0, 1, ...
   double diagonal = 0.0;                   ///< of the bounding box, m
 
-  explicit IndexedSurface(OrientedSurface observed);
+  explicit SampledSurface(OrientedSurface observed);
   const std::vector<std::uint32_t>& points_at(PointDensity density) const {
     return density == PointDensity::kFew ? few : density == PointDensity::kSparse ? sparse : all;
   }
 
-  IndexedSurface(const IndexedSurface&) = delete;
-  IndexedSurface& operator=(const IndexedSurface&) = delete;
+  SampledSurface(const SampledSurface&) = delete;
+  SampledSurface& operator=(const SampledSurface&) = delete;
 };
 
 }  // namespace clast::reconstruct_detail

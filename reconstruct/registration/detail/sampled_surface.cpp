@@ -1,4 +1,4 @@
-#include "reconstruct/registration/detail/indexed_surface.hpp"
+#include "reconstruct/registration/detail/sampled_surface.hpp"
 
 #include <numeric>
 
@@ -13,7 +13,7 @@ constexpr std::size_t kFewPoints = 80, kSparsePoints = 300;
 
 }  // namespace
 
-IndexedSurface::IndexedSurface(OrientedSurface observed)
+SampledSurface::SampledSurface(OrientedSurface observed)
     : surface(std::move(observed)),
       grid(surface),
       few(choose_even_subset(surface.points, kFewPoints)),
