@@ -19,6 +19,11 @@ if(CLAST_TESTS)
   set_tests_properties(long.site_test PROPERTIES LABELS long TIMEOUT 120
     SKIP_REGULAR_EXPRESSION "SKIPPED.*(mkdocs|MathJax)"
     ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;CLAST_PROGRAM=$<TARGET_FILE:clast>")
+  add_test(NAME unit.speed_tables_test
+    COMMAND ${CLAST_SITE_PYTHON} -m pytest -q -p no:cacheprovider speed_tables_test.py
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/docs/site)
+  set_tests_properties(unit.speed_tables_test PROPERTIES LABELS unit TIMEOUT 60
+    ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
   add_test(NAME validation.site.commands_of_the_pages_run
     COMMAND ${CLAST_SITE_PYTHON} -m pytest -q -rs -p no:cacheprovider commands_test.py
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/docs/site)

@@ -1,5 +1,7 @@
 #include "core/machine.hpp"
 
+#include <time.h>
+
 #include <fstream>
 #include <string>
 
@@ -13,6 +15,12 @@ std::optional<double> available_memory() {
     std::getline(file, unit);
   }
   return std::nullopt;
+}
+
+double thread_processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace clast

@@ -22,7 +22,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 PAGES = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").rglob("*.md")),
          *sorted((SOURCE / "samples").rglob("*.md"))]  # fmt: skip
 # Blocks that are not run: raised only with a good reason.
-NOT_RUN = 20
+NOT_RUN = 21
 STEP = re.compile(r"^<!-- *(prepare|file|not run): *(.*?) *-->$|^```(\w*)\n(.*?)^```$", re.S | re.M)
 
 

@@ -26,7 +26,7 @@ constexpr double kBracketed = 0.003;
 constexpr double kMaxBand = 0.2, kBestBand = 0.1;
 /// Share of its cone that a cap fills. A ball's fills 3/4 when it is shallow and 0.6 when a fifth
 /// of the surface is unseen; where walls go straight down, any depth up to the deepest is as
-/// likely. See docs/benchmarks.md for how far off this is.
+/// likely. See docs/accuracy.md for how far off this is.
 constexpr double kBestFraction = 0.6;
 /// The cap of the best shape is bulge^(2/3): of a round rim, 0.6 of the cylinder around it.
 constexpr double kBestPower = 2.0 / 3.0;

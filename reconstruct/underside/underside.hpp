@@ -61,7 +61,7 @@ struct Underside : VolumeBracket {
 /// (`fit_flank_planes`). Space below a known ground and free space are excluded. There is no upper
 /// volume if it would exceed the observed volume by more than a third (above a ground: by more than
 /// 100 %). The lower volume is that of `lower_mesh` minus possible indentations of the fillings.
-/// Best estimate: docs/theory.md; measurements: docs/benchmarks.md.
+/// Best estimate: docs/theory.md; measurements: docs/accuracy.md.
 /// @param open  oriented 2-manifold of one component; may have small holes
 /// @returns empty if no hole is large enough, so that the scan is practically closed
 /// @throws GeometryError  if `open` is not an oriented manifold, is a sheet, or has a rim that

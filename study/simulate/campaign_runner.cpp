@@ -150,8 +150,8 @@ double probed_runout(const CampaignPlan& prepared, const StoredRun& run) {
 
 RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
   check_free_memory(prepared, 1, available_memory());
-  // Steps of the golden ratio are spread evenly however many are taken.
-  constexpr double kGoldenRatio = 0.61803398874989485;
+  // Single releases of the blocks of a realisation, 1/16 apart in the fraction that still moves.
+  constexpr std::size_t kMaxSingleReleases = 16;
   // A run that takes this many times the budget is not waited for.
   constexpr double kMaxProbe = 5.0;
   const std::uint32_t together = prepared.header.runs_per_realisation();
@@ -162,32 +162,45 @@ RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
       at_once ? prepared.campaign.persistent_blocks->settling_time() +
                     prepared.campaign.persistent_blocks->last_release_time() + max_time
               : together * max_time;
+  // The probe is as long as its user waits; its result is processor time, so that other programs
+  // do not change it.
   const auto begin = std::chrono::steady_clock::now();
-  const auto spent = [&] {
+  const auto waited = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
+  const double computed_before = thread_processor_time();
+  const auto computed = [&] { return thread_processor_time() - computed_before; };
   RunTimeProbe probe;
-  double whole = 0.0;  // time of the runs that were not cut short
+  double whole = 0.0;             // computing time of the runs that were not cut short
+  double waited_for_whole = 0.0;  // waited for these
+  std::uint32_t current = 0;      // first run of the current realisation
   // The current run halfway to the end of the probe and at its end.
   std::optional<ProbedState> halfway;
   ProbedState reached;
+  double first_release = 0.0;
   std::size_t released = 1;
   const auto in_time = [&](const SequenceProgress& progress) {
-    const double computed = spent() - whole, longest = kMaxProbe * budget - whole;
-    const bool is_over = computed > longest;
-    if (!is_over && (halfway || computed <= 0.5 * longest)) return;
+    const double longest = kMaxProbe * budget - waited_for_whole;
+    const double waiting = waited() - waited_for_whole;
+    const bool is_over = waiting > longest;
+    if (progress.settling) first_release = progress.time;
+    if (!is_over && (halfway || waiting <= 0.5 * longest)) return;
     released = progress.released;
-    reached = {progress.time, computed, together};
-    if (progress.count_resting && !progress.settling) reached.moving -= progress.count_resting();
+    reached = {progress.time, computed() - whole, progress.settling ? together : released};
+    if (progress.count_resting && !progress.settling) {
+      reached.finished = progress.count_resting();
+      reached.moving -= reached.finished;
+    }
     if (is_over) throw ProbeOver();
     halfway = reached;
   };
   try {
-    while (probe.runs < prepared.runs.size() && (probe.runs == 0 || whole < budget)) {
-      const double share = std::fmod(0.5 + static_cast<double>(probe.runs) * kGoldenRatio, 1.0);
+    while (probe.runs < prepared.runs.size() && (probe.runs == 0 || waited_for_whole < budget)) {
+      const double share = evenly_spread_fraction(probe.runs);
       const auto items = static_cast<double>(prepared.runs.size() / together);
-      const std::vector<StoredRun> tried = simulate_realisation(
-          prepared, together * static_cast<std::uint32_t>(share * items), in_time);
+      current = together * static_cast<std::uint32_t>(share * items);
+      first_release = 0.0;
+      const std::vector<StoredRun> tried = simulate_realisation(prepared, current, in_time);
       for (const StoredRun& run : tried) {
         probe.runouts.push_back(probed_runout(prepared, run));
         const ReleaseResult& result = run.record.result;
@@ -196,20 +209,25 @@ RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget) {
         }
       }
       probe.runs += together;
-      whole = spent();
+      whole = computed();
+      waited_for_whole = waited();
       halfway.reset();
     }
   } catch (const ProbeOver&) {
     probe.last_run_stopped = true;
-    const double taken = spent() - whole;
+    const double taken = computed() - whole;
     if (!at_once && released > 1) {
       // If blocks are released in sequence, the others take as long as those at rest.
       whole += taken * static_cast<double>(together) / static_cast<double>(released - 1);
     } else {
+      std::vector<MotionInterval> single;
+      if (at_once) single = release_blocks_singly(prepared, current, kMaxSingleReleases, budget);
+      probe.is_upper_bound = single.empty();
+      if (single.empty()) single.push_back({0.0, longest_run - first_release});
       // Flights cost little, so the second half, usually without one, shows the remaining cost.
-      const ProbedState half = halfway.value_or(ProbedState{0.0, 0.0, together});
-      probe.is_upper_bound = reached.moving >= half.moving;
-      whole += taken + estimate_remaining_time(half, reached, longest_run - reached.time);
+      const ProbedState half = halfway.value_or(ProbedState{.moving = reached.moving});
+      whole += taken + estimate_remaining_time(half, reached, first_release, at_once ? together : 1,
+                                               single);
     }
     probe.runs += together;
   }

@@ -70,10 +70,10 @@ struct Shard {
   void check() const;  ///< throws InputError if `index` is not in 1 to `count`
 };
 
-/// Computing time of the runs of a campaign, measured on trial runs.
+/// Processor time of the runs of a campaign, measured on trial runs.
 struct RunTimeProbe {
   std::size_t runs = 0;           ///< number of trial runs
-  double time_per_run = 0.0;      ///< mean computing time of a run on one thread, s
+  double time_per_run = 0.0;      ///< mean processor time of a run on one thread, s
   bool last_run_stopped = false;  ///< true if the last trial run was stopped early
   /// Message of the first failed trial run; empty if none failed.
   std::string first_failure = {};
@@ -83,13 +83,15 @@ struct RunTimeProbe {
   /// Runouts of the completed trial runs, m.
   std::vector<double> runouts = {};
 };
-/// Measures the computing time of runs on a few trial runs, until `budget` (s) is exceeded.
+/// Measures the computing time of runs on a few trial runs, until `budget` (s) is exceeded. A run
+/// that takes five times as long is stopped; if its blocks are released together, the rest of its
+/// computing time is estimated from single releases of some of them.
 /// @throws InputError  if more memory is needed than is free
 RunTimeProbe measure_run_time(const CampaignPlan& prepared, double budget);
 /// Computes the planned statistical power of a campaign from trial runs. Unknown for persistent
 /// blocks.
 PlannedPower compute_planned_power(const CampaignPlan& prepared, const RunTimeProbe& probe);
-/// Estimates the computing time of a shard on the given number of threads, s.
+/// Estimates the computing time of a shard on the given number of idle cores, s.
 double estimate_time(const CampaignPlan& prepared, const RunTimeProbe& probe, const Shard& shard,
                      unsigned threads);
 

@@ -1,4 +1,4 @@
-/// Every closed real stone to a block at two radii: the table of docs/benchmarks.md.
+/// Every closed real stone to a block at two radii: the table of docs/accuracy.md.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -1,6 +1,6 @@
 // Thrown at Chant Sura: impacts of real concrete blocks on an alpine meadow, and their scars,
 // against what the laws make of them with the parameters for such ground in docs/parameters.md.
-// Prints the tables of docs/benchmarks.md.
+// Prints the tables of docs/accuracy.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Slopes of heaps of blocks against what is published of them (docs/benchmarks.md, Heaps of
+// Slopes of heaps of blocks against what is published of them (docs/accuracy.md, Heaps of
 // blocks).
 #include <gtest/gtest.h>
 

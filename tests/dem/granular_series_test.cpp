@@ -1,4 +1,4 @@
-// A series of columns against published experiments (docs/benchmarks.md, Columns of blocks).
+// A series of columns against published experiments (docs/accuracy.md, Columns of blocks).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -201,7 +201,7 @@ void check_all(const std::vector<Body>& all, const std::vector<std::size_t>& cou
 
 // 300 clouds. Beyond the bars lie the plank and the needle with noise as large as a thirtieth of
 // their thickness, outliers as close to a sharp edge as the next point, and ridges and tips
-// narrower than the points are apart: docs/benchmarks.md, Ground and clouds.
+// narrower than the points are apart: docs/accuracy.md, Ground and clouds.
 TEST(CompleteCloud, OfEveryBodyComesOutClosedWithItsSizeAndClass) {
   check_all(bodies(), {2000, 8000, 30000}, 36);
 }

@@ -12,7 +12,7 @@ namespace clast::reconstruct_detail {
 namespace {
 
 /// Radius of a patch over the root of the observed area. It is so large that the mean normal is
-/// that of the flank, not of a bump. See docs/benchmarks.md for other sizes.
+/// that of the flank, not of a bump. See docs/accuracy.md for other sizes.
 constexpr double kPatchRadius = 0.10;
 /// The planes lie outside of what was seen by so many times what stands out over tangent planes.
 constexpr double kSlack = 1.5;

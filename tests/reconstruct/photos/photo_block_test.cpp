@@ -22,7 +22,7 @@ TEST(PhotoBlock, AxesAndVolumeOfTheRock) {
   ASSERT_EQ(scan.markers.markers.size(), 4u);
   const RockBlock rock_block(scan);
   EXPECT_TRUE(inspect_mesh(rock_block.block.scan.mesh).is_closed());
-  // I rests on the filling; see docs/benchmarks.md for how it moves.
+  // I rests on the filling; see docs/accuracy.md for how it moves.
   // I and S rest on the filling too: -0.59 and -0.61 %. Since the surface ends at the last points,
   // and not 1.5 cells beyond them, the filling starts higher (-0.42 and +0.21 % before).
   const std::array<double, 3> bars = {0.005, 0.007, 0.007};
