@@ -21,7 +21,7 @@ case "${1-}" in
   program) ;;
   tests) packages+=(libgtest-dev chromium colmap nodejs groff-base help2man
                     pybind11-dev python3-dev python3-numpy python3-pytest python3-jsonschema mkdocs mkdocs-material python3-pymdownx libjs-mathjax
-                    python3-matplotlib python3-pandas) ;;
+                    python3-matplotlib python3-pandas liggghts liburdfdom-tools) ;;
   *) printf 'usage: %s program|tests\n' "$0" >&2; exit 2 ;;
 esac
 

@@ -42,7 +42,7 @@ massprops_detail::SolidMoments unit_moments(const ParticleBody& body) {
   return moments;
 }
 
-TriangleMesh unit_mesh(const ParticleBody& body) {
+TriangleMesh unit_solid(const ParticleBody& body) {
   TriangleMesh mesh = body.mesh;
   for (Vec3& vertex : mesh.vertices) vertex = (vertex - body.mass.centre) / body.length;
   return mesh;
@@ -64,10 +64,10 @@ class ClumpFit {
  public:
   ClumpFit(const ParticleBody& body, const ClumpOptions& options)
       : options_(options),
-        problem_(unit_mesh(body), unit_moments(body)),
+        problem_(unit_solid(body), body.radius / body.length, unit_moments(body)),
         mass_(massprops_detail::to_mass_properties(problem_.moments, Vec3::Zero(), Mat3::Identity(),
                                                    1.0)),
-        samples_(sample_body(problem_.mesh, kFineSpacing)) {}
+        samples_(sample_body(problem_.body, kFineSpacing)) {}
 
   Clump fit_count(std::size_t count) {
     ClumpDescent descent = start(count);
@@ -179,7 +179,7 @@ class ClumpFit {
   }
 
   LargestDistance surface_distance(const std::vector<Ball>& balls, double spacing) const {
-    return measure_surface_distance(problem_.tree, samples_, balls, spacing);
+    return measure_surface_distance(problem_.body, samples_, balls, spacing);
   }
 
   const ClumpOptions& options_;

@@ -242,7 +242,7 @@ std::vector<Vec3> exposed_part_points(const std::vector<TriangleMesh>& parts, do
   };
   std::vector<Vec3> points;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    for (const Vec3& point : sample_body(parts[p], spacing)) {
+    for (const Vec3& point : sample_body(BodySurface(parts[p], 0.0), spacing)) {
       const bool exposed = std::any_of(faces[p].begin(), faces[p].end(), [&](const Plane& plane) {
         return plane.signed_distance(point) > -0.1 * offset &&
                !covered(point + offset * plane.normal);
@@ -291,9 +291,9 @@ MassProperties convex_part_mass_properties(const std::vector<TriangleMesh>& part
 ShapeErrors measure_part_errors(const ParticleBody& body, const std::vector<TriangleMesh>& parts) {
   ShapeErrors errors = compare_mass_properties(convex_part_mass_properties(parts, 1.0), body.mass);
   const double spacing = kFineSpacing * body.length;
-  const TriangleTree tree(body.mesh);
+  const BodySurface surface(body.mesh, body.radius);
   errors.surface = measure_covering_distance(
-                       tree, sample_body(body.mesh, spacing),
+                       surface, sample_body(surface, spacing),
                        exposed_part_points(parts, spacing, kExposureOffset * body.length), spacing)
                        .value /
                    body.length;

@@ -36,9 +36,9 @@ ConvexParts split_into_convex_parts(const TriangleMesh& mesh,
 /// Returns the mass properties of parts that do not overlap.
 MassProperties convex_part_mass_properties(const std::vector<TriangleMesh>& parts, double density);
 
-/// Measures the errors of parts. Volume and inertia are exact. The surface distance is the largest
-/// of samples at about 0.5 % of L: points of the body from the outer surface of the parts, and
-/// points of that surface from the body.
+/// Measures the errors of parts of a body whose `radius` is 0. Volume and inertia are exact. The
+/// surface distance is the largest of samples at about 0.5 % of L: points of the body from the
+/// outer surface of the parts, and points of that surface from the body.
 ShapeErrors measure_part_errors(const ParticleBody& body, const std::vector<TriangleMesh>& parts);
 
 }  // namespace clast

@@ -9,6 +9,7 @@
 #include "particles/detail/ball_contacts.hpp"
 #include "particles/particle_export.hpp"
 #include "shapes/convex_hull.hpp"
+#include "shapes/outer_surface.hpp"
 
 namespace clast {
 
@@ -75,7 +76,7 @@ Particle with_parts(Particle particle, ParticleShape shape, const ParticleBody& 
 
 /// Body for convex shapes: the simplified scan has fewer faces than its rounded body.
 ParticleBody faceted_body(const Block& block) {
-  if (block.from_core) return make_particle_body(block);
+  if (block.from_core) return make_particle_body(block, outer_surface_mesh(block.body));
   return make_particle_body(block, block.surface);
 }
 

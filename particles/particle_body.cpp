@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "massprops/solid.hpp"
-#include "shapes/outer_surface.hpp"
+#include "shapes/sphero_polyhedron.hpp"
 
 namespace clast {
 
@@ -16,7 +16,9 @@ ParticleBody make_particle_body(TriangleMesh mesh) {
 }
 
 ParticleBody make_particle_body(const Block& block) {
-  return make_particle_body(block, outer_surface_mesh(block.body));
+  ParticleBody body = make_particle_body(block, core_mesh(block.body));
+  body.radius = block.body.radius;
+  return body;
 }
 
 ParticleBody make_particle_body(const Block& block, const TriangleMesh& surface) {

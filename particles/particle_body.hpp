@@ -8,7 +8,8 @@ namespace clast {
 
 /// Body for which a simpler shape is made.
 struct ParticleBody {
-  TriangleMesh mesh;    ///< closed surface, outward, m
+  TriangleMesh mesh;    ///< closed, outward, m
+  double radius = 0.0;  ///< the body is all points within this distance of the solid of `mesh`, m
   MassProperties mass;  ///< of the true body, in the frame of the mesh
   double length = 0.0;  ///< longest side L of the smallest box, m
 };
@@ -17,8 +18,8 @@ struct ParticleBody {
 /// @throws GeometryError  if the mesh is open or its signed volume is not positive
 ParticleBody make_particle_body(TriangleMesh mesh);
 
-/// Makes a body from a block, in its principal frame: the rounded surface with four segments per
-/// quarter turn, and the stored mass properties.
+/// Makes a body from a block, in its principal frame: core and radius, and the stored mass
+/// properties.
 ParticleBody make_particle_body(const Block& block);
 
 /// Makes a body from a block, in its principal frame, with another surface and the stored mass

@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kManifestFormat = "clast particles";
-constexpr const char* kManifestFile = "particles.json";
 constexpr const char* kTableFile = "particles.csv";
 constexpr std::chrono::seconds kManifestPeriod{5};
 
@@ -107,28 +106,8 @@ TableColumns<ParticleRecord> make_columns() {
                                      [](R r) { return r.particle.shape_lengths; })});
 }
 
-std::string options_text(const ParticleExportOptions& options) {
-  const ClumpOptions& clump = options.clump;
-  std::string text = "engine=" + options.engine +
-                     " shape=" + particle_shape_name(options.chosen_shape()) +
-                     " volume=" + format_significant(clump.error.volume, 12) +
-                     " inertia=" + format_significant(clump.error.inertia, 12) +
-                     " surface=" + format_significant(clump.error.surface, 12) +
-                     " max_spheres=" + std::to_string(clump.max_balls) +
-                     " smallest_sphere=" + format_significant(clump.smallest_sphere, 12) +
-                     " seed=" + std::to_string(clump.seed);
-  if (clump.balls) text += " equal_spheres=" + std::to_string(*clump.balls);
-  if (options.max_parts) text += " parts=" + std::to_string(*options.max_parts);
-  if (options.max_part_vertices) {
-    text += " part_vertices=" + std::to_string(*options.max_part_vertices);
-  }
-  if (options.hull) text += " hull=true";
-  for (const double level : options.levels) text += " level=" + format_significant(level, 12);
-  return text;
-}
-
-/// Digest of what the particles of a block depend on.
-std::string block_key(const Block& block) {
+/// Digest of all that the particles of a block depend on.
+std::string block_key(const Block& block, const std::string& options) {
   Sha256 digest;
   const auto add = [&](const Vec3& vector) {
     digest.add({reinterpret_cast<const char*>(vector.data()), 3 * sizeof(double)});
@@ -138,7 +117,7 @@ std::string block_key(const Block& block) {
   add({block.body.radius, block.density, block.mass.mass});
   add(block.mass.centre);
   add(block.principal.moments);
-  digest.add(block.id);
+  digest.add(block.id + "\n" + options + "\n" + version());
   return digest.finish();
 }
 
@@ -155,13 +134,13 @@ class Manifest {
  public:
   /// Reads the finished blocks of an earlier export with the same options.
   Manifest(fs::path folder, const ParticleExportOptions& options)
-      : folder_(std::move(folder)), options_(options_text(options)) {
+      : folder_(std::move(folder)), options_(format_particle_options(options)) {
     std::error_code code;
-    if (!fs::exists(folder_ / kManifestFile, code)) return;
-    const Json old = Json::parse(read_text_file(folder_ / kManifestFile), nullptr, false);
+    if (!fs::exists(folder_ / kParticleManifest, code)) return;
+    const Json old = Json::parse(read_text_file(folder_ / kParticleManifest), nullptr, false);
     const bool known = old.is_object() && old.value("format", "") == kManifestFormat;
     if (!known && !options.replace) {
-      throw InputError((folder_ / kManifestFile).string() +
+      throw InputError((folder_ / kParticleManifest).string() +
                        ": is no manifest of clast; name another folder or use `replace`");
     }
     own_ = known;
@@ -177,9 +156,11 @@ class Manifest {
   /// True if files in the folder are of an export of clast.
   bool is_own() const { return own_; }
 
+  std::string key(const Block& block) const { return block_key(block, options_); }
+
   bool has(const Block& block) const {
     const auto found = blocks_.find(block.id);
-    if (found == blocks_.end() || found->second.value("key", "") != block_key(block)) return false;
+    if (found == blocks_.end() || found->second.value("key", "") != key(block)) return false;
     for (const Json& particle : found->second["particles"]) {
       for (const Json& file : particle["file_list"]) {
         std::error_code code;
@@ -190,7 +171,7 @@ class Manifest {
   }
 
   void add(const Block& block, const std::vector<ParticleRecord>& records) {
-    Json entry = {{"block", block.id}, {"key", block_key(block)}, {"particles", Json::array()}};
+    Json entry = {{"block", block.id}, {"key", key(block)}, {"particles", Json::array()}};
     for (const ParticleRecord& record : records) {
       Json row = record_json(record);
       row["file_list"] = record.files;
@@ -213,7 +194,7 @@ class Manifest {
       all["blocks"].push_back(entry);
       for (const Json& row : entry["particles"]) append_row(csv, row);
     }
-    write_output(folder_ / kManifestFile, all.dump(1) + "\n", {});
+    write_output(folder_ / kParticleManifest, all.dump(1) + "\n", {});
     write_output(folder_ / kTableFile, csv.take_text(), {});
     written_ = std::chrono::steady_clock::now();
   }
@@ -265,6 +246,26 @@ const TableColumns<ParticleRecord>& particle_columns() {
   return kColumns;
 }
 
+std::string format_particle_options(const ParticleExportOptions& options) {
+  const ClumpOptions& clump = options.clump;
+  std::string text = "engine=" + options.engine +
+                     " shape=" + particle_shape_name(options.chosen_shape()) +
+                     " volume=" + format_significant(clump.error.volume, 12) +
+                     " inertia=" + format_significant(clump.error.inertia, 12) +
+                     " surface=" + format_significant(clump.error.surface, 12) +
+                     " max_spheres=" + std::to_string(clump.max_balls) +
+                     " smallest_sphere=" + format_significant(clump.smallest_sphere, 12) +
+                     " seed=" + std::to_string(clump.seed);
+  if (clump.balls) text += " equal_spheres=" + std::to_string(*clump.balls);
+  if (options.max_parts) text += " parts=" + std::to_string(*options.max_parts);
+  if (options.max_part_vertices) {
+    text += " part_vertices=" + std::to_string(*options.max_part_vertices);
+  }
+  if (options.hull) text += " hull=true";
+  for (const double level : options.levels) text += " level=" + format_significant(level, 12);
+  return text;
+}
+
 ParticleShape ParticleExportOptions::chosen_shape() const {
   return shape.value_or(find_particle_engine(engine).shapes.front());
 }
@@ -298,7 +299,8 @@ void ParticleExportOptions::check() const {
 
 ParticleExport export_particles(const std::vector<const Block*>& blocks, const fs::path& folder,
                                 const ParticleExportOptions& options,
-                                const ProgressCallback& progress) {
+                                const ProgressCallback& progress,
+                                ParticleExportObserver* observer) {
   options.check();
   if (blocks.empty()) throw InputError("there is no block to export");
   check_names(blocks);
@@ -309,7 +311,8 @@ ParticleExport export_particles(const std::vector<const Block*>& blocks, const f
   ParticleExport result;
   std::vector<const Block*> open;
   for (const Block* block : blocks) {
-    if (manifest.has(*block))
+    if (manifest.has(*block) &&
+        (observer == nullptr || observer->is_finished(*block, manifest.key(*block))))
       ++result.kept;
     else
       open.push_back(block);
@@ -323,6 +326,9 @@ ParticleExport export_particles(const std::vector<const Block*>& blocks, const f
     Made made;
     try {
       made.particles = make_particles(*open[i], options);
+      if (observer != nullptr) {
+        observer->on_particles_made(*open[i], made.particles, manifest.key(*open[i]));
+      }
     } catch (const Error& error) {
       made.failure = error.what();
     }

@@ -34,6 +34,9 @@ struct ParticleExportOptions {
 ///                        polyhedron without `hull`; the message states what was reached
 std::vector<Particle> make_particles(const Block& block, const ParticleExportOptions& options);
 
+/// File name of the manifest in the folder of an export.
+inline constexpr const char* kParticleManifest = "particles.json";
+
 /// Row of the manifest.
 struct ParticleRecord {
   Particle particle;
@@ -49,14 +52,36 @@ struct ParticleExport {
   std::vector<std::string> failures;  ///< one message for each block that is left out
 };
 
+/// Formats the options that affect the particles as "key=value" separated by blanks.
+std::string format_particle_options(const ParticleExportOptions& options);
+
+/// Observer of an export, such as its pages. `key` is a digest of all that the particles of a block
+/// depend on: the block, the options and the version of the program.
+class ParticleExportObserver {
+ public:
+  virtual ~ParticleExportObserver() = default;
+
+  /// Called for a block whose files an earlier export wrote. They are kept if the result is true;
+  /// otherwise the particles are made again.
+  virtual bool is_finished(const Block& /*block*/, const std::string& /*key*/) const {
+    return true;
+  }
+  /// Called with new particles of a block on the thread that made them; calls may be concurrent.
+  /// The block fails if an `Error` is thrown.
+  virtual void on_particles_made(const Block& /*block*/, const std::vector<Particle>& /*particles*/,
+                                 const std::string& /*key*/) {}
+};
+
 /// Writes the files of all blocks and the manifest to a folder. Blocks are computed on several
 /// threads. An interrupted export keeps the finished blocks in the manifest, and the same call
 /// computes the others only.
+/// @param observer  may be null
 /// @throws InputError  if an option is invalid, there is no block, or the folder holds an export
 ///                     with other options and `replace` is false
 ParticleExport export_particles(const std::vector<const Block*>& blocks,
                                 const std::filesystem::path& folder,
                                 const ParticleExportOptions& options,
-                                const ProgressCallback& progress = {});
+                                const ProgressCallback& progress = {},
+                                ParticleExportObserver* observer = nullptr);
 
 }  // namespace clast

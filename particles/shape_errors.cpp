@@ -5,7 +5,6 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "mesh/triangle_tree.hpp"
 #include "particles/ball_union.hpp"
 #include "particles/detail/surface_distance.hpp"
 
@@ -38,11 +37,11 @@ ShapeErrors compare_mass_properties(const MassProperties& shape, const MassPrope
 
 ShapeErrors measure_clump_errors(const ParticleBody& body, std::span<const Ball> balls) {
   ShapeErrors errors = compare_mass_properties(ball_union_mass_properties(balls, 1.0), body.mass);
-  const TriangleTree tree(body.mesh);
+  const particles_detail::BodySurface surface(body.mesh, body.radius);
   const std::vector<Vec3> samples =
-      particles_detail::sample_body(body.mesh, particles_detail::kFineSpacing * body.length);
+      particles_detail::sample_body(surface, particles_detail::kFineSpacing * body.length);
   errors.surface = particles_detail::measure_surface_distance(
-                       tree, samples, balls, particles_detail::kFineSpacing * body.length)
+                       surface, samples, balls, particles_detail::kFineSpacing * body.length)
                        .value /
                    body.length;
   return errors;

@@ -16,6 +16,7 @@
 #include "python/options.hpp"
 #include "python/watched_call.hpp"
 #include "report/blocks/gallery.hpp"
+#include "report/particle_report.hpp"
 
 namespace clast::python_detail {
 
@@ -147,9 +148,17 @@ py::tuple export_as_particles(const Blocks& blocks, const fs::path& folder,
   given.read("hull", options.hull);
   given.read("replace", options.replace);
   given.read("threads", options.threads);
+  std::optional<fs::path> pages;
+  given.read("report", pages);
   given.check_all_used();
+  std::optional<ParticleReport> report;
+  if (pages) report.emplace(*pages, options);
   const ParticleExport result = run_with_progress(progress, [&](const ProgressCallback& step) {
-    return export_particles(pointers(blocks), folder, options, step);
+    const std::vector<const Block*> chosen = pointers(blocks);
+    ParticleExport done =
+        export_particles(chosen, folder, options, step, report ? &*report : nullptr);
+    if (report) report->finish(folder, chosen, done.failures);
+    return done;
   });
   return py::make_tuple(result.written, result.kept, result.failures);
 }

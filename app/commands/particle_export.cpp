@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/interruption.hpp"
 #include "app/option_flags.hpp"
@@ -12,6 +13,7 @@
 #include "core/number_text.hpp"
 #include "core/printable.hpp"
 #include "library/block_library.hpp"
+#include "report/particle_report.hpp"
 
 namespace clast {
 
@@ -56,18 +58,20 @@ void apply_texts(ParticleExportArgs& args) {
 
 ParticleExport export_watched(const std::vector<const Block*>& blocks,
                               const std::filesystem::path& folder,
-                              const ParticleExportOptions& options) {
+                              const ParticleExportOptions& options,
+                              ParticleExportObserver* observer) {
   const InterruptionWatch watch;
   std::unique_ptr<ProgressBar> bar;
   try {
-    return export_particles(blocks, folder, options, [&](const ProgressUpdate& step) {
+    const auto progress = [&](const ProgressUpdate& step) {
       if (watch.interrupted()) throw Cancelled();
       if (!bar) {
         bar = std::make_unique<ProgressBar>("blocks", step.total);
         bar->start_from(step.done_before);
       }
       bar->update(step.done);
-    });
+    };
+    return export_particles(blocks, folder, options, progress, observer);
   } catch (const Cancelled&) {
     throw InputError("interrupted; the same command continues with the blocks that are left");
   }
@@ -119,6 +123,11 @@ void add_particle_options(CLI::App& command, ParticleExportArgs& args) {
   command.add_flag("--hull", args.options.hull,
                    "Write the convex hull of concave blocks, also beyond --error");
   command
+      .add_option("--report", args.report,
+                  "Folder for a page about each particle (--to) with block, shape and their "
+                  "distance in 3-D, and a table of all, particles.html")
+      ->type_name("DIR");
+  command
       .add_option("--threads", args.options.threads,
                   "Threads for particles, 0: one for each core; does not affect the files")
       ->check(integer_in_range(0, 4096))
@@ -128,8 +137,9 @@ void add_particle_options(CLI::App& command, ParticleExportArgs& args) {
 
 const std::vector<std::string>& particle_option_names() {
   static const std::vector<std::string> kNames = {
-      "--error",           "--shape", "--max-spheres",   "--equal-spheres", "--levels",
-      "--smallest-sphere", "--parts", "--part-vertices", "--hull",          "--threads"};
+      "--error",  "--shape",           "--max-spheres", "--equal-spheres",
+      "--levels", "--smallest-sphere", "--parts",       "--part-vertices",
+      "--hull",   "--report",          "--threads"};
   return kNames;
 }
 
@@ -139,7 +149,10 @@ void run_particle_export(const std::string& library, const std::vector<std::stri
   const BlockLibrary blocks = BlockLibrary::read(library);
   const std::vector<const Block*> chosen = blocks.select_blocks(ids);
   if (chosen.empty()) throw InputError(library + ": holds no block to export");
-  const ParticleExport result = export_watched(chosen, folder, args.options);
+  std::optional<ParticleReport> report;
+  if (!args.report.empty()) report.emplace(args.report, args.options);
+  const ParticleExport result =
+      export_watched(chosen, folder, args.options, report ? &*report : nullptr);
   for (const std::string& failure : result.failures) {
     std::cerr << "clast: " << format_for_terminal(failure) << "\n";
   }
@@ -147,6 +160,10 @@ void run_particle_export(const std::string& library, const std::vector<std::stri
             << " written for " << find_particle_engine(args.options.engine).program;
   if (result.kept > 0) std::cout << ", " << result.kept << " kept from an earlier export";
   std::cout << "; particles.csv and particles.json state errors, mass and inertia\n";
+  if (report) {
+    const std::filesystem::path page = report->finish(folder, chosen, result.failures);
+    std::cout << "Report: " << escape_nonprintable(page.string()) << "\n";
+  }
   if (!result.failures.empty()) {
     throw GeometryError(format_count(result.failures.size(), "block") + " of " +
                         std::to_string(chosen.size()) + " could not be written");

@@ -14,6 +14,7 @@ struct ParticleExportArgs {
   std::string error;   ///< "volume=0.01,inertia=0.02,surface=0.02"
   std::string levels;  ///< "0.05,0.02"
   std::string shape;   ///< if empty, that of the engine
+  std::string report;  ///< folder of pages; if empty, none are written
   std::size_t equal_spheres = 0, parts = 0, part_vertices = 0;  ///< 0 if not given
 };
 

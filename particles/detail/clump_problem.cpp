@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/surface_samples.hpp"
-
 namespace clast::particles_detail {
 
 namespace {
@@ -29,17 +27,16 @@ Bounds enlarged(Bounds box, double margin) {
   return box;
 }
 
-std::vector<Vec3> lattice_inside(const TriangleMesh& mesh, const TriangleTree& tree,
-                                 double volume) {
+std::vector<Vec3> lattice_inside(const BodySurface& body, double volume) {
   const double step = std::cbrt(volume / static_cast<double>(kInteriorSamples));
-  const Bounds box = bounds(mesh);
+  const Bounds& box = body.box();
   std::vector<Vec3> points;
   std::uint32_t hint = 0;
   for (double z = box.low.z() + 0.5 * step; z < box.high.z(); z += step) {
     for (double y = box.low.y() + 0.5 * step; y < box.high.y(); y += step) {
       for (double x = box.low.x() + 0.5 * step; x < box.high.x(); x += step) {
         const Vec3 point(x, y, z);
-        const TriangleTree::SignedClosest found = tree.signed_closest_point(point, hint);
+        const BodySurface::Closest found = body.closest(point, hint);
         hint = found.triangle;
         if (found.distance < 0.0) points.push_back(point);
       }
@@ -48,14 +45,10 @@ std::vector<Vec3> lattice_inside(const TriangleMesh& mesh, const TriangleTree& t
   return points;
 }
 
-std::vector<TangentBall> tangent_balls(const std::vector<Vec3>& contacts,
-                                       const TriangleTree& tree) {
+std::vector<TangentBall> tangent_balls(const std::vector<Vec3>& contacts, const BodySurface& body) {
   std::vector<TangentBall> balls;
   for (const Vec3& contact : contacts) {
-    const TriangleTree::Closest found = tree.closest_point(contact);
-    const Vec3& normal = tree.face_normal(found.triangle);
-    if (normal.isZero(0.0)) continue;
-    const Ball ball = shrink_tangent_ball(tree, contact, normal, 0.5);
+    const Ball ball = shrink_tangent_ball(body, contact, body.closest(contact).outward, 0.5);
     if (ball.radius > 0.0) balls.push_back({ball, contact});
   }
   return balls;
@@ -132,35 +125,32 @@ std::vector<Ball> grown_balls(const ClumpProblem& problem, const std::vector<std
 
 }  // namespace
 
-ClumpProblem::ClumpProblem(TriangleMesh unit_mesh,
+ClumpProblem::ClumpProblem(TriangleMesh solid, double radius,
                            const massprops_detail::SolidMoments& unit_moments)
-    : mesh(std::move(unit_mesh)),
+    : body(std::move(solid), radius),
       moments(unit_moments),
-      tree(mesh),
-      field(tree, enlarged(bounds(mesh), kMargin), kFieldSpacing),
-      surface(sample_surface(mesh, kSurfaceSamples)),
-      dense(sample_surface(mesh, kDenseSamples)),
-      interior(lattice_inside(mesh, tree, moments.volume)) {
+      field(body, enlarged(body.box(), kMargin), kFieldSpacing),
+      surface(body.sample(kSurfaceSamples)),
+      dense(body.sample(kDenseSamples)),
+      interior(lattice_inside(body, moments.volume)) {
   std::vector<Vec3> contacts;
   for (std::size_t i = 0; i < surface.size(); i += kSurfaceSamples / kCandidates) {
     contacts.push_back(surface[i]);
   }
-  balls = tangent_balls(contacts, tree);
-  for (std::size_t v = 0, step = mesh.vertices.size() / kDenseSamples + 1; v < mesh.vertices.size();
-       v += step)
-    dense.push_back(mesh.vertices[v]);
+  balls = tangent_balls(contacts, body);
+  for (const Vec3& corner : body.corners(kDenseSamples)) dense.push_back(corner);
 }
 
-Ball shrink_tangent_ball(const TriangleTree& tree, const Vec3& contact, const Vec3& normal,
+Ball shrink_tangent_ball(const BodySurface& body, const Vec3& contact, const Vec3& normal,
                          double largest) {
   double radius = largest;
   std::uint32_t hint = 0;
   for (int step = 0; step < kShrinkingSteps; ++step) {
     const Vec3 centre = contact - radius * normal;
-    const TriangleTree::Closest found = tree.closest_point(centre, hint);
+    const BodySurface::Closest found = body.closest(centre, hint);
     hint = found.triangle;
-    if (std::sqrt(found.squared_distance) >= radius * (1.0 - kShrinkingTolerance)) break;
-    const Vec3 chord = contact - found.point;
+    if (std::abs(found.distance) >= radius * (1.0 - kShrinkingTolerance)) break;
+    const Vec3 chord = contact - found.foot(centre);
     const double depth = normal.dot(chord);
     if (!(depth > 0.0)) break;
     radius =

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "massprops/moments.hpp"
-#include "mesh/triangle_tree.hpp"
+#include "particles/detail/body_surface.hpp"
 #include "particles/detail/distance_field.hpp"
 #include "shapes/inscribed_ball.hpp"
 
@@ -17,13 +17,14 @@ struct TangentBall {
 
 /// Body to fit, with samples and distances. The origin is its centre of mass and its length L is 1.
 struct ClumpProblem {
-  ClumpProblem(TriangleMesh unit_mesh, const massprops_detail::SolidMoments& unit_moments);
+  /// @param solid  the body is all points within `radius` of it
+  ClumpProblem(TriangleMesh solid, double radius,
+               const massprops_detail::SolidMoments& unit_moments);
   ClumpProblem(const ClumpProblem&) = delete;
   ClumpProblem& operator=(const ClumpProblem&) = delete;
 
-  TriangleMesh mesh;
+  BodySurface body;
   massprops_detail::SolidMoments moments;  ///< of the true body, about the origin
-  TriangleTree tree;
   DistanceField field;
   std::vector<Vec3> surface;       ///< samples of the surface
   std::vector<Vec3> dense;         ///< more of them, and vertices
@@ -34,7 +35,7 @@ struct ClumpProblem {
 /// Returns the largest ball inside the body that touches the surface at `contact`.
 /// @param normal  outward unit normal there
 /// @cite ma2012
-Ball shrink_tangent_ball(const TriangleTree& tree, const Vec3& contact, const Vec3& normal,
+Ball shrink_tangent_ball(const BodySurface& body, const Vec3& contact, const Vec3& normal,
                          double largest);
 
 /// Covers the samples by `count` candidate balls that are grown by the smallest common distance.

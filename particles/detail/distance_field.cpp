@@ -6,8 +6,8 @@
 
 namespace clast::particles_detail {
 
-DistanceField::DistanceField(const TriangleTree& tree, const Bounds& box, double spacing)
-    : tree_(tree), origin_(box.low), spacing_(spacing) {
+DistanceField::DistanceField(const BodySurface& surface, const Bounds& box, double spacing)
+    : surface_(surface), origin_(box.low), spacing_(spacing) {
   std::size_t count = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
@@ -27,7 +27,7 @@ double DistanceField::node(std::size_t x, std::size_t y, std::size_t z) {
   if (std::isnan(value)) {
     const Vec3 point = origin_ + spacing_ * Vec3(static_cast<double>(x), static_cast<double>(y),
                                                  static_cast<double>(z));
-    const TriangleTree::SignedClosest found = tree_.signed_closest_point(point, hints_[brick]);
+    const BodySurface::Closest found = surface_.closest(point, hints_[brick]);
     hints_[brick] = found.triangle;
     value = static_cast<float>(found.distance);
   }

@@ -1,11 +1,11 @@
 #pragma once
-/// Signed distance to a closed surface, interpolated on a grid.
+/// Signed distance to the surface of a body, interpolated on a grid.
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "mesh/triangle_tree.hpp"
+#include "particles/detail/body_surface.hpp"
 
 namespace clast::particles_detail {
 
@@ -13,10 +13,10 @@ namespace clast::particles_detail {
 /// the evaluated points cost time. Values do not depend on the order of evaluation.
 class DistanceField {
  public:
-  /// @param tree  must outlive the field
+  /// @param surface  must outlive the field
   /// @param box  evaluated region; points outside are moved to its surface
   /// @param spacing  distance of the nodes, m
-  DistanceField(const TriangleTree& tree, const Bounds& box, double spacing);
+  DistanceField(const BodySurface& surface, const Bounds& box, double spacing);
 
   struct Value {
     double distance = 0.0;         ///< negative inside, m
@@ -30,7 +30,7 @@ class DistanceField {
 
   double node(std::size_t x, std::size_t y, std::size_t z);
 
-  const TriangleTree& tree_;
+  const BodySurface& surface_;
   Vec3 origin_;
   double spacing_;
   std::array<std::size_t, 3> size_;    ///< nodes

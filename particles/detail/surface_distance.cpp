@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "mesh/surface_samples.hpp"
 #include "particles/detail/ball_contacts.hpp"
 
 namespace clast::particles_detail {
@@ -118,15 +117,14 @@ std::vector<Vec3> exposed_points(std::span<const Ball> balls, double spacing) {
 
 }  // namespace
 
-std::vector<Vec3> sample_body(const TriangleMesh& mesh, double spacing) {
-  const auto count = static_cast<std::size_t>(surface_area(mesh) / (spacing * spacing)) + 1;
-  std::vector<Vec3> points = sample_surface(mesh, count);
-  const std::size_t step = mesh.vertices.size() / count + 1;
-  for (std::size_t v = 0; v < mesh.vertices.size(); v += step) points.push_back(mesh.vertices[v]);
+std::vector<Vec3> sample_body(const BodySurface& body, double spacing) {
+  const auto count = static_cast<std::size_t>(body.area() / (spacing * spacing)) + 1;
+  std::vector<Vec3> points = body.sample(count);
+  for (const Vec3& corner : body.corners(count)) points.push_back(corner);
   return points;
 }
 
-LargestDistance measure_surface_distance(const TriangleTree& body,
+LargestDistance measure_surface_distance(const BodySurface& body,
                                          std::span<const Vec3> body_samples,
                                          std::span<const Ball> balls, double spacing) {
   const std::vector<Vec3> exposed = exposed_points(balls, spacing);
@@ -144,7 +142,7 @@ LargestDistance measure_surface_distance(const TriangleTree& body,
   return rest.value > result.value ? rest : result;
 }
 
-LargestDistance measure_covering_distance(const TriangleTree& body,
+LargestDistance measure_covering_distance(const BodySurface& body,
                                           std::span<const Vec3> covered_samples,
                                           std::span<const Vec3> exposed, double spacing) {
   LargestDistance result;
@@ -153,9 +151,9 @@ LargestDistance measure_covering_distance(const TriangleTree& body,
   };
   std::uint32_t hint = 0;
   for (const Vec3& point : exposed) {
-    const TriangleTree::Closest found = body.closest_point(point, hint);
+    const BodySurface::Closest found = body.closest(point, hint);
     hint = found.triangle;
-    include(std::sqrt(found.squared_distance), point, false);
+    include(std::abs(found.distance), point, false);
   }
   const PointGrid grid(exposed, kCellSpacings * spacing);
   for (const Vec3& point : covered_samples) {

@@ -495,6 +495,7 @@ class Library:
         parts: int | None = None,
         part_vertices: int | None = None,
         hull: bool = False,
+        report: PathLike | None = None,
         replace: bool = False,
         threads: int = 0,
         progress: Progress | None = None,
@@ -516,6 +517,7 @@ class Library:
             parts: largest number of convex parts; default: 32.
             part_vertices: largest number of vertices of a convex part, 16 or more; default: no limit.
             hull: write the hull of concave blocks, also beyond the error.
+            report: folder for a page about each particle and a table of all, particles.html.
             replace: replace an export with other options.
             threads: number of threads, 0: one per core.
             progress: called repeatedly with a dict: done, total, before, what.
@@ -534,6 +536,7 @@ class Library:
             parts=parts,
             part_vertices=part_vertices,
             hull=hull,
+            report=report,
             replace=replace,
             threads=threads,
         )

@@ -67,13 +67,7 @@ function clastDepositScene(view, cloud, colourOf, pick) {
     addEventListener('resize', fit);
   }
   async function open() {
-    await clastRun('three-code');
-    await clastRun('orbit-code');
-    try {
-      renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
-    } catch {
-      throw new Error('This browser draws no 3-D graphics (WebGL is off).');
-    }
+    renderer = await clastOpenRenderer(view, {preserveDrawingBuffer: true});
     scene = new THREE.Scene();
     scene.background = new THREE.Color(0xeef3f7);
     cloudOfPoints = makeCloud();
@@ -81,7 +75,6 @@ function clastDepositScene(view, cloud, colourOf, pick) {
     const {box} = cloudOfPoints.userData, size = box.getSize(new THREE.Vector3()).length();
     camera = new THREE.PerspectiveCamera(40, 1, size / 2000, 20 * size);
     camera.up.set(0, 0, 1);
-    view.append(renderer.domElement);
     controls = new THREE.OrbitControls(camera, renderer.domElement);
     look(box.getCenter(new THREE.Vector3()), 1.05 * size);
     controls.addEventListener('change', drawSoon);

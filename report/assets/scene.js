@@ -209,23 +209,13 @@ const clastScene = (() => {
     addEventListener('resize', fit);
   }
 
-  function newRenderer() {
-    try {
-      return new THREE.WebGLRenderer({antialias: true});
-    } catch {
-      throw new Error('This browser draws no 3-D graphics (WebGL is off).');
-    }
-  }
   async function open() {
-    await clastRun('three-code');
-    await clastRun('orbit-code');
-    renderer = newRenderer();
+    renderer = await clastOpenRenderer(view);
     data = JSON.parse(await clastUnpacked('scene-data'));
     data.frames = numbers(Float32Array, data.frames);
     [from, to] = [new THREE.Quaternion(), new THREE.Quaternion()];
     [place, size, matrix] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Matrix4()];
     fillScene();
-    view.append(renderer.domElement);
     placeCamera();
     listen();
     fit();

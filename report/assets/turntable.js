@@ -22,16 +22,24 @@ const clastTurntable = (() => {
   function smooth(mesh) {
     const made = geometry(mesh);
     made.computeVertexNormals();
-    return mesh.unobserved ? made.toNonIndexed() : made;
+    return mesh.unobserved || mesh.components ? made.toNonIndexed() : made;
   }
 
-  // The faces in a colour, those that were not observed in orange.
-  function tinted(mesh, made, colour, options = {}) {
-    if (!mesh.unobserved) return solid(made, {color: colour, ...options});
-    const faces = numbers(Uint8Array, mesh.unobserved), tints = new Float32Array(9 * faces.length);
+  // Sets the colour of each face: of its component, or orange if it was not observed.
+  function tintFaces(mesh, colour) {
     const tint = new THREE.Color();
+    if (mesh.components) {
+      // Steps of the golden angle keep the hues of following components apart.
+      return [numbers(Uint16Array, mesh.components),
+              (component) => tint.setHSL(component * .618034 % 1, .4, .76)];
+    }
+    return [numbers(Uint8Array, mesh.unobserved), (face) => tint.set(face ? unobserved : colour)];
+  }
+  function tinted(mesh, made, colour, options = {}) {
+    if (!mesh.unobserved && !mesh.components) return solid(made, {color: colour, ...options});
+    const [faces, tintOf] = tintFaces(mesh, colour), tints = new Float32Array(9 * faces.length);
     faces.forEach((face, t) => {
-      tint.set(face ? unobserved : colour);
+      const tint = tintOf(face);
       for (let k = 0; k < 3; k++) tint.toArray(tints, 9 * t + 3 * k);
     });
     made.setAttribute('color', new THREE.BufferAttribute(tints, 3));
@@ -154,7 +162,7 @@ const clastTurntable = (() => {
 
     // What is shown is made when it is first asked for.
     const makers = {
-      block: () => tinted(data.block, flat(data.block), rock),
+      block: () => tinted(data.block, (data.block.smooth ? smooth : flat)(data.block), rock),
       scan: () => tinted(data.scan, smooth(data.scan), scanned, {side: THREE.DoubleSide}),
       veil: () => tinted(data.scan, smooth(data.scan), scanned,
           {side: THREE.DoubleSide, transparent: true, opacity: .35, depthWrite: false}),
@@ -206,16 +214,9 @@ const clastTurntable = (() => {
       controls.update();
     }
     async function prepare() {
-      await clastRun('three-code');
-      await clastRun('orbit-code');
-      try {
-        renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
-      } catch {
-        throw new Error('This browser draws no 3-D graphics (WebGL is off).');
-      }
+      renderer = await clastOpenRenderer(frame, {preserveDrawingBuffer: true});
       camera = new THREE.PerspectiveCamera(38, 1, .01, 100);
       camera.up.set(0, 0, 1);
-      frame.append(renderer.domElement);
       controls = new THREE.OrbitControls(camera, renderer.domElement);
       controls.addEventListener('change', drawSoon);
       for (const name of ['what', 'box']) part(name).addEventListener('change', choose);

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -65,10 +67,9 @@ Json turntable_mesh_json(const TriangleMesh& mesh, const Vec3& centre, double si
   return json;
 }
 
-/// Distances of a block's surface from its scan, between the corners of its triangles too.
-Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double reach, double step) {
-  const TriangleTree tree(scan);
-  std::uint32_t hint = 0;
+/// Distances of a shape from the surface that it replaces, also between corners of its triangles.
+Json deviation_json(const TurntableContents& contents, double step) {
+  const TriangleMesh& skin = contents.shape;
   std::vector<std::uint8_t> pieces;
   std::vector<std::int8_t> shares;
   for (const TriangleMesh::Triangle& triangle : skin.triangles) {
@@ -81,16 +82,14 @@ Json deviation_json(const TriangleMesh& skin, const TriangleMesh& scan, double r
       for (int column = 0; column <= row; ++column) {
         const Vec3 place = a + (b - a) * (static_cast<double>(row - column) / n) +
                            (c - a) * (static_cast<double>(column) / n);
-        const TriangleTree::SignedClosest found = tree.signed_closest_point(place, hint);
-        hint = found.triangle;
-        shares.push_back(static_cast<std::int8_t>(
-            std::lround(kShareSteps * std::clamp(found.distance / reach, -1.0, 1.0))));
+        const double share = std::clamp(contents.distance(place) / contents.reach, -1.0, 1.0);
+        shares.push_back(static_cast<std::int8_t>(std::lround(kShareSteps * share)));
       }
     }
   }
   Json colours = Json::array();
   for (const Rgb& colour : kDeviationColours) colours.push_back(format_colour(colour));
-  return {{"reach", reach},
+  return {{"reach", contents.reach},
           {"colours", colours},
           {"pieces", encode_packed_array<std::uint8_t>(pieces)},
           {"shares", encode_packed_array<std::int8_t>(shares)}};
@@ -111,39 +110,67 @@ void TurntableLimits::check() const {
   }
 }
 
-std::string format_turntable_json(const Block& block, const TurntableLimits& limits,
+std::string format_turntable_json(const TurntableContents& contents, const TurntableLimits& limits,
                                   const UnobservedPlaces& unobserved) {
   limits.check();
-  const TriangleMesh skin = rounded_surface_mesh(block.body, kTurntableSkinSegments);
-  TriangleMesh scan;
-  if (!block.from_core) scan = coarser(block.surface, limits.scan_triangles);
-  const Vec3 centre = block.box.centre;
+  const TriangleMesh scan = coarser(contents.surface, limits.scan_triangles);
+  const Vec3 centre = contents.box.centre;
   double size = 0.0;
-  for (const TriangleMesh* mesh : {&skin, static_cast<const TriangleMesh*>(&scan)}) {
+  for (const TriangleMesh* mesh : {&contents.shape, &scan}) {
     for (const Vec3& vertex : mesh->vertices) size = std::max(size, (vertex - centre).norm());
   }
   Json axes = Json::array();
   for (int axis = 0; axis < 3; ++axis)
-    axes.push_back(turntable_vector_json(block.box.axes.col(axis)));
-  Json json = {{"name", block.id},
-               {"unit", is_unscaled(block) ? "units" : "m"},
+    axes.push_back(turntable_vector_json(contents.box.axes.col(axis)));
+  Json json = {{"name", contents.name},
+               {"unit", contents.unit},
                {"size", size},
                {"centre", turntable_vector_json(centre)},
-               {"block", turntable_mesh_json(skin, centre, size, unobserved)},
+               {"block", turntable_mesh_json(contents.shape, centre, size, unobserved)},
                {"box",
-                {{"centre", turntable_vector_json(block.box.centre)},
+                {{"centre", turntable_vector_json(centre)},
                  {"axes", axes},
-                 {"lengths", turntable_vector_json(block.box.lengths)}}}};
+                 {"lengths", turntable_vector_json(contents.box.lengths)}}}};
+  if (!contents.components.empty()) {
+    json["block"]["components"] = encode_packed_array<std::uint16_t>(contents.components);
+  }
+  if (contents.smooth) json["block"]["smooth"] = true;
   if (!scan.triangles.empty()) json["scan"] = turntable_mesh_json(scan, centre, size, unobserved);
-  if (!scan.triangles.empty() && block.deviation.hausdorff > 0.0) {
-    json["deviation"] = deviation_json(skin, block.surface, block.deviation.hausdorff,
-                                       block.box.lengths[0] / limits.deviation_cells);
+  if (contents.distance) {
+    json["deviation"] = deviation_json(contents, contents.box.lengths[0] / limits.deviation_cells);
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string format_turntable_view(const std::string& source) {
-  return fill_template(assets::turntable_html, {{"source", source}});
+std::string format_turntable_json(const Block& block, const TurntableLimits& limits,
+                                  const UnobservedPlaces& unobserved) {
+  TurntableContents contents = {.name = block.id,
+                                .unit = is_unscaled(block) ? "units" : "m",
+                                .shape = rounded_surface_mesh(block.body, kTurntableSkinSegments),
+                                .surface = block.from_core ? TriangleMesh{} : block.surface,
+                                .box = block.box,
+                                .reach = block.deviation.hausdorff};
+  std::optional<TriangleTree> tree;
+  if (!contents.surface.triangles.empty() && contents.reach > 0.0) {
+    tree.emplace(block.surface);
+    contents.distance = [&, hint = std::uint32_t{0}](const Vec3& point) mutable {
+      const TriangleTree::SignedClosest found = tree->signed_closest_point(point, hint);
+      hint = found.triangle;
+      return found.distance;
+    };
+  }
+  return format_turntable_json(contents, limits, unobserved);
+}
+
+std::string format_turntable_view(const std::string& source, const TurntableChoices& choices) {
+  std::string options;
+  for (const auto& [value, text] : {std::pair{"block", choices.shape},
+                                    {"scan", choices.surface},
+                                    {"both", choices.both},
+                                    {"deviation", choices.distance}}) {
+    options += "<option value=\"" + std::string(value) + "\">" + escape_html(text) + "</option>\n";
+  }
+  return fill_template(assets::turntable_html, {{"source", source}, {"choices", options}});
 }
 
 std::string turntable_script() {

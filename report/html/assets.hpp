@@ -14,6 +14,7 @@ extern const std::string_view unpack_js;    ///< unpacks the contents of `format
 extern const std::string_view charts_js;    ///< draws the charts of `format_plotly_figure`
 extern const std::string_view gallery_css;  ///< style of galleries of blocks
 extern const std::string_view gallery_js;   ///< filters, sorts and opens blocks of a gallery
+extern const std::string_view three_view_js;   ///< opens a 3-D view
 extern const std::string_view turntable_html;  ///< 3-D view of a block and its controls
 extern const std::string_view turntable_css;   ///< style of turntables
 extern const std::string_view turntable_js;    ///< draws the 3-D view of a block

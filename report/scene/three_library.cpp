@@ -1,6 +1,7 @@
 #include "report/scene/three_library.hpp"
 
 #include "core/files/text_file.hpp"
+#include "report/html/assets.hpp"
 #include "report/html/page_script.hpp"
 
 namespace clast::report_detail {
@@ -24,7 +25,8 @@ bool three_is_installed() {
 
 std::string three_scripts() {
   return format_packed_element("three-code", read_text_file(core())) +
-         format_packed_element("orbit-code", read_text_file(orbit()));
+         format_packed_element("orbit-code", read_text_file(orbit())) +
+         format_script_element(assets::three_view_js);
 }
 
 std::string explain_missing_three(const std::string& again) {

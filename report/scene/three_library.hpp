@@ -10,8 +10,9 @@ namespace clast::report_detail {
 std::filesystem::path find_three_folder();
 bool three_is_installed();
 
-/// Returns two page elements with the compressed code of three.js and its orbit control. Other
-/// scripts of the page load them by `clastRun("three-code")` and `clastRun("orbit-code")`.
+/// Returns the compressed code of three.js and its orbit control as page elements, and the script
+/// with `clastOpenRenderer`, by which other scripts of the page load them. The page must contain
+/// unpack.js.
 /// @pre  three_is_installed()
 std::string three_scripts();
 

@@ -168,6 +168,26 @@ TEST_F(GalleryPage, EveryPageOfABlockHasATurntable) {
   EXPECT_LE(double(narrow["scrolls"]), 400.5);
 }
 
+TEST_F(GalleryPage, EveryPageOfAParticleHasATurntable) {
+  reconstruct({"-o", "blocks.h5"});
+  const ProgramRun run = run_clast({"export", "blocks.h5", "B04_elongated", "--to", "lammps",
+                                    "--equal-spheres", "10", "-o", "clumps", "--report", "pages"},
+                                   folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "Report: pages/particles.html")) << run.out;
+  const Json probe = seen(folder / "pages/particles/B04_elongated.html", kBlockProbe);
+  ASSERT_FALSE(probe.is_null()) << "the script of the page stopped";
+  std::set<std::string> pictures;
+  for (const auto& [what, shown] : probe["shown"].items()) {
+    pictures.insert(shown["picture"]);
+    EXPECT_GT(double(shown["triangles"]), 100.0) << what;
+  }
+  EXPECT_EQ(pictures.size(), 4u) << "spheres, block, both and distances";
+  EXPECT_GT(double(probe["shown"]["deviation"]["blue"]), 1000.0) << "grooves between spheres";
+  EXPECT_GT(double(probe["shown"]["deviation"]["red"]), 1000.0) << "spheres stand out";
+  EXPECT_TRUE(contains(std::string(probe["distances"]), " m outside"));
+}
+
 TEST_F(GalleryPage, TheIndexOfScansCutsNothingOffOnATelephone) {
   reconstruct({"--report", "pages"});
   const Json probe = seen(folder / "pages/index.html", kIndexProbe, 400);

@@ -206,7 +206,7 @@ TEST_F(ParticleEnginesTest, RestHeightInLiggghtsIsThatOfTheBlock) {
   const ParticleBody body = make_particle_body(block_);
   double lowest = 1e9;
   for (const Vec3& vertex : body.mesh.vertices) {
-    lowest = std::min(lowest, (placed_from_body * vertex.homogeneous())[2]);
+    lowest = std::min(lowest, (placed_from_body * vertex.homogeneous())[2] - body.radius);
   }
   const ParticleExportOptions options = {.engine = "liggghts", .clump = {.balls = 20}};
   const double error = make_particles(block_, options)[0].errors.surface * body.length;
