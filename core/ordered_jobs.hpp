@@ -32,8 +32,12 @@ void run_ordered_jobs(std::size_t count, unsigned threads, const Make& produce,
       auto result = produce(i);
       const std::lock_guard lock(mutex);
       waiting.emplace(i, std::move(result));
-      for (auto first = waiting.find(next); first != waiting.end(); first = waiting.find(next)) {
+      // If a result cannot be consumed, no thread may consume it again, or the next one.
+      for (auto first = waiting.find(next); !stopped && first != waiting.end();
+           first = waiting.find(next)) {
+        stopped = true;
         consume(next, first->second);
+        stopped = false;
         waiting.erase(first);
         ++next;
       }

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
+
+#include "core/error.hpp"
+#include "core/ordered_jobs.hpp"
 
 namespace clast {
 namespace {
@@ -53,6 +58,21 @@ TEST(ThreadPool, WorksOnAfterAFailure) {
   std::vector<int> visits(50, 0);
   team.run(visits.size(), 4, [&](std::size_t i) { ++visits[i]; });
   EXPECT_EQ(visits, std::vector<int>(50, 1));
+}
+
+TEST(OrderedJobs, NoResultIsConsumedAfterOneThatCouldNotBe) {
+  std::vector<std::size_t> consumed;
+  const auto produce = [](std::size_t i) {
+    // The second job ends after the first result could not be consumed.
+    if (i == 1) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    return i;
+  };
+  const auto consume = [&](std::size_t i, std::size_t) {
+    consumed.push_back(i);
+    throw InputError("interrupted");
+  };
+  EXPECT_THROW(run_ordered_jobs(4, 2, produce, consume), InputError);
+  EXPECT_EQ(consumed, std::vector<std::size_t>{0});
 }
 
 }  // namespace

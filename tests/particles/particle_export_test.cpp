@@ -110,6 +110,26 @@ TEST_F(ParticleExportTest, FilesDoNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(text("R1.csv") + text("R_2.csv") + text("particles.json"), one);
 }
 
+TEST_F(ParticleExportTest, AnInterruptedExportContinuesToTheSameFiles) {
+  for (const double length : {2.2, 2.1, 2.7, 2.8}) {
+    blocks_.push_back(cuboid_block("S" + std::to_string(blocks_.size()), length));
+  }
+  std::vector<const Block*> blocks;
+  for (const Block& block : blocks_) blocks.push_back(&block);
+  options_.engine = "ramms";
+  const ScratchFolder whole;
+  export_particles(blocks, whole.path(), options_);
+  options_.threads = 3;
+  const auto interrupt = [](const ProgressUpdate& step) {
+    if (step.done == 2) throw InputError("interrupted");
+  };
+  EXPECT_THROW(export_particles(blocks, folder_.path(), options_, interrupt), InputError);
+  EXPECT_EQ(export_particles(blocks, folder_.path(), options_).kept, 2u);
+  for (const char* name : {"particles.json", "R1.pts", "S2.pts", "S5.pts"}) {
+    EXPECT_EQ(text(name), read_text_file(whole / name)) << name;
+  }
+}
+
 TEST_F(ParticleExportTest, OtherExportsAreNotReplacedUnasked) {
   exported("dem-engine");
   EXPECT_TRUE(contains(refusal<InputError>([&] { exported("yade"); }), "other options"));
