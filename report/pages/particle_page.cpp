@@ -87,7 +87,7 @@ std::string format_change(double from, double to) {
   return format_fixed(100.0 * (to / from - 1.0), 2) + " %";
 }
 
-/// Table of sides, volume, moments and errors: those of the exported shape beside the true ones.
+/// Table of class, sides, volume and moments of a block beside those of the exported shape.
 std::string comparison_table(const Particle& particle) {
   HtmlTable table({"", "block", "exported", "difference"}, 1);
   const auto number = [](double value) { return format_significant_digits(value, 4); };
