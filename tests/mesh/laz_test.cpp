@@ -184,13 +184,13 @@ TEST_F(Laz, AProgramThatEndsEarlyIsReported) {
   EXPECT_TRUE(contains(refused(), "laszip ended with code 1: bad checksum"));
 }
 
-#ifdef CLAST_LAZ_PERF
+#ifdef CLAST_HAS_LAZ_PERF
 
 /// Node is in PATH; the package laz-perf is not found unless a test says where.
 class LazPerf : public Laz {
  protected:
   LazPerf() { fs::create_symlink(CLAST_NODE, programs_ / "node"); }
-  void see_package() { fs::create_symlink(CLAST_LAZ_PERF, "node_modules"); }
+  void see_package() { fs::create_symlink(CLAST_NPM, "node_modules"); }
   /// Reads the LAS file and its LAZ file, packed in chunks.
   void expect_same_bits(const std::string& las, std::uint32_t chunk_size) {
     write_text_file("cloud.las", las);
@@ -227,7 +227,7 @@ TEST_F(LazPerf, IsFoundWhereNpmKeepsGlobalPackages) {
   const std::string las = slope_file(100);
   write_text_file("cloud.laz", packed_las(las, 50));
   EXPECT_TRUE(contains(refused(), "npm install -g laz-perf"));
-  put_program("npm", "[ \"$1 $2\" = 'root -g' ] && echo " CLAST_LAZ_PERF);
+  put_program("npm", "[ \"$1 $2\" = 'root -g' ] && echo " CLAST_NPM);
   expect_same_bits(las, 50);
 }
 

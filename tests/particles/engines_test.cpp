@@ -232,12 +232,12 @@ TEST_F(ParticleEnginesTest, YadeHasTheTrueMassMomentsCentreAndAxes) {
   EXPECT_LT(numbers[5], 1e-6);
 }
 
-#ifdef CLAST_MUJOCO
+#ifdef CLAST_HAS_MUJOCO_JS
 TEST_F(ParticleEnginesTest, MujocoHasTheTrueMassAndMoments) {
   export_for("mjcf");
   write("read.mjs",
-        "import load from '" CLAST_MUJOCO
-        "/dist/mujoco_wasm.js';\nimport fs from 'fs';\n"
+        "import load from '" CLAST_NPM
+        "/mujoco-js/dist/mujoco_wasm.js';\nimport fs from 'fs';\n"
         "const mujoco = await load();\nmujoco.FS.writeFile('/R.xml', fs.readFileSync('R.xml'));\n"
         "const model = mujoco.MjModel.loadFromXML('/R.xml');\n"
         "console.log(model.body_mass[1], ...model.body_inertia.slice(3, 6));\n");

@@ -188,11 +188,11 @@ TEST(RealTerrain, TschamutProxyIsRead) {
   EXPECT_EQ(facing_down(terrain), 0u);
 }
 
-#ifdef CLAST_LAZ_PERF
+#ifdef CLAST_HAS_LAZ_PERF
 
 class CompressedLidar : public WorkingFolder {
  protected:
-  CompressedLidar() { std::filesystem::create_symlink(CLAST_LAZ_PERF, "node_modules"); }
+  CompressedLidar() { std::filesystem::create_symlink(CLAST_NPM, "node_modules"); }
   std::filesystem::path file = test_data("terrain/lidr_topography.laz");
 };
 
