@@ -135,22 +135,26 @@ class Manifest {
   /// Reads the finished blocks of an earlier export with the same options.
   Manifest(fs::path folder, const ParticleExportOptions& options)
       : folder_(std::move(folder)), options_(format_particle_options(options)) {
+    const fs::path file = folder_ / kParticleManifest;
     std::error_code code;
-    if (!fs::exists(folder_ / kParticleManifest, code)) return;
-    const Json old = Json::parse(read_text_file(folder_ / kParticleManifest), nullptr, false);
-    const bool known = old.is_object() && old.value("format", "") == kManifestFormat;
-    if (!known && !options.replace) {
-      throw InputError((folder_ / kParticleManifest).string() +
-                       ": is no manifest of clast; name another folder or use `replace`");
+    if (!fs::exists(file, code)) return;
+    const Json old = Json::parse(read_text_file(file), nullptr, false);
+    own_ = text_at(old, "format") == kManifestFormat;
+    std::string problem;
+    if (!own_) {
+      problem = file.string() + ": is damaged or no manifest of clast";
+    } else if (text_at(old, "program_version") != version()) {
+      problem = folder_.string() + ": holds an export of clast " + text_at(old, "program_version");
+    } else if (text_at(old, "options") != options_) {
+      problem = folder_.string() + ": holds an export with other options (" +
+                text_at(old, "options") + ")";
+    } else if (!old.contains("blocks") || text_at(old, "digest") != digest_of(old["blocks"])) {
+      problem = file.string() + ": is damaged";
+    } else {
+      for (const Json& block : old["blocks"]) blocks_[text_at(block, "block")] = block;
     }
-    own_ = known;
-    if (known && old.value("options", "") == options_ &&
-        old.value("program_version", "") == version() && old.contains("blocks")) {
-      for (const Json& block : old["blocks"]) blocks_[block.value("block", "")] = block;
-    } else if (!options.replace) {
-      throw InputError(folder_.string() + ": holds an export with other options (" +
-                       old.value("options", "") + "); name another folder or use `replace`");
-    }
+    if (!problem.empty() && !options.replace)
+      throw InputError(problem + "; name another folder or use `replace`");
   }
 
   /// True if files in the folder are of an export of clast.
@@ -160,7 +164,7 @@ class Manifest {
 
   bool has(const Block& block) const {
     const auto found = blocks_.find(block.id);
-    if (found == blocks_.end() || found->second.value("key", "") != key(block)) return false;
+    if (found == blocks_.end() || text_at(found->second, "key") != key(block)) return false;
     for (const Json& particle : found->second["particles"]) {
       for (const Json& file : particle["file_list"]) {
         std::error_code code;
@@ -187,6 +191,7 @@ class Manifest {
     Json all = {{"format", kManifestFormat},
                 {"program_version", version()},
                 {"options", options_},
+                {"digest", ""},
                 {"blocks", Json::array()}};
     CsvWriter csv;
     csv.write_header(csv_header(particle_columns()));
@@ -194,12 +199,21 @@ class Manifest {
       all["blocks"].push_back(entry);
       for (const Json& row : entry["particles"]) append_row(csv, row);
     }
+    all["digest"] = digest_of(all["blocks"]);
     write_output(folder_ / kParticleManifest, all.dump(1) + "\n", {});
     write_output(folder_ / kTableFile, csv.take_text(), {});
     written_ = std::chrono::steady_clock::now();
   }
 
  private:
+  /// Returns a text of an object; empty if it has none.
+  static std::string text_at(const Json& object, const char* key) {
+    return object.is_object() && object.contains(key) && object[key].is_string()
+               ? object[key].get<std::string>()
+               : "";
+  }
+  static std::string digest_of(const Json& blocks) { return sha256(blocks.dump()); }
+
   static void append_row(CsvWriter& csv, const Json& row) {
     for (const TableColumn<ParticleRecord>& column : particle_columns()) {
       const Json& cell = row[column.name];

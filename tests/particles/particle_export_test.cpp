@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/files/text_file.hpp"
+#include "core/random.hpp"
 #include "library/make_block.hpp"
 #include "samples/rock_shapes.hpp"
 #include "tests/library/block_samples.hpp"
@@ -133,6 +134,44 @@ TEST_F(ParticleExportTest, AnInterruptedExportContinuesToTheSameFiles) {
 TEST_F(ParticleExportTest, OtherExportsAreNotReplacedUnasked) {
   exported("dem-engine");
   EXPECT_TRUE(contains(refusal<InputError>([&] { exported("yade"); }), "other options"));
+}
+
+TEST_F(ParticleExportTest, ADamagedManifestIsRefused) {
+  exported("edem");
+  const std::string whole = text("particles.json");
+  const auto refusal_of = [&](const std::string& damaged) {
+    write_text_file(folder_ / "particles.json", damaged);
+    return refusal<InputError>([&] { exported("edem"); });
+  };
+  Random random(5);
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    std::string damaged = whole;
+    char& byte = damaged[random.uniform_index(whole.size())];
+    byte = static_cast<char>(byte ^ (1 << random.uniform_index(8)));
+    const std::string message = refusal_of(damaged);
+    if (!message.empty()) {
+      ++refused;
+      EXPECT_TRUE(contains(message, folder_.path().string()));
+      EXPECT_TRUE(contains(message, "use `replace`"));
+    }
+    EXPECT_TRUE(!message.empty() || text("particles.json") == whole) << damaged;
+  }
+  EXPECT_GT(refused, 250u);
+  for (const std::string& other : {whole.substr(0, whole.size() / 2), std::string(),
+                                   std::string("[1]"), std::string("{\"format\": 1}")}) {
+    EXPECT_TRUE(contains(refusal_of(other), "particles.json: is damaged")) << other;
+    EXPECT_EQ(text("particles.json"), other);
+  }
+}
+
+TEST_F(ParticleExportTest, ADamagedManifestCanBeReplaced) {
+  exported("edem");
+  const std::string whole = text("particles.json");
+  write_text_file(folder_ / "particles.json", whole.substr(0, 100));
+  options_.replace = true;
+  EXPECT_EQ(exported("edem").written, 2u);
+  EXPECT_EQ(text("particles.json"), whole);
 }
 
 TEST_F(ParticleExportTest, LevelsAreSeveralFiles) {
