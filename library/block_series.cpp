@@ -8,6 +8,7 @@
 
 #include "classify/surface_indices.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/parallel.hpp"
 #include "core/random.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 
 /// Parents among which a body's is drawn.
 constexpr std::size_t kNearest = 3;
+/// Blocks that are tried for a body.
+constexpr std::size_t kMostTried = 10;
 constexpr std::size_t kMinDigits = 4;
 
 /// Stretch that a block needs: distance of the logarithms of its ratios.
@@ -23,15 +26,39 @@ double stretch_between(const BoxRatios& a, const BoxRatios& b) {
   return std::hypot(std::log(a.i_l / b.i_l), std::log(a.s_l / b.s_l));
 }
 
-const Block& nearby_parent(std::span<const Block* const> parents, const BoxRatios& form,
-                           Random& random) {
-  std::vector<std::size_t> order(parents.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return stretch_between(box_ratios(parents[a]->box), form) <
-           stretch_between(box_ratios(parents[b]->box), form);
+/// Returns the blocks to try for a form: one of those with the nearest form, drawn at random, then
+/// the others by distance.
+std::vector<const Block*> nearby_parents(std::span<const Block* const> parents,
+                                         const BoxRatios& form, Random& random) {
+  std::vector<const Block*> order(parents.begin(), parents.end());
+  std::stable_sort(order.begin(), order.end(), [&](const Block* a, const Block* b) {
+    return stretch_between(box_ratios(a->box), form) < stretch_between(box_ratios(b->box), form);
   });
-  return *parents[order[random.uniform_index(std::min(kNearest, order.size()))]];
+  const std::size_t drawn = random.uniform_index(std::min(kNearest, order.size()));
+  const auto at = order.begin() + static_cast<std::ptrdiff_t>(drawn);
+  std::rotate(order.begin(), at, at + 1);
+  order.resize(std::min(kMostTried, order.size()));
+  return order;
+}
+
+/// Makes the body of a request from its parent or, if that fails, from the first substitute from
+/// which it can be made.
+/// @throws Error  if no block can be used: the message of the parent
+Block make_variation(const VariationRequest& request, const BlockSource& source,
+                     const VariationOptions& options) {
+  try {
+    return vary_block(request.id, *request.parent, request.variation, source, options);
+  } catch (const Error& error) {
+    for (const Block* substitute : request.substitutes) {
+      try {
+        return vary_block(request.id, *substitute, request.variation, source, options);
+      } catch (const Error&) {  // the next one is tried
+      }
+    }
+    if (request.substitutes.empty()) throw;
+    throw GeometryError(std::string(error.what()) + "; nor can it be made from " +
+                        format_count(request.substitutes.size(), "other block"));
+  }
 }
 
 std::string numbered(const std::string& prefix, std::size_t number, std::size_t count) {
@@ -62,10 +89,8 @@ VariedBlockSeries make_variation_series(std::span<const VariationRequest> reques
   std::size_t done = 0;
   std::mutex one_at_a_time;
   parallel_for(requests.size(), options.threads, [&](std::size_t i) {
-    const VariationRequest& request = requests[i];
     try {
-      made[i] =
-          vary_block(request.id, *request.parent, request.variation, source, options.variation);
+      made[i] = make_variation(requests[i], source, options.variation);
     } catch (const Error& error) {
       reasons[i] = error.what();  // one body never costs the series
     }
@@ -97,9 +122,11 @@ SampledVariationRequests sample_variation_requests(std::span<const Block* const>
     drawn.push_back(copula.sample(random));
     const Axes& axes = drawn.back().axes;
     const BoxRatios form = {axes.I / axes.L, axes.S / axes.L};
-    const Block& parent = nearby_parent(parents, form, random);
-    series.requests.push_back({&parent, SampledFormVariation{form, axes.L, drawn.back().convexity},
-                               numbered(prefix, i + 1, count)});
+    const std::vector<const Block*> tried = nearby_parents(parents, form, random);
+    series.requests.push_back({tried.front(),
+                               SampledFormVariation{form, axes.L, drawn.back().convexity},
+                               numbered(prefix, i + 1, count),
+                               {tried.begin() + 1, tried.end()}});
   }
   series.fit = copula.assess_fit(drawn);
   return series;

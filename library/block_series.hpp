@@ -17,6 +17,9 @@ struct VariationRequest {
   const Block* parent = nullptr;
   Variation variation;
   std::string id;
+  /// Blocks that are varied instead, tried in this order, if the target can't be reached from the
+  /// parent.
+  std::vector<const Block*> substitutes = {};
 };
 
 /// Combines all parents with all variations, by parent, then variation. Ids are PARENT_LABEL.
@@ -48,7 +51,8 @@ struct SampledVariationRequests {
 };
 
 /// Samples requests for varied blocks. For each sampled shape, one of the three parents with the
-/// nearest shape is chosen at random and stretched to it. Ids are PREFIX and a number.
+/// nearest shape is chosen at random and stretched to it; the others of the ten with the nearest
+/// shape are its substitutes. Ids are PREFIX and a number.
 /// @param parents  scanned blocks, not balls or capsules
 /// @param population  sampled sizes and shapes, of a library (`block_forms`) or a table
 /// @throws InputError  if there is no parent, or if `FormCopula` cannot be fitted

@@ -29,6 +29,13 @@ Block rock(const std::string& id = "R 1%") {
   return make_block(id, body, {"rock.ply", std::string(64, 'a'), "", ""}, options);
 }
 
+Block ball_block() {
+  SpheroPolyhedron body;
+  body.vertices = {Vec3::Zero()};
+  body.radius = 0.5;
+  return make_block("ball", body, kSource, {});
+}
+
 Block varied(const Variation& variation, PreservedSize keep = PreservedSize::kMass) {
   return vary_block("V", rock(), variation, kSource, {.preserved_size = keep});
 }
@@ -199,10 +206,7 @@ TEST(BlockVariation, SayWhatWasDone) {
 }
 
 TEST(BlockVariation, BallsAndUnknownNamesAreRefused) {
-  SpheroPolyhedron body;
-  body.vertices = {Vec3::Zero()};
-  body.radius = 0.5;
-  const Block ball = make_block("ball", body, kSource, {});
+  const Block ball = ball_block();
   EXPECT_TRUE(contains(
       refusal<GeometryError>([&] { vary_block("V", ball, RoundingVariation{0.1}, kSource); }),
       "block ball: it is a ball or a capsule"));
@@ -230,6 +234,21 @@ TEST(BlockSeries, IsTheSameOnAnyNumberOfThreadsAndOneBadBodyCostsNoOther) {
     EXPECT_EQ(alone.blocks[i].body.vertices, both.blocks[i].body.vertices);
     EXPECT_EQ(alone.blocks[i].mass.inertia, both.blocks[i].mass.inertia);
   }
+}
+
+TEST(BlockSeries, ASubstituteServesWhereTheParentCannotReachTheTarget) {
+  const Block first = rock("A"), second = rock("B");
+  const Block ball = ball_block();
+  const Variation target = RoundingVariation{0.1};
+  const std::vector<VariationRequest> requests = {{&ball, target, "V1", {&ball, &second, &first}},
+                                                  {&ball, target, "V2", {&ball}}};
+  const VariedBlockSeries made = make_variation_series(requests, kSource);
+  ASSERT_EQ(made.blocks.size(), 1u);
+  EXPECT_EQ(made.blocks[0].id, "V1");
+  EXPECT_EQ(parse_variation(made.blocks[0]).value().parent, "B");
+  ASSERT_EQ(made.failures.size(), 1u);
+  EXPECT_TRUE(contains(made.failures[0], "block ball: it is a ball or a capsule"));
+  EXPECT_TRUE(contains(made.failures[0], "nor can it be made from 1 other block"));
 }
 
 TEST(BlockSeries, DrawnBodiesHaveTheFiguresThatWereDrawn) {
