@@ -125,9 +125,9 @@ JoinRow judge(const JoinedScan& joined, const TriangleMesh& body, bool fits) {
        << ',' << high / volume << ',' << joined.registration.overlap << ','
        << joined.registration.disagreeing_fraction << ',';
   if (joined.block.bounds && joined.block.bounds->sides) {
-    const BoxSideBounds& found = *joined.block.bounds->sides;
+    const BoxSideBounds& side_bounds = *joined.block.bounds->sides;
     for (int k = 0; k < 3; ++k)
-      text << found.lower[k] / sides[k] << ',' << found.upper[k] / sides[k] << ',';
+      text << side_bounds.lower[k] / sides[k] << ',' << side_bounds.upper[k] / sides[k] << ',';
   }
   row.text = text.str();
   return row;
