@@ -147,6 +147,15 @@ inline PartialScanRecipe with_random_stations(PartialScanRecipe recipe, Random& 
   return recipe;
 }
 
+/// Turns a body by 60 to 180 degrees about a horizontal axis, then about the vertical.
+inline Quat turned_over(const Quat& pose, Random& random) {
+  const double heading = random.uniform(0.0, 2.0 * kPi);
+  const double turn = random.uniform(kPi / 3.0, kPi);
+  const Vec3 axis(std::cos(heading), std::sin(heading), 0.0);
+  return Quat(Eigen::AngleAxisd(random.uniform(0.0, 2.0 * kPi), Vec3::UnitZ())) *
+         Quat(Eigen::AngleAxisd(turn, axis)) * pose;
+}
+
 /// Overlaps are evenly spread over their range, as far as turned bodies have them.
 /// @param least, most  range of the overlap
 inline ScanPair make_scan_pair(const PartialScanner& scanner, PartialScanRecipe of_first,
@@ -158,11 +167,7 @@ inline ScanPair make_scan_pair(const PartialScanner& scanner, PartialScanRecipe 
     const double aim = random.uniform(least, most);
     for (int i = 0; i < kTries; ++i) {
       const Quat first = random.rotation();
-      const double heading = random.uniform(0.0, 2.0 * kPi);
-      const double turn = random.uniform(kPi / 3.0, kPi);
-      const Quat second =
-          Quat(Eigen::AngleAxisd(random.uniform(0.0, 2.0 * kPi), Vec3::UnitZ())) *
-          Quat(Eigen::AngleAxisd(turn, Vec3(std::cos(heading), std::sin(heading), 0.0))) * first;
+      const Quat second = turned_over(first, random);
       of_first = with_random_stations(of_first, random);
       of_second = with_random_stations(of_second, random);
       const double overlap = scanner.overlap(first, of_first, second, of_second, random);
@@ -171,6 +176,36 @@ inline ScanPair make_scan_pair(const PartialScanner& scanner, PartialScanRecipe 
               overlap};
     }
   }
+}
+
+/// Scans of a body that is turned over before each of them by 60 to 180 degrees.
+struct ScanChain {
+  std::vector<PartialScan> scans;
+  double overlap = 0.0;  ///< least overlap of a scan and the one before
+};
+
+/// Each scan overlaps the one before by a fraction in a range.
+inline ScanChain make_scan_chain(const PartialScanner& scanner,
+                                 std::vector<PartialScanRecipe> recipes, double least, double most,
+                                 Random& random) {
+  std::vector<Quat> poses = {random.rotation()};
+  recipes[0] = with_random_stations(recipes[0], random);
+  ScanChain chain;
+  chain.overlap = most;
+  while (poses.size() < recipes.size()) {
+    PartialScanRecipe& next = recipes[poses.size()];
+    const Quat pose = turned_over(poses.back(), random);
+    next = with_random_stations(next, random);
+    const double overlap =
+        scanner.overlap(poses.back(), recipes[poses.size() - 1], pose, next, random);
+    if (overlap < least || overlap > most) continue;
+    chain.overlap = std::min(chain.overlap, overlap);
+    poses.push_back(pose);
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    chain.scans.push_back(scanner.scan(poses[i], recipes[i], random));
+  }
+  return chain;
 }
 
 }  // namespace clast
