@@ -230,10 +230,12 @@ std::vector<std::vector<std::uint32_t>> find_hole_loops(const TriangleMesh& mesh
   for (std::uint32_t first = 0; first < sides.size(); ++first) {
     if (used[first]) continue;
     loops.emplace_back();
-    for (std::uint32_t side = first; side != kNoIndex && !used[side]; side = follower[side]) {
+    std::uint32_t side = first;
+    for (; side != kNoIndex && !used[side]; side = follower[side]) {
       used[side] = true;
       loops.back().push_back(sides[side].to);  // against the triangle, from `to` to `from`
     }
+    if (side != first) loops.pop_back();
   }
   return loops;
 }

@@ -18,7 +18,8 @@ std::size_t orient_vertex_attached_fragments(TriangleMesh& mesh);
 /// A vertex of a torn surface may have several disjoint fans of triangles. A border then continues
 /// from one fan to the next. Such a loop encloses adjacent missing triangles and may visit a vertex
 /// several times. If fans overlap, two sheets touch, and the border stays with its fan.
-/// @param mesh  manifold edges, consistently oriented
+/// Borders that do not close, beside triangles of opposite orientation, are left out.
+/// @param mesh  manifold edges
 std::vector<std::vector<std::uint32_t>> find_hole_loops(const TriangleMesh& mesh);
 
 }  // namespace clast::reconstruct_detail

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/error.hpp"
+#include "mesh/half_edges.hpp"
 #include "mesh/mesh_topology.hpp"
 #include "mesh/self_intersection.hpp"
 #include "reconstruct/field_scan.hpp"
@@ -80,6 +82,32 @@ TEST(HoleLoops, TrianglesMissingAroundAVertexAreHolesOfTheirOwn) {
   EXPECT_EQ(reconstruct_detail::retriangulate_missing_faces(torn).size(), 3u);
   expect_closed_and_sound(torn);
   EXPECT_NEAR(solid_volume(torn), solid_volume(sphere), 1e-12);
+}
+
+TEST(HoleLoops, ABorderBesideATriangleOfOppositeOrientationIsClosedOrLeftOut) {
+  const TriangleMesh sphere = geodesic_sphere(6);
+  TriangleMesh torn = sphere;
+  std::erase_if(torn.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](auto v) { return sphere.vertices[v].z() > 0.9; });
+  });
+  std::size_t loop_count = 0;
+  for (std::size_t t = 0; t < torn.triangles.size(); ++t) {
+    TriangleMesh turned = torn;
+    std::swap(turned.triangles[t][1], turned.triangles[t][2]);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> border;
+    for (const HalfEdge& side : sorted_half_edges(turned)) {
+      const std::pair edge(side.low, side.high);
+      if (!border.insert(edge).second) border.erase(edge);
+    }
+    for (const auto& loop : reconstruct_detail::find_hole_loops(turned)) {
+      ++loop_count;
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        EXPECT_TRUE(border.contains(std::minmax(loop[i], loop[(i + 1) % loop.size()])));
+      }
+    }
+    EXPECT_NO_THROW(reconstruct_detail::retriangulate_missing_faces(turned));
+  }
+  EXPECT_GT(loop_count, torn.triangles.size() / 2);
 }
 
 /// A fragment attached in a hole at one corner, whichever way it faces, is part of the surface.
