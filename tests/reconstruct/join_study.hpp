@@ -21,8 +21,7 @@ struct JoinKind {
 /// - three, four, five, eight: as many scans of one stone, each of which overlaps the one before by
 ///   30 to 60 %
 /// - sources, strips: one scan of two to four passes that are displaced by 0.5 to 3 % of the
-/// largest
-///   extent, with and without the pass of each point
+///   largest extent, with and without the pass of each point
 /// - scale: two scans of which the second has an unknown scale; overlaps as in same and little
 /// - symmetric: two scans of parts of balls, boxes, prisms and other bodies with symmetries
 const std::vector<JoinKind>& join_kinds();
