@@ -115,7 +115,7 @@ void add_wrong_attribution(const Registration& fit, CloudSurface& surface,
   notes.push_back(
       "points may have been attributed to the wrong pass, and the bounds are wider: the passes "
       "were found by their surfaces, and disagree even when they are aligned; sources or times of "
-      "the points in a LAS file, or one file for each pass, would tell them apart");
+      "the points in a LAS file, or one file for each pass, would distinguish them");
 }
 
 /// Registers scans and makes a block of their points.
